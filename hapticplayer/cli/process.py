@@ -7,11 +7,13 @@ import math
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mounted
 from hapticplayer.capture.recording import Recording, refuse_gravity_free
-from hapticplayer.cli.common import interruptible, say, shown_progress
+from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
 from hapticplayer.cli.plots import draw_motion
 from hapticplayer.cli.recording_options import (
     add_mounting,
@@ -23,11 +25,19 @@ from hapticplayer.cli.recording_options import (
     plot_overwritten,
     plot_target,
 )
-from hapticplayer.clock import SystemClock
+from hapticplayer.clock import SystemClock, utc_now_iso
 from hapticplayer.errors import UsageError
 from hapticplayer.media.memory import give_back_freed_memory
-from hapticplayer.model import ClockMap
+from hapticplayer.model import ClockMap, ranges
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.calibration import SensorCalibration
+from hapticplayer.motion.gravity import MIN_SAMPLES
 from hapticplayer.sequence import files
+from hapticplayer.sequence.calibration import (
+    StoredCalibration,
+    refuse_existing_calibration,
+    write_calibration,
+)
 from hapticplayer.sequence.processing import (
     Processed,
     Processing,
@@ -37,6 +47,7 @@ from hapticplayer.sequence.processing import (
 )
 from hapticplayer.sequence.report import notes_on_motion
 from hapticplayer.sequence.store import DESCRIPTION, read_recorded
+from hapticplayer.sequence.surroundings import MARGIN_S, surroundings
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -59,13 +70,34 @@ def add_options(command: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="draw raw, gravity and motion over time (.png or .svg)",
     )
+    add_number(
+        command,
+        "--start",
+        ranges.MEDIA_TIME_S,
+        metavar="S",
+        help="report on a part that begins S seconds after the first sample; the motion "
+        f"is estimated from up to {MARGIN_S / 60.0:g} minutes more on either side",
+    )
+    add_number(
+        command,
+        "--duration",
+        ranges.MEDIA_TIME_S,
+        metavar="S",
+        help="length of the part (default: to the end)",
+    )
     add_processing(command)
+    command.add_argument(
+        "--save-calibration",
+        metavar="FILE",
+        help="keep what the recording tells of the sensor's errors (.json) for "
+        "--calibration with other recordings of it",
+    )
     command.add_argument("--json", action="store_true", help="print the report as JSON")
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Print the quality report of a recording, with what else was asked for."""
-    plot = plot_target(options)
+    plot, target = plot_target(options), _calibration_target(options)
     processing = chosen_processing(options)
     with interruptible(), shown_progress() as progress:
         progress(0.0, f"reading {Path(options.recording).name}")
@@ -74,16 +106,27 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         )
         progress(0.3, f"removing gravity: {processing.method}")
         give_back_freed_memory()  # a third of what an hour at 1 kHz needs
-        processed = process_motion(recording.imu, processing)
+        mounting = chosen_mounting(options) or recording.provenance.get("mounting", "")
+        processing = processing.mounted(mounting)
+        recording, whole, part, elsewhere = _estimated(recording, processing, options)
+        processed = whole.part(part)
         give_back_freed_memory()
         report = describe_quality(recording, processed)
         report["notes"] = notes_on_motion(processed.imu, processed.summary)
+        if len(processed.track) < len(whole.track):
+            report["notes"].append(_surroundings_text(whole))
+        if processing.calibration is not None:
+            report["notes"] += processing.calibration.notes(recording.camera)
         if options.compare:
-            report["methods"] = _compared(processed, processing, progress)
+            report["methods"] = _compared(
+                whole, processing, progress, elsewhere=elsewhere, part=part
+            )
+        if target is not None:
+            _save(target, processed, recording, mounting, options)
         if plot:
             progress(0.9, f"drawing {plot.name}")
-            with files.file_written_aside(plot, plot_overwritten(options)) as part:
-                draw_motion(part, processed, report["recording"]["source"])
+            with files.file_written_aside(plot, plot_overwritten(options)) as aside:
+                draw_motion(aside, processed, report["recording"]["source"])
     _say(report, processed, options)
     return 0
 
@@ -98,15 +141,98 @@ def _read(path: Path, choices: LogChoices, mounting: str) -> Recording:
     if mounting:
         raise UsageError(f"--mounting is for a recording; {path.name} is a sequence")
     imu, made_of = read_recorded(path)
-    return Recording(imu, ClockMap(), str(made_of.get("camera", "")))
+    kept = {k: str(made_of[k]) for k in ("mounting",) if k in made_of}
+    return Recording(imu, ClockMap(), str(made_of.get("camera", "")), provenance=kept)
+
+
+def _estimated(
+    recording: Recording, processing: Processing, options: argparse.Namespace
+) -> tuple[Recording, Processed, slice, SensorCalibration | None]:
+    """Return the part of a recording, the motion around it, and which of that it is.
+
+    Raises:
+        UsageError: when the part holds no motion.
+    """
+    imu = recording.imu
+    if options.start is None and options.duration is None:
+        return recording, process_motion(imu, processing), slice(None), None
+    start_s = float(imu.time_s[0]) + (options.start or 0.0)
+    length_s = math.inf if options.duration is None else options.duration
+    near, elsewhere = surroundings(imu, start_s, start_s + length_s)
+    part = _part(near.time_s, start_s, length_s, options)
+    whole = process_motion(near, processing, elsewhere)
+    shown = dataclasses.replace(recording, imu=near.part(part))
+    # conditioning may have averaged the samples
+    part = _part(whole.track.time_s, start_s, length_s, options)
+    return shown, whole, part, elsewhere
+
+
+def _part(
+    time_s: Floats, start_s: float, length_s: float, options: argparse.Namespace
+) -> slice:
+    first, last = np.searchsorted(time_s, [start_s, start_s + length_s]).tolist()
+    if last - first < MIN_SAMPLES:
+        name = Path(options.recording).name
+        length = "" if options.duration is None else f" --duration {length_s:g}"
+        raise UsageError(
+            f"--start {options.start or 0.0:g}{length}: there is no motion in this part "
+            f"of {name}"
+        )
+    return slice(first, last)
+
+
+def _surroundings_text(whole: Processed) -> str:
+    time_s = whole.track.time_s
+    return f"estimated from the {time_s[-1] - time_s[0]:.0f} s around this part"
+
+
+def _calibration_target(options: argparse.Namespace) -> Path | None:
+    """Return the file for the calibration, checked before the long work starts."""
+    if options.save_calibration is None:
+        return None
+    target = Path(options.save_calibration)
+    refuse_existing_calibration(target, overwrite=options.overwrite)
+    return target
+
+
+def _save(
+    target: Path,
+    processed: Processed,
+    recording: Recording,
+    mounting: str,
+    options: argparse.Namespace,
+) -> None:
+    """Write the calibration, in the recorder's axes.
+
+    Raises:
+        UsageError: for a method that finds none.
+    """
+    if processed.calibration is None:
+        raise UsageError(
+            "--save-calibration needs the method smoother, without --time-constant"
+        )
+    stored = StoredCalibration(
+        processed.calibration,
+        recording.camera,
+        Path(recording.imu.source).name,
+        utc_now_iso(),
+    )
+    write_calibration(target, stored.dismounted(mounting), overwrite=options.overwrite)
 
 
 def _compared(
-    processed: Processed, processing: Processing, progress: files.Progress
+    whole: Processed,
+    processing: Processing,
+    progress: files.Progress,
+    *,
+    elsewhere: SensorCalibration | None,
+    part: slice,
 ) -> list[dict[str, Any]]:
     rows = []
     progress(0.4, "comparing the methods")
-    for row in compare_methods(processed.imu, processing, SystemClock()):
+    for row in compare_methods(
+        whole.imu, processing, SystemClock(), elsewhere=elsewhere, part=part
+    ):
         rows.append(dataclasses.asdict(row))
         progress(min(0.85, 0.4 + 0.1 * len(rows)), f"compared {row.method}")
     return rows
@@ -121,6 +247,8 @@ def _say(
     say(quality_text(report))
     if options.compare:
         say("\n" + comparison_text(report["methods"], processed.summary["method"]))
+    if options.save_calibration:
+        say(f"\ncalibration: {options.save_calibration}")
     if options.plot:
         say(f"\ndrawn: {options.plot}")
 

@@ -16,6 +16,7 @@ from hapticplayer.model import ranges
 from hapticplayer.motion import METHODS
 from hapticplayer.motion.methods import DEFAULT_METHOD
 from hapticplayer.outputs import FILE, IsOurs, refuse_existing
+from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.processing import Processing
 from hapticplayer.sequence.synchronizing import SyncChoices, checked_skew, stored_skews
 
@@ -125,6 +126,12 @@ def add_processing(command: argparse.ArgumentParser) -> None:
         help="low-pass the motion, zero phase",
     )
     group.add_argument(
+        "--calibration",
+        metavar="FILE",
+        help="what another recording of this sensor tells of its errors, written by "
+        "`process --save-calibration`: a prior of the smoother, for short recordings",
+    )
+    group.add_argument(
         "--no-cache",
         action="store_true",
         help="without effect: results are no longer cached (kept for scripts)",
@@ -165,7 +172,14 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
 
 
 def chosen_processing(options: argparse.Namespace) -> Processing:
-    """Return what the options say about the motion."""
+    """Return what the options say about the motion.
+
+    Raises:
+        UsageError: for options that do not go with the method.
+        InputError: for a calibration that cannot be read.
+    """
+    given = options.calibration
+    calibration = None if given is None else read_calibration(Path(given))
     method = {} if options.method is None else {"method": options.method}
     return Processing(
         **method,
@@ -174,6 +188,7 @@ def chosen_processing(options: argparse.Namespace) -> Processing:
         repair_clipping=options.repair_clipping,
         average_hz=options.average,
         lowpass_hz=options.lowpass,
+        calibration=calibration,
     )
 
 

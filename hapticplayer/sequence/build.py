@@ -25,6 +25,7 @@ from hapticplayer.model import (
     Mapping,
     MotionTrack,
 )
+from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import excursion_texts, predict
@@ -34,6 +35,7 @@ from hapticplayer.sequence.report import (
     notes_on_motion,
     notes_on_sequence,
 )
+from hapticplayer.sequence.surroundings import surroundings
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 from hapticplayer.untrusted import HeldFile
 
@@ -145,9 +147,12 @@ def write_sequence(
     """
     choices = choices or Choices()
     progress(0.05, Message("removing gravity"))
-    processed = process_motion(recording.imu, choices.processing)
+    _check_overlap(recording, clip)
+    recording, elsewhere = _around(recording, clip)
+    mounting = str(recording.provenance.get("mounting", ""))
+    processing = choices.processing.mounted(mounting)
+    processed = process_motion(recording.imu, processing, elsewhere)
     track = _mapped(processed.track, recording)
-    _check_overlap(track, clip)
     with files.written_aside(target) as folder:
         clip_name = "clip" + clip.path.suffix.lower()
         clip_hash = _copy_clip(clip.path, folder / clip_name, progress)
@@ -159,6 +164,7 @@ def write_sequence(
         progress(0.95, Message("writing"))
         notes = [
             *recording.notes,
+            *_notes_on_calibration(choices.processing, recording),
             *notes_on_motion(processed.imu, processed.summary),
             *notes_on_sequence(recording, track, tracks, clip),
             *excursion_texts(excursions[Feedback.REALISTIC.value]),
@@ -197,8 +203,29 @@ def _mapped(track: MotionTrack, recording: Recording) -> MotionTrack:
     return dataclasses.replace(track, time_s=clock.rate * track.time_s + clock.offset_s)
 
 
-def _check_overlap(track: MotionTrack, clip: ClipInfo) -> None:
-    first_s, last_s = float(track.time_s[0]), float(track.time_s[-1])
+def _notes_on_calibration(
+    processing: Processing, recording: Recording
+) -> tuple[str, ...]:
+    given = processing.calibration
+    return () if given is None else given.notes(recording.camera)
+
+
+def _around(
+    recording: Recording, clip: ClipInfo
+) -> tuple[Recording, SensorCalibration | None]:
+    """Return the recording around the clip, and what the rest tells of the sensor."""
+    clock = recording.clock_map
+    start_s = -clock.offset_s / clock.rate
+    end_s = start_s + clip.duration_s / clock.rate
+    near, elsewhere = surroundings(recording.imu, start_s, end_s)
+    return dataclasses.replace(recording, imu=near), elsewhere
+
+
+def _check_overlap(recording: Recording, clip: ClipInfo) -> None:
+    clock, time_s = recording.clock_map, recording.imu.time_s
+    first_s, last_s = (
+        clock.rate * float(time_s[end]) + clock.offset_s for end in (0, -1)
+    )
     if last_s <= 0.0 or first_s >= clip.duration_s:
         raise InputError(
             "the motion covers {first_s:.1f} to {last_s:.1f} s of media time, but "

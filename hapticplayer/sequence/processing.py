@@ -18,11 +18,14 @@ from hapticplayer.capture.recording import Recording, find_gaps
 from hapticplayer.clock import Clock
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ImuLog, MotionTrack
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.sequence import files
 from hapticplayer.sequence.excursion import predict
 
 if TYPE_CHECKING:
     from hapticplayer.motion import SmootherParameters
+    from hapticplayer.sequence.calibration import StoredCalibration
 
 DEFAULT_METHOD = "smoother"
 """That of hapticplayer.motion."""
@@ -41,9 +44,10 @@ class Processing:
         repair_clipping: reconstruct short clipped peaks.
         average_hz: average the samples to this rate before gravity removal.
         lowpass_hz: -3 dB of a zero-phase low-pass of the result.
+        calibration: of the sensor, in its own axes; the smoother's prior.
 
     Raises:
-        UsageError: for a time constant with a method that has none.
+        UsageError: for a time constant or calibration with a method that has none.
     """
 
     method: str = DEFAULT_METHOD
@@ -52,6 +56,7 @@ class Processing:
     repair_clipping: bool = False
     average_hz: float | None = None
     lowpass_hz: float | None = None
+    calibration: "StoredCalibration | None" = None
 
     def __post_init__(self) -> None:
         if self.time_constant_s is not None and self.method != "smoother":
@@ -60,14 +65,40 @@ class Processing:
                 method=self.method,
             )
 
-    @property
-    def parameters(self) -> "SmootherParameters | None":
-        """Parameters of the method; None for its defaults."""
-        if self.time_constant_s is None:
+        if self.calibration is not None and self.method != "smoother":
+            raise UsageError(
+                "a calibration is for the method smoother, not for {method}",
+                method=self.method,
+            )
+
+    def mounted(self, axes: str) -> "Processing":
+        """Return the options with the calibration in frame A, see `mounted` of that."""
+        if self.calibration is None:
+            return self
+        return dataclasses.replace(self, calibration=self.calibration.mounted(axes))
+
+    def parameters(
+        self, elsewhere: SensorCalibration | None = None
+    ) -> "SmootherParameters | None":
+        """Return parameters of the method; None for its defaults.
+
+        Args:
+            elsewhere: what other parts of the log tell of the sensor.
+        """
+        if self.method != "smoother":
+            return None
+        known = elsewhere
+        if self.calibration is not None:
+            known = self.calibration.values.for_another_recording()
+            if elsewhere is not None:
+                known = known.with_other(elsewhere)
+        if self.time_constant_s is None and known is None:
             return None
         from hapticplayer.motion import SmootherParameters
 
-        return SmootherParameters(time_constant_s=self.time_constant_s)
+        return SmootherParameters(
+            time_constant_s=self.time_constant_s, calibration=known
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -79,20 +110,43 @@ class Processed:
         track: the gravity-free motion at the log's times.
         summary: of gravity removal; plain numbers, lists and texts.
         conditioning: the other steps, in order, in words.
+        calibration: of the sensor, in frame A, or None where the method has none.
     """
 
     imu: ImuLog
     track: MotionTrack
     summary: Mapping[str, Any]
     conditioning: tuple[str, ...]
+    calibration: SensorCalibration | None = None
+
+    def part(self, chosen: slice) -> "Processed":
+        """Return some of the samples, as estimated from all of them."""
+        track = self.track.part(chosen)
+        if track is self.track:
+            return self
+        of_part = {
+            "gravity_sigma_mps2": _median(track.gravity_sigma_mps2),
+            "invalid_share": 1.0 - float(np.mean(track.valid)),
+        }
+        return dataclasses.replace(
+            self,
+            imu=self.imu.part(chosen),
+            track=track,
+            summary={**self.summary, **of_part},
+        )
 
 
-def process_motion(imu: ImuLog, processing: Processing) -> Processed:
+def process_motion(
+    imu: ImuLog,
+    processing: Processing,
+    elsewhere: SensorCalibration | None = None,
+) -> Processed:
     """Condition a log and remove gravity from it.
 
     Args:
         imu: as recorded.
         processing: options.
+        elsewhere: what other parts of the log tell of the sensor, see `surroundings`.
 
     Raises:
         UsageError: for a method that does not exist.
@@ -101,7 +155,8 @@ def process_motion(imu: ImuLog, processing: Processing) -> Processed:
     imu, steps = _conditioned(imu, processing)
     from hapticplayer import motion
 
-    done = motion.analyse(imu, processing.method, parameters=processing.parameters)
+    parameters = processing.parameters(elsewhere)
+    done = motion.analyse(imu, processing.method, parameters=parameters)
     track = lowpassed(done.track, processing)
     if processing.lowpass_hz is not None:
         steps.append(
@@ -110,7 +165,7 @@ def process_motion(imu: ImuLog, processing: Processing) -> Processed:
                 lowpass_hz=processing.lowpass_hz,
             )
         )
-    return Processed(imu, track, plain(done.summary), tuple(steps))
+    return Processed(imu, track, plain(done.summary), tuple(steps), done.calibration)
 
 
 def lowpassed(track: MotionTrack, processing: Processing) -> MotionTrack:
@@ -234,7 +289,12 @@ def describe_motion(track: MotionTrack) -> dict[str, Any]:
 
 
 def compare_methods(
-    imu: ImuLog, processing: Processing, clock: Clock
+    imu: ImuLog,
+    processing: Processing,
+    clock: Clock,
+    *,
+    elsewhere: SensorCalibration | None = None,
+    part: slice = slice(None),
 ) -> Iterator[MethodRow]:
     """Yield a row for each method, the default's first.
 
@@ -242,23 +302,29 @@ def compare_methods(
         imu: conditioned as for `processing`, see `Processed`.
         processing: its time constant goes to the smoother, its low-pass to all.
         clock: to time the methods.
+        elsewhere: what other parts of the log tell of the sensor.
+        part: samples that are compared.
     """
     from hapticplayer import motion
 
     reference: MotionTrack | None = None
     for name in sorted(motion.METHODS, key=lambda name: name != DEFAULT_METHOD):
-        parameters = processing.parameters if name == processing.method else None
-        track, summary, took_s = _timed(imu, name, parameters, clock)
+        is_chosen = name == processing.method
+        parameters = processing.parameters(elsewhere) if is_chosen else None
+        whole, summary, took_s = _timed(imu, name, parameters, clock)
+        track = whole.part(part)
         reference = reference or track
         difference = (
             _rms_difference(track, reference) if name != DEFAULT_METHOD else 0.0
         )
         yield MethodRow(
             method=name,
-            rms_mps2=describe_motion(lowpassed(track, processing))["rms_mps2"],
+            rms_mps2=describe_motion(lowpassed(whole, processing).part(part))[
+                "rms_mps2"
+            ],
             leak_at_rest_mps2=summary["leak_at_rest_mps2"],
             difference_mps2=difference,
-            gravity_sigma_mps2=summary["gravity_sigma_mps2"],
+            gravity_sigma_mps2=_median(track.gravity_sigma_mps2),
             us_per_sample=1e6 * took_s / len(imu),
         )
 
@@ -275,6 +341,10 @@ def _timed(
         took_s.append(clock.now_s() - begin_s)
         if sum(took_s) > _ENOUGH_S or len(took_s) == _RUNS:
             return done.track, plain(done.summary), min(took_s)
+
+
+def _median(values: Floats | None) -> float | None:
+    return None if values is None else float(np.median(values))
 
 
 def _rms_difference(track: MotionTrack, reference: MotionTrack) -> float | None:

@@ -4652,6 +4652,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kann nicht überschrieben werden ({reason})</translation>
     </message>
     <message>
+        <source>a calibration is for the method smoother, not for {method}</source>
+        <translation>eine Kalibrierung gilt für das Verfahren smoother, nicht für {method}</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>wählen Sie eine andere Datei, oder ersetzen Sie sie mit --overwrite</translation>
     </message>
@@ -4720,12 +4724,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist mit gzip komprimiert</translation>
     </message>
     <message>
+        <source>is not a calibration of a sensor</source>
+        <translation>ist keine Kalibrierung eines Sensors</translation>
+    </message>
+    <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>ist keine Vorlage für ein Protokoll (sie darf Texte enthalten für {known})</translation>
     </message>
     <message>
         <source>is not overwritten, as it is no such file of this program</source>
         <translation>wird nicht überschrieben, denn es ist keine solche Datei dieses Programms</translation>
+    </message>
+    <message>
+        <source>is of version {version!r} of the format; this program reads {known}</source>
+        <translation>hat die Version {version!r} des Formats; dieses Programm liest {known}</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>
@@ -5074,6 +5086,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the board&apos;s axes</source>
         <translation>Achsen der Platine</translation>
+    </message>
+    <message>
+        <source>the calibration is of {theirs}, the recording of {ours}; a calibration helps only if both are one sensor</source>
+        <translation>die Kalibrierung ist von {theirs}, die Aufnahme von {ours}; eine Kalibrierung hilft nur, wenn beide von demselben Sensor sind</translation>
     </message>
     <message>
         <source>the chip&apos;s axes</source>
@@ -6048,6 +6064,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist von einer anderen Version des Programms</translation>
     </message>
     <message>
+        <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>
+        <translation>schreiben Sie eine mit `hapticplayer process LOG --save-calibration FILE`</translation>
+    </message>
+    <message>
         <source>writing</source>
         <translation>wird geschrieben</translation>
     </message>
@@ -6152,8 +6172,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} ist in {count} von {total} Zeilen null, nicht endlich oder jenseits jedes Sensors, zuerst in {place}</translation>
     </message>
     <message>
+        <source>{name} must be a number between {least:g} and {largest:g}{unit}</source>
+        <translation>{name} muss eine Zahl zwischen {least:g} und {largest:g}{unit} sein</translation>
+    </message>
+    <message>
         <source>{name} must be a positive number, got {value}</source>
         <translation>{name} muss eine positive Zahl sein, war aber {value}</translation>
+    </message>
+    <message>
+        <source>{name} must be a text of at most {most} characters</source>
+        <translation>{name} muss ein Text von höchstens {most} Zeichen sein</translation>
     </message>
     <message>
         <source>{name} must be a whole number between {least} and {largest}{unit}, not {text}</source>
@@ -6170,6 +6198,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} must be positive and finite, got {value}</source>
         <translation>{name} muss positiv und endlich sein, ist {value}</translation>
+    </message>
+    <message>
+        <source>{name} must be three numbers between {least:g} and {largest:g}{unit}</source>
+        <translation>{name} muss drei Zahlen zwischen {least:g} und {largest:g}{unit} enthalten</translation>
     </message>
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>

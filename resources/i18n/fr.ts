@@ -4652,6 +4652,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne peut pas être remplacé ({reason})</translation>
     </message>
     <message>
+        <source>a calibration is for the method smoother, not for {method}</source>
+        <translation>un étalonnage vaut pour la méthode smoother, pas pour {method}</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>choisissez un autre fichier, ou remplacez-le avec --overwrite</translation>
     </message>
@@ -4720,12 +4724,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est compressé avec gzip</translation>
     </message>
     <message>
+        <source>is not a calibration of a sensor</source>
+        <translation>n’est pas l’étalonnage d’un capteur</translation>
+    </message>
+    <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>n’est pas un modèle de journal (il peut contenir des textes pour {known})</translation>
     </message>
     <message>
         <source>is not overwritten, as it is no such file of this program</source>
         <translation>n’est pas remplacé, car ce n’est pas un tel fichier de ce programme</translation>
+    </message>
+    <message>
+        <source>is of version {version!r} of the format; this program reads {known}</source>
+        <translation>est de la version {version!r} du format&#xa0;; ce programme lit la {known}</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>
@@ -5074,6 +5086,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the board&apos;s axes</source>
         <translation>axes de la carte</translation>
+    </message>
+    <message>
+        <source>the calibration is of {theirs}, the recording of {ours}; a calibration helps only if both are one sensor</source>
+        <translation>l’étalonnage vient de {theirs}, l’enregistrement de {ours}&#xa0;; un étalonnage n’aide que si les deux viennent du même capteur</translation>
     </message>
     <message>
         <source>the chip&apos;s axes</source>
@@ -6048,6 +6064,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est d’une autre version du programme</translation>
     </message>
     <message>
+        <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>
+        <translation>écrivez-en un avec `hapticplayer process LOG --save-calibration FILE`</translation>
+    </message>
+    <message>
         <source>writing</source>
         <translation>écriture</translation>
     </message>
@@ -6152,8 +6172,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name} est nul, non fini ou au-delà de tout capteur dans {count} lignes sur {total}, d’abord à la {place}</translation>
     </message>
     <message>
+        <source>{name} must be a number between {least:g} and {largest:g}{unit}</source>
+        <translation>{name} doit être un nombre entre {least:g} et {largest:g}{unit}</translation>
+    </message>
+    <message>
         <source>{name} must be a positive number, got {value}</source>
         <translation>{name} doit être un nombre positif, reçu&#xa0;: {value}</translation>
+    </message>
+    <message>
+        <source>{name} must be a text of at most {most} characters</source>
+        <translation>{name} doit être un texte d’au plus {most} caractères</translation>
     </message>
     <message>
         <source>{name} must be a whole number between {least} and {largest}{unit}, not {text}</source>
@@ -6170,6 +6198,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} must be positive and finite, got {value}</source>
         <translation>{name} doit être positif et fini, et vaut {value}</translation>
+    </message>
+    <message>
+        <source>{name} must be three numbers between {least:g} and {largest:g}{unit}</source>
+        <translation>{name} doit contenir trois nombres entre {least:g} et {largest:g}{unit}</translation>
     </message>
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>

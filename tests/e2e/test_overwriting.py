@@ -48,6 +48,7 @@ def write(clip, still_log, record, tmp_path):
         "log": (*play, "--device", "none", "--log"),
         "record": (*play, "--record"),
         "template": ("process", log, "--read-as", "axes=x,y,z", "--save-template"),
+        "calibration": ("process", log, "--save-calibration"),
         "plot.png": ("process", log, "--plot"),
         "plot.svg": ("process", log, "--plot"),
         "export.csv": ("export", record, "-o"),
@@ -95,7 +96,9 @@ def test_one_kind_does_not_overwrite_another(tmp_path, write, name):
 
 
 WORDS = [*((command.name,) for command in cli.COMMANDS), ("device", "measure")]
-FILE_OPTION = re.compile(r"--(log|record|save-template|plot|output) FILE\b")
+FILE_OPTION = re.compile(
+    r"--(log|record|save-template|save-calibration|plot|output) FILE\b"
+)
 
 
 @pytest.mark.parametrize("words", WORDS, ids=" ".join)

@@ -66,6 +66,42 @@ def test_the_figures_agree_with_the_truth(log, ride):
         assert report["gravity_removal"][name] == expected[name]
 
 
+def test_a_part_is_estimated_on_the_whole_log(log):
+    """Ten seconds alone would have another calibration, and other gravity."""
+    part = ("--start", "20", "--duration", "10", "--compare", "--json")
+    report = report_of(hapticplayer("process", log, *part))
+    whole = report_of(hapticplayer("process", log, "--json"))
+    found = report["gravity_removal"]["gyro_bias_radps"]
+    assert found == whole["gravity_removal"]["gyro_bias_radps"]
+    assert report["recording"]["duration_s"] == pytest.approx(10.0, abs=0.02)
+    imu = read_recording(log).imu
+    first, last = np.searchsorted(imu.time_s - imu.time_s[0], [20.0, 30.0])
+    p = motion.remove_gravity(imu).acceleration_mps2[first:last]
+    rms = float(np.sqrt(np.mean(np.square(p).sum(axis=1))))
+    assert report["motion"]["rms_mps2"] == pytest.approx(rms)
+    assert report["methods"][0]["rms_mps2"] == pytest.approx(rms)
+    said = refused(hapticplayer("process", log, "--start", "500"), status=2)
+    assert "there is no motion in this part of walk.csv" in said
+
+
+def test_a_calibration_is_kept_and_given(log, tmp_path):
+    kept = tmp_path / "phone.json"
+    saved = hapticplayer(
+        "process", log, "--mounting=-x,y,-z", "--save-calibration", kept
+    )
+    assert saved.returncode == 0, saved.stderr
+    found = json.loads(kept.read_text())["gyro_bias_radps"]
+    plain = report_of(hapticplayer("process", log, "--json"))["gravity_removal"]
+    # in the recorder's own axes, whatever the mounting
+    assert found == pytest.approx(plain["gyro_bias_radps"], abs=1e-4)
+    for other in (("--method", "vqf"), ("--time-constant", "9")):
+        done = hapticplayer("process", log, *other, "--save-calibration", f"{kept}2")
+        assert "needs the method smoother" in refused(done, status=2)
+    report = report_of(hapticplayer("process", log, "--calibration", kept, "--json"))
+    after = report["gravity_removal"]["gyro_bias_radps"]
+    assert after == pytest.approx(found, abs=1e-3)
+
+
 def test_methods_stand_side_by_side(log):
     report = report_of(hapticplayer("process", log, "--compare", "--json"))
     rows = {row["method"]: row for row in report["methods"]}

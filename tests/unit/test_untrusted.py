@@ -16,6 +16,7 @@ from hapticplayer.media.clip_info import probe
 from hapticplayer.playback.latency import read_settings
 from hapticplayer.playback.replay import read_force_log
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.library import read_entry
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.journal import read_journal, refuse_if_open
@@ -89,6 +90,7 @@ def test_a_small_file_is_read_up_to_its_limit(tmp_path):
         probe,
         read_recording,
         read_template,
+        read_calibration,
         read_image,
         RecordReader,
         read_force_log,
