@@ -155,8 +155,9 @@ def inverse(rotation: Pair) -> Pair:
 
 def rotate(rotation: Pair, vector: Floats) -> Floats:
     """Return q v q* for vectors (3, ...)."""
-    w, x = rotation[0].real, rotation[0].imag
-    y, z = rotation[1].real, rotation[1].imag
+    # numpy is slow along every second element
+    w, x = rotation[0].real.copy(), rotation[0].imag.copy()
+    y, z = rotation[1].real.copy(), rotation[1].imag.copy()
     v0, v1, v2 = vector
     t0 = y * v2 - z * v1
     t1 = z * v0 - x * v2

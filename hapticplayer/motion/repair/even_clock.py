@@ -9,6 +9,7 @@ from scipy.signal import savgol_filter
 
 from hapticplayer.errors import Message
 from hapticplayer.model.arrays import Floats
+from hapticplayer.motion.medians import median
 
 # A step of so many intervals parts two pieces: a dropout or a gap stays as it is.
 MAX_STEP = 1.6
@@ -41,10 +42,14 @@ def even_clock(
     """
     if len(time_s) < MIN_PIECE_SAMPLES:
         return None
-    steps = np.diff(time_s)
-    interval_s = float(np.median(steps))
-    # most logs end here
-    if np.std(steps[steps < MAX_STEP * interval_s]) < MIN_JITTER_RMS * interval_s:
+    steps = time_s[1:] - time_s[:-1]
+    interval_s = median(steps)
+    least_s = MIN_JITTER_RMS * interval_s
+    # most logs end here, on a machine's own clock at the range of their steps
+    if (
+        steps.max() - steps.min() < least_s
+        or np.std(steps[steps < MAX_STEP * interval_s]) < least_s
+    ):
         return None
     excess = np.pad(steps / interval_s - 1.0, 1)
     # jitter makes a long step between two short ones, a dropout does not

@@ -67,13 +67,13 @@ def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
     chain = _chain(problem, models)
     factor = horizontal_factor(chain)
     sides = right_sides(problem)
-    pairs = np.tile(sides[:, 0] + 1j * sides[:, 1], count)
+    repeated = np.empty((columns, count, sides.shape[2]), complex)
+    repeated.real, repeated.imag = sides[:, :1], sides[:, 1:]
+    pairs = repeated.reshape(columns, -1)
     half_solve(factor, pairs)
     half = pairs.view(np.float64).reshape(columns, count, -1).swapaxes(0, 1)
-    weighted = problem.tilt_weight * problem.tilt
-    normal = np.tensordot(weighted, problem.tilt, ((1, 2), (1, 2)))
-    weighted = problem.velocity_weight * problem.impulse
-    normal = normal + np.tensordot(weighted, problem.impulse, ((1, 2), (1, 2)))
+    normal = _gram(problem.tilt, problem.tilt_weight)
+    normal += _gram(problem.impulse, problem.velocity_weight)
     normal = normal - half @ half.swapaxes(1, 2)
     log_det = 2.0 * 2.0 * _sums(np.log(factor[0]), count)
     # the vertical velocity alone
@@ -93,9 +93,16 @@ def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
     matrix = normal[:, 1:, 1:] + np.diag(problem.prior_weight)
     pull = problem.prior_weight * problem.prior - normal[:, 1:, 0]
     best = np.linalg.solve(matrix, pull[..., None])[..., 0]
-    squares = normal[:, 0, 0] - (pull * best).sum(axis=1)
+    squares = normal[:, 0, 0] - np.vecdot(pull, best)
     log_det += np.linalg.slogdet(matrix)[1]
     return np.asarray(0.5 * (log_weights - log_det - squares))
+
+
+def _gram(columns: Floats, weight: Floats) -> Floats:
+    """Return the weighted scalar products of columns (C, axes, K), (C, C)."""
+    count = len(columns)
+    weighted = (weight * columns).reshape(count, -1)
+    return np.asarray(weighted @ columns.reshape(count, -1).T)
 
 
 def _chain(problem: Problem, models: Sequence[VelocityModel]) -> Problem:

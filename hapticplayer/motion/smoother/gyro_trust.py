@@ -82,15 +82,13 @@ def gyro_trust(
     """
     resting = solution.calibration.copy()
     resting[body] = 0.0
-    both = [
-        with_fixed_calibration(problem, found, BIAS_COLUMNS)
-        for found in (solution.calibration, resting)
-    ]
+    calibrations = solution.calibration, resting
     usual: list[float] = []
     best, best_gain, last_gain = None, p.noise_evidence, 0.0
     for factor in NOISE_FACTORS:
         found = []
-        for place, one in enumerate(both):
+        for place, calibration in enumerate(calibrations):
+            one = with_fixed_calibration(problem, calibration, BIAS_COLUMNS)
             evidences = log_evidences(_noisier(one, factor), VELOCITY_MODELS)
             least = float(evidences.max()) - last_gain + MAX_LOSS
             if place == len(usual):

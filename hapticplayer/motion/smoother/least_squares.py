@@ -171,9 +171,11 @@ def with_fixed_calibration(problem: Problem, calibration: Floats, free: int) -> 
     fixed = calibration[free:]
     if len(fixed):
         tilt, impulse = tilt.copy(), impulse.copy()
-        stop = used + len(fixed)
-        tilt[0] += np.tensordot(fixed, problem.tilt[used:stop], 1)
-        impulse[0] += np.tensordot(fixed, problem.impulse[used:stop], 1)
+        for known, all_columns in (tilt, problem.tilt), (impulse, problem.impulse):
+            columns = all_columns[used : used + len(fixed)]
+            known[0] += fixed.dot(columns.reshape(len(fixed), -1)).reshape(
+                known[0].shape
+            )
     return replace(
         problem,
         tilt=tilt,

@@ -14,9 +14,9 @@ from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.rotations import Pair
 from hapticplayer.motion.smoother.samples import InertialSamples, window_mean
 
-# InertialSamples at a time, so that intermediate arrays stay in the cache of a core and below
-# the size from which the C library takes fresh memory for each.
-CHUNK = 4096
+# At a time, so that intermediate arrays stay in the cache of a core; run_time.py: half of
+# it costs 7 % more, twice as many save 2 %.
+CHUNK_SAMPLES = 8192
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,7 +65,7 @@ def integrate(
     rotation = np.empty(total, complex), np.empty(total, complex)
     impulse, turned = np.empty((3, total)), np.empty((3, total))
     duration, power = np.empty(total), np.empty(total)
-    chunk = max(1, CHUNK // per_window)
+    chunk = max(1, CHUNK_SAMPLES // per_window)
     for start in range(0, total, chunk):
         part = slice(start, min(start + chunk, total))
         step = _columns(samples.step_s, per_window, part)
@@ -139,7 +139,7 @@ def spread(
     per_window, total = windows.inside[0].shape
     orientation = np.empty((total, per_window, 4))
     vertical = np.empty((total, per_window, 3))
-    chunk = max(1, CHUNK // per_window)
+    chunk = max(1, CHUNK_SAMPLES // per_window)
     for first in range(0, total, chunk):
         part = slice(first, min(first + chunk, total))
         local = windows.inside[0][:, part], windows.inside[1][:, part]
