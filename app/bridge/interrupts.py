@@ -6,20 +6,24 @@ import threading
 from collections.abc import Callable, Iterator
 from types import FrameType
 
-from PySide6.QtCore import QSocketNotifier, QTimer
-
 from hapticplayer.haptics.messages import ALARM_S, signal_alarm
 
 NUMBERS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
+
+_held: list[int] = []
 
 
 def hold_signals() -> None:
     """Keep them waiting until `closing_on_signals` takes them.
 
     An interrupt in the middle of importing or building Qt's classes crashes the
-    interpreter. Threads that start meanwhile never see these signals.
+    interpreter. Threads that start meanwhile never see these signals; those of numpy,
+    which run already, may take one.
     """
     signal.pthread_sigmask(signal.SIG_BLOCK, NUMBERS)
+    for number in NUMBERS:
+        if signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, lambda number, _frame: _held.append(number))
 
 
 @contextlib.contextmanager
@@ -40,6 +44,9 @@ def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
     before = [signal.signal(number, handle) for number in heeded]
     with _awake():
         signal.pthread_sigmask(signal.SIG_UNBLOCK, NUMBERS)
+        if _held:
+            _held.clear()
+            close()
         try:
             yield
         finally:
@@ -50,6 +57,8 @@ def closing_on_signals(close: Callable[[], None]) -> Iterator[None]:
 @contextlib.contextmanager
 def _awake() -> Iterator[None]:
     """Let every signal wake Qt's event loop, and the haptic loops stop by themselves."""
+    from PySide6.QtCore import QSocketNotifier, QTimer  # only once signals are held
+
     alarm = signal_alarm()
     notifier = QSocketNotifier(alarm.read_end.fileno(), QSocketNotifier.Type.Read)
     later = QTimer(singleShot=True, interval=round(1000 * ALARM_S))

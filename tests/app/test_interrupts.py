@@ -8,7 +8,7 @@ import threading
 import pytest
 from PySide6.QtCore import QEventLoop, QTimer
 
-from app.bridge.interrupts import NUMBERS, closing_on_signals
+from app.bridge.interrupts import NUMBERS, closing_on_signals, hold_signals
 from hapticplayer.haptics.messages import signal_alarm
 
 
@@ -34,6 +34,24 @@ def test_loops_hear_of_a_signal_before_the_window_closes(qapp, number):
         assert seen == [bytes([number])]
         assert heard() == bytes([number])
     assert heard() == b""
+
+
+def test_a_signal_that_another_thread_takes_is_held(qapp):
+    over, closed = threading.Event(), []
+    threading.Thread(target=over.wait).start()
+    handlers = [signal.getsignal(number) for number in NUMBERS]
+    try:
+        hold_signals()
+        os.kill(os.getpid(), signal.SIGINT)  # not to this thread, which blocks it
+        for _ in range(1000):
+            os.sched_yield()
+        with closing_on_signals(lambda: closed.append(True)):
+            while not closed:
+                os.sched_yield()
+    finally:
+        over.set()
+        for number, handler in zip(NUMBERS, handlers, strict=True):
+            signal.signal(number, handler)
 
 
 def test_the_alarm_ends_and_sounds_again(qapp):
