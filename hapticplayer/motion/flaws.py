@@ -19,12 +19,12 @@ from hapticplayer.motion.saturation import (
 Flags = NDArray[np.bool_]
 
 # A step longer than this many intervals is a gap.
-GAP_STEPS = 3.0
+MAX_STEP_INTERVALS = 3.0
 # Straight lines bridge a gap of a few samples; one of this length is unknown.
-_BRIDGED_S = 0.3
+_UNKNOWN_GAP_S = 0.3
 # Share of a clipped sample that counts as unknown: its direction is known.
-_CLIPPED_RATE_LOST = 0.3
-_CLIPPED_FORCE_DOUBT = 1.0
+_CLIPPED_RATE_LOST_SHARE = 0.3
+_CLIPPED_FORCE_DOUBT_SHARE = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,18 +66,20 @@ class Flaws:
     @property
     def beyond_bridging(self) -> Flags:
         """Samples after a gap that is too long for a straight line, (N,)."""
-        return np.asarray(self.gap_s > _BRIDGED_S)
+        return np.asarray(self.gap_s > _UNKNOWN_GAP_S)
 
     @property
     def _unbridged_gap_s(self) -> Floats:
-        return np.asarray(self.gap_s * np.minimum(self.gap_s / _BRIDGED_S, 1.0) ** 2)
+        return np.asarray(
+            self.gap_s * np.minimum(self.gap_s / _UNKNOWN_GAP_S, 1.0) ** 2
+        )
 
     def lost_s(self, step_s: Floats) -> Floats:
         """Return the time in which the rotation is unknown, (N,)."""
         if self.flawless:
             return self.gap_s
         missing = _unbridged(self.missing, step_s)
-        clipped = _CLIPPED_RATE_LOST * self.rate_clipped
+        clipped = _CLIPPED_RATE_LOST_SHARE * self.rate_clipped
         lost = step_s * np.maximum(missing, clipped)
         return np.asarray(self._unbridged_gap_s + lost)
 
@@ -86,7 +88,7 @@ class Flaws:
         if self.flawless:
             return self.gap_s
         missing = _unbridged(self.missing, step_s)
-        clipped = _CLIPPED_FORCE_DOUBT * self.force_clipped
+        clipped = _CLIPPED_FORCE_DOUBT_SHARE * self.force_clipped
         lost = step_s * np.maximum(missing, clipped)
         return np.asarray(self._unbridged_gap_s + lost)
 
@@ -101,8 +103,8 @@ def find_flaws(imu: ImuLog) -> Flaws:
     steps = imu.time_s[1:] - imu.time_s[:-1]
     interval_s = median(steps)
     gap_s = np.zeros(len(imu))
-    if steps.max() > GAP_STEPS * interval_s:
-        wide = steps > GAP_STEPS * interval_s
+    if steps.max() > MAX_STEP_INTERVALS * interval_s:
+        wide = steps > MAX_STEP_INTERVALS * interval_s
         gap_s[1:][wide] = steps[wide] - interval_s
     return Flaws(
         interval_s,
@@ -127,6 +129,6 @@ def _unbridged(missing: Flags, step_s: Floats) -> Floats:
     edges = np.flatnonzero(np.diff(missing, prepend=False, append=False))
     end_s = np.concatenate([[0.0], np.cumsum(step_s)])
     length_s = end_s[edges[1::2]] - end_s[edges[::2]]
-    share = np.minimum(length_s / _BRIDGED_S, 1.0)
+    share = np.minimum(length_s / _UNKNOWN_GAP_S, 1.0)
     out[missing] = np.repeat(share, edges[1::2] - edges[::2])
     return out

@@ -9,13 +9,13 @@ from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 
 # Below this the interval of a sample is as good as its time stamp.
-MAX_JITTER = 0.01
-MAX_GRID_GROWTH = 20.0
+MAX_JITTER_INTERVALS = 0.01
+MAX_GRID_COUNT_RATIO = 20.0
 # Beyond a longer gap the attitude is unknown, however long it was.
 MAX_GAP_S = 60.0
 _CLOSED_S = 1.0
 # A piece has so many samples at least.
-_FEWEST = 50
+_MIN_PIECE_SAMPLES = 50
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,7 +53,7 @@ def even(
     field = imu.magnetic_field_ut if with_field else None
     steps = np.diff(imu.time_s)
     interval_s = float(np.median(steps)) if len(steps) else 0.01
-    if not len(steps) or np.abs(steps / interval_s - 1.0).max() < MAX_JITTER:
+    if not len(steps) or np.abs(steps / interval_s - 1.0).max() < MAX_JITTER_INTERVALS:
         return EvenLog(
             imu.time_s,
             interval_s if len(steps) < 2 else float(np.mean(steps)),
@@ -63,7 +63,7 @@ def even(
         )
     span_s = float(imu.time_s[-1] - imu.time_s[0])
     # hours of silence between two samples must not become millions of samples
-    count = min(round(span_s / interval_s), int(MAX_GRID_GROWTH * len(imu))) + 1
+    count = min(round(span_s / interval_s), int(MAX_GRID_COUNT_RATIO * len(imu))) + 1
     time_s = np.linspace(imu.time_s[0], imu.time_s[-1], max(count, 2))
     return EvenLog(
         time_s,
@@ -83,7 +83,7 @@ def pieces(imu: ImuLog) -> list[slice]:
     edges = [0]
     gaps = np.flatnonzero(np.diff(imu.time_s) > MAX_GAP_S) + 1
     for gap, after in itertools.pairwise([*gaps.tolist(), len(imu)]):
-        if min(gap - edges[-1], after - gap) >= _FEWEST:
+        if min(gap - edges[-1], after - gap) >= _MIN_PIECE_SAMPLES:
             edges.append(gap)
     return [slice(*ends) for ends in itertools.pairwise([*edges, len(imu)])]
 

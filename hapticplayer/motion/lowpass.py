@@ -15,7 +15,7 @@ from hapticplayer.motion import rotations
 
 # Chosen on recordings: lower is better on running people, higher on slow hands.
 CUTOFF_HZ = 1.0
-ORDER = 2
+FILTER_ORDER = 2
 # The filter has forgotten its past to 1e-3 after this many periods of the cutoff.
 PADDING_PERIODS = 2.0
 # A slow part below this is free fall or a dead sensor and has no direction.
@@ -76,7 +76,7 @@ def _smoothed(force: Floats, interval_s: float, cutoff_hz: float) -> Floats:
 
     if len(force) < 2 or 2.0 * cutoff_hz * interval_s >= 1.0:
         return force
-    sections = signal.butter(ORDER, cutoff_hz, fs=1.0 / interval_s, output="sos")
+    sections = signal.butter(FILTER_ORDER, cutoff_hz, fs=1.0 / interval_s, output="sos")
     wanted = math.ceil(PADDING_PERIODS / (cutoff_hz * interval_s))
     smooth: Floats = signal.sosfiltfilt(
         sections, force, axis=0, padtype="even", padlen=min(wanted, len(force) - 1)

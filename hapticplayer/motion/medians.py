@@ -5,7 +5,7 @@ import numpy as np
 from hapticplayer.model.arrays import Floats
 
 # So many values are worth guesses, this many, from so many of the values.
-_MANY, _GUESSES, _SAMPLE = 1000, 3, 256
+_MANY_VALUES, _GUESS_COUNT, _SAMPLE_VALUES = 1000, 3, 256
 
 
 def median(values: Floats) -> float:
@@ -17,10 +17,10 @@ def median(values: Floats) -> float:
     """
     count = len(values)
     middle = count // 2
-    if count >= _MANY:
-        sample = np.sort(values[:: count // _SAMPLE])
+    if count >= _MANY_VALUES:
+        sample = np.sort(values[:: count // _SAMPLE_VALUES])
         guess = sample[len(sample) // 2]
-        for _ in range(_GUESSES):
+        for _ in range(_GUESS_COUNT):
             too_large = np.count_nonzero(values < guess) > (count - 1) // 2
             if not too_large and np.count_nonzero(values <= guess) > middle:
                 return float(guess)

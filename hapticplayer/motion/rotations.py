@@ -19,7 +19,7 @@ Pair = tuple[Complexes, Complexes]
 # Up to this squared angle (0.7 rad) the series below is exact to 1e-16.
 SMALL_SQUARED_RAD2 = 0.5
 # How many of the lowest terms are as good up to a squared angle (0.02 and 0.2 rad).
-_ENOUGH = ((4e-4, 4), (0.04, 6))
+_ENOUGH_TERMS = ((4e-4, 4), (0.04, 6))
 # sin(a / 2) / a in powers of a^2, highest first
 _HALF_SINC = tuple(
     0.5 * (-0.25) ** k / math.factorial(2 * k + 1) for k in range(7, -1, -1)
@@ -47,7 +47,7 @@ def half_sinc(squared_rad2: Floats) -> Floats:
     if largest >= SMALL_SQUARED_RAD2:
         # np.sinc(x) = sin(pi x) / (pi x) is exact at zero
         return np.asarray(0.5 * np.sinc(np.sqrt(squared_rad2) / (2.0 * np.pi)))
-    terms = next((n for limit, n in _ENOUGH if largest < limit), len(_HALF_SINC))
+    terms = next((n for limit, n in _ENOUGH_TERMS if largest < limit), len(_HALF_SINC))
     out = np.full(squared_rad2.shape, _HALF_SINC[-terms])
     for factor in _HALF_SINC[1 - terms :]:
         out *= squared_rad2

@@ -19,18 +19,18 @@ Flags = NDArray[np.bool_]
 # Relative widths below an extreme reading. Nexus 5 phones: 95 % of the samples within
 # 2 % of the rail are within 0.05 % of it; a sinusoid has 19 % of them there. The rails
 # of RepoIMU's gyros wobble by 0.3 %; a sinusoid has 32 % of 4 % there.
-ON_RAIL, WOBBLING_RAIL = 5e-4, 4e-3
-BELOW_RAIL = {ON_RAIL: 0.02, WOBBLING_RAIL: 0.04}
+ON_RAIL_SHARE, WOBBLING_RAIL_SHARE = 5e-4, 4e-3
+BELOW_RAIL_SHARES = {ON_RAIL_SHARE: 0.02, WOBBLING_RAIL_SHARE: 0.04}
 # Interpolation and calibration smear a rail by this much.
-SMEARED = 2e-3
+RAIL_SMEAR_SHARE = 2e-3
 # Axes of one sensor have different offsets: +-2 g phones clip at 19.05 to 19.55.
-SAME_SCALE = 0.04
-MIN_RUN = 3
+SAME_SCALE_SHARE = 0.04
+MIN_RUN_SAMPLES = 3
 # A level that no data sheet names needs more evidence than a known one.
-MIN_RUNS = 3
-MIN_CONTRAST = {True: 2.0, False: 4.0}
-MAX_MEAN_RUN = 100.0
-MAX_SHARE = 0.5
+MIN_RUN_COUNT = 3
+MIN_PILE_RATIO = {True: 2.0, False: 4.0}
+MAX_MEAN_RUN_SAMPLES = 100.0
+MAX_ON_RAIL_SHARE = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ def find_rails(values: Floats, sensor: SensorRange) -> Floats | None:
     outward = np.array([-1.0, 1.0])
     tops = outward * np.array([columns.min(axis=1), columns.max(axis=1)]).T
     is_rail = np.zeros(tops.shape, np.bool_)
-    for width in BELOW_RAIL:
+    for width in BELOW_RAIL_SHARES:
         for axis, side in np.argwhere(tops >= sensor.least):
             column = columns[axis] if side else -columns[axis]
             top = float(tops[axis, side])
@@ -84,15 +84,15 @@ def find_rails(values: Floats, sensor: SensorRange) -> Floats | None:
             break
     else:
         return None
-    tops *= 1.0 - (width - ON_RAIL)
+    tops *= 1.0 - (width - ON_RAIL_SHARE)
     for rail in tops[is_rail]:
-        is_rail |= np.abs(tops / rail - 1.0) <= SAME_SCALE
+        is_rail |= np.abs(tops / rail - 1.0) <= SAME_SCALE_SHARE
     return np.where(is_rail, outward * tops, outward * np.inf)
 
 
 def on_rails(values: Floats, rails: Floats) -> Flags:
     """Return which readings (N, 3) lie on a rail or beyond, (N, 3)."""
-    low, high = (1.0 - SMEARED) * rails.T
+    low, high = (1.0 - RAIL_SMEAR_SHARE) * rails.T
     return np.asarray((values <= low) | (values >= high))
 
 
@@ -101,25 +101,25 @@ def _is_rail(values: Floats, top: float, width: float, sensor: SensorRange) -> b
     on_rail = values >= (1.0 - width) * top
     count = int(np.count_nonzero(on_rail))
     # what lies there most of the time is a steady motion, not a peak cut off
-    if not MIN_RUN <= count <= MAX_SHARE * len(values):
+    if not MIN_RUN_SAMPLES <= count <= MAX_ON_RAIL_SHARE * len(values):
         return False
-    is_near = values >= (1.0 - BELOW_RAIL[width]) * top
+    is_near = values >= (1.0 - BELOW_RAIL_SHARES[width]) * top
     near = int(np.count_nonzero(is_near))
-    is_known = any(abs(top / s - 1.0) <= SAME_SCALE for s in sensor.full_scales)
-    if count < MIN_CONTRAST[is_known] * (near - count):
+    is_known = any(abs(top / s - 1.0) <= SAME_SCALE_SHARE for s in sensor.full_scales)
+    if count < MIN_PILE_RATIO[is_known] * (near - count):
         return False
-    if width == WOBBLING_RAIL:
+    if width == WOBBLING_RAIL_SHARE:
         # the noise of a steady turn must not split it into runs
         on_rail, is_known = is_near, False
     edges = np.flatnonzero(np.diff(on_rail, prepend=False, append=False))
     runs = edges[1::2] - edges[::2]
-    runs = runs[runs >= MIN_RUN]
+    runs = runs[runs >= MIN_RUN_SAMPLES]
     if len(runs):
         # a logger that repeats slow samples makes a run of every value
-        runs = runs[runs >= MIN_RUN * _typical_repeat(values)]
+        runs = runs[runs >= MIN_RUN_SAMPLES * _typical_repeat(values)]
     if is_known:
         return len(runs) >= 1
-    return len(runs) >= MIN_RUNS and float(np.mean(runs)) <= MAX_MEAN_RUN
+    return len(runs) >= MIN_RUN_COUNT and float(np.mean(runs)) <= MAX_MEAN_RUN_SAMPLES
 
 
 def _typical_repeat(values: Floats) -> float:

@@ -25,8 +25,8 @@ STILL_ACCEL_STD_LIMIT_MPS2 = 0.2
 STILL_RATE_STD_LIMIT_RADPS = 0.02
 STILL_RATE_LIMIT_RADPS = 0.2  # allows a gyro bias of 11 deg/s
 # Beyond this the norm is no scale error but a wrong unit or constant motion.
-GAIN_RANGE = (0.85, 1.15)
-_BINS = 4  # to a window
+PLAUSIBLE_GAIN_RANGE = (0.85, 1.15)
+_BINS_PER_WINDOW = 4  # to a window
 # Within less a slow, even turn is too easily taken for a bias.
 MIN_BIAS_SPAN_S = 3.0
 # Random walk of a gyro's bias: 0.14 deg/s in ten minutes, as it warms up.
@@ -93,25 +93,30 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
     """
     if interval_s is None:
         interval_s = 1.0 / imu.rate_hz if len(imu) > 1 else WINDOW_S
-    per_bin = max(1, round(WINDOW_S / (_BINS * interval_s)))
+    per_bin = max(1, round(WINDOW_S / (_BINS_PER_WINDOW * interval_s)))
     count = len(imu) // per_bin
     bin_s = per_bin * interval_s
     nothing = np.zeros((3, count))
     none = StillSpans(per_bin, np.zeros(count, np.bool_), nothing, nothing, bin_s)
-    if count < _BINS:
+    if count < _BINS_PER_WINDOW:
         return none
     used = count * per_bin
     turning = _spread(imu.angular_rate_radps[:used], count)
-    calm = turning[1] < _BINS * STILL_RATE_STD_LIMIT_RADPS**2
+    calm = turning[1] < _BINS_PER_WINDOW * STILL_RATE_STD_LIMIT_RADPS**2
     if not may_be_still(calm):
         return none
     pushed = _spread(imu.specific_force_mps2[:used], count)
-    if not may_be_still(calm & (pushed[1] < _BINS * STILL_ACCEL_STD_LIMIT_MPS2**2)):
+    if not may_be_still(
+        calm & (pushed[1] < _BINS_PER_WINDOW * STILL_ACCEL_STD_LIMIT_MPS2**2)
+    ):
         return none
     both = zip(turning, pushed, strict=True)
     norm, deviation = _windows(*(np.stack(pair) for pair in both))
     ends_s = imu.time_s[per_bin - 1 : used : per_bin]
-    span_s = ends_s[_BINS - 1 :] - imu.time_s[:used:per_bin][: count - _BINS + 1]
+    span_s = (
+        ends_s[_BINS_PER_WINDOW - 1 :]
+        - imu.time_s[:used:per_bin][: count - _BINS_PER_WINDOW + 1]
+    )
     starts = np.flatnonzero(
         (deviation[1] < STILL_ACCEL_STD_LIMIT_MPS2)
         & (deviation[0] < STILL_RATE_STD_LIMIT_RADPS)
@@ -120,7 +125,7 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
         & (span_s < 1.5 * WINDOW_S)  # a gap inside is no evidence of rest
     )
     edges = np.bincount(starts, minlength=count + 1)
-    edges -= np.bincount(starts + _BINS, minlength=count + 1)
+    edges -= np.bincount(starts + _BINS_PER_WINDOW, minlength=count + 1)
     still = np.cumsum(edges[:-1]) > 0
     if imu.valid is not None:
         still &= imu.valid[:used].reshape(count, per_bin).all(axis=1)
@@ -183,7 +188,7 @@ def estimate_accelerometer_gain(
         return AccelerometerGain(1.0, 0.0, "assumed: the recording has no still span")
     force = still.force_mps2[:, still.bins]
     gain = STANDARD_GRAVITY_MPS2 / median(np.sqrt(rot.squared_norm(force)))
-    if not GAIN_RANGE[0] <= gain <= GAIN_RANGE[1]:
+    if not PLAUSIBLE_GAIN_RANGE[0] <= gain <= PLAUSIBLE_GAIN_RANGE[1]:
         reason = f"assumed: still spans would give {gain:.3f}, which is not plausible"
         return AccelerometerGain(1.0, 0.0, reason)
     return AccelerometerGain(
@@ -239,4 +244,7 @@ def _running_mean(values: Floats) -> Floats:
     """Return the means of 4 neighbours along the last axis."""
     total = np.zeros((*values.shape[:-1], values.shape[-1] + 1))
     np.cumsum(values, axis=-1, out=total[..., 1:])
-    return np.asarray(total[..., _BINS:] - total[..., :-_BINS]) / _BINS
+    return (
+        np.asarray(total[..., _BINS_PER_WINDOW:] - total[..., :-_BINS_PER_WINDOW])
+        / _BINS_PER_WINDOW
+    )

@@ -12,17 +12,17 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.medians import median
 
 # A step of so many intervals parts two pieces: a dropout or a gap stays as it is.
-MAX_STEP = 1.6
+MAX_STEP_INTERVALS = 1.6
 # Samples over which the clock is a straight line; shorter pieces stay as they are.
 LINE_SAMPLES = 257
 MIN_PIECE_SAMPLES = 65
 MIN_JITTERED_SHARE = 0.5
 # Of an interval: less costs nothing, more is no jitter.
-MIN_JITTER_RMS, MAX_JITTER = 0.02, 0.5
+MIN_JITTER_RMS_INTERVALS, MAX_JITTER_INTERVALS = 0.02, 0.5
 # Autocorrelation at lag 1 of white noise is 0, that of its differences -0.5.
-WHITE_TOLERANCE = 0.15
+WHITE_CORRELATION_TOLERANCE = 0.15
 # Keeps ratios of constant values defined.
-SMALLEST = 1e-30
+SMALLEST_MEAN_SQUARE = 1e-30
 
 
 def even_clock(
@@ -44,17 +44,17 @@ def even_clock(
         return None
     steps = time_s[1:] - time_s[:-1]
     interval_s = median(steps)
-    least_s = MIN_JITTER_RMS * interval_s
+    least_s = MIN_JITTER_RMS_INTERVALS * interval_s
     # most logs end here, on a machine's own clock at the range of their steps
     if (
         steps.max() - steps.min() < least_s
-        or np.std(steps[steps < MAX_STEP * interval_s]) < least_s
+        or np.std(steps[steps < MAX_STEP_INTERVALS * interval_s]) < least_s
     ):
         return None
     excess = np.pad(steps / interval_s - 1.0, 1)
     # jitter makes a long step between two short ones, a dropout does not
     early = np.minimum(excess, 0.0)
-    is_gap = excess[1:-1] + early[:-2] + early[2:] > MAX_STEP - 1.0
+    is_gap = excess[1:-1] + early[:-2] + early[2:] > MAX_STEP_INTERVALS - 1.0
     edges = np.flatnonzero(np.concatenate([[True], is_gap, [True]]))
     long = np.flatnonzero(np.diff(edges) >= MIN_PIECE_SAMPLES)
     fitted_s, used, products = time_s.copy(), 0, np.zeros(4)
@@ -62,7 +62,7 @@ def even_clock(
         cut = slice(edges[piece], edges[piece + 1])
         fitted_s[cut] = _local_line(time_s[cut])
         left = (time_s[cut] - fitted_s[cut]) / interval_s
-        if np.abs(left).max() > MAX_JITTER:
+        if np.abs(left).max() > MAX_JITTER_INTERVALS:
             return None
         change = np.diff(left)
         pairs = ((left, left), (left[1:], left[:-1]), (change, change))
@@ -73,9 +73,10 @@ def even_clock(
         return None
     power, lagged, change_power, change_lagged = products
     is_white = (
-        power > used * MIN_JITTER_RMS**2
-        and abs(lagged) < WHITE_TOLERANCE * power
-        and abs(change_lagged + 0.5 * change_power) < WHITE_TOLERANCE * change_power
+        power > used * MIN_JITTER_RMS_INTERVALS**2
+        and abs(lagged) < WHITE_CORRELATION_TOLERANCE * power
+        and abs(change_lagged + 0.5 * change_power)
+        < WHITE_CORRELATION_TOLERANCE * change_power
     )
     if not is_white or (np.diff(fitted_s) <= 0.0).any():
         return None
@@ -120,4 +121,4 @@ def _roughness(time_s: Floats, values: Floats) -> float:
         between = values[:-2] + share[:, None] * (values[2:] - values[:-2])
         squares = np.square(values[1:-1] - between)
     finite = squares[np.isfinite(squares)]
-    return (float(finite.mean()) if finite.size else 0.0) + SMALLEST
+    return (float(finite.mean()) if finite.size else 0.0) + SMALLEST_MEAN_SQUARE

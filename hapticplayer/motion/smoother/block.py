@@ -41,25 +41,25 @@ from hapticplayer.motion.smoother.state import (
 )
 from hapticplayer.motion.smoother.stationary import Flags, StillBins
 from hapticplayer.motion.smoother.uncertainty import (
-    NOISE_SHARE,
+    NOISE_SIGMA_SHARE,
     BoundExcess,
     tilt_variance,
 )
 from hapticplayer.motion.smoother.vehicle import BODY_VELOCITY_COLUMNS, Locomotion
 
 # Prior weight of a calibration that is not to be changed.
-FIXED_WEIGHT = 1e12
+FIXED_CALIBRATION_WEIGHT = 1e12
 # Error of the vertical per turn within a sample.
-TURN_ERROR = 0.04
+TILT_ERROR_PER_SAMPLE_TURN = 0.04
 # A vehicle is solved for on coarse windows until the bias moves by less.
 COARSE_BIAS_CHANGE_RADPS = 0.005
 # A wider bias prior is kept if it lowers the RMS velocity to this share.
-KEPT_VELOCITY_SHARE = 0.75
+KEPT_RMS_VELOCITY_RATIO = 0.75
 # Nodes of stationary recordings are so much further apart.
-STATIONARY_NODE_FACTOR = 2.0
+STATIONARY_NODE_SPACING_RATIO = 2.0
 # Below this mean rotation rate the gyro is not judged: vehicles and cyclists stay below
 # 0.23, hands, people on foot and heads on bikes above 0.36.
-JUDGED_RATE_RADPS = 0.3
+MIN_JUDGED_RATE_RADPS = 0.3
 # Solutions with a gyro that is trusted less, each about the one before.
 TRUST_SOLUTIONS = 2
 
@@ -130,7 +130,7 @@ def smooth(
     factor = stationary.decimation_of(bins, count, samples.interval_s)
     if bins is None or factor == 1 or not p.shortcuts:
         return _smoothed(samples, bins, p, with_sigma=with_sigma)
-    sparse = replace(p, node_samples=1, node_s=STATIONARY_NODE_FACTOR * p.node_s)
+    sparse = replace(p, node_samples=1, node_s=STATIONARY_NODE_SPACING_RATIO * p.node_s)
     done = _smoothed(
         samples.averages(factor),
         bins.decimated(factor, count),
@@ -201,7 +201,7 @@ def _first(block: Block, start: Start) -> State:
     wider = solve(start, known, block.p)
     before_mps = vehicle.rms_mps(state.solution.velocity_mps)
     left_mps = vehicle.rms_mps(wider.solution.velocity_mps)
-    return state if left_mps > KEPT_VELOCITY_SHARE * before_mps else wider
+    return state if left_mps > KEPT_RMS_VELOCITY_RATIO * before_mps else wider
 
 
 def _widened_bias_sigma(block: Block, state: State) -> Floats | None:
@@ -299,7 +299,7 @@ def _with_gyro_judged(state: State, p: SmootherParameters) -> State:
     It shows in what moves and turns; elsewhere the gyro's errors do little.
     """
     motion, solution = state.motion, state.solution
-    turns_little = state.integration.turn_radps < JUDGED_RATE_RADPS
+    turns_little = state.integration.turn_radps < MIN_JUDGED_RATE_RADPS
     moves = vehicle.moves(solution.velocity_mps) and motion.moving_weight
     if turns_little or not moves or p.time_constant_s is not None:
         return state
@@ -322,7 +322,7 @@ def _with_time_constant(state: State, p: SmootherParameters) -> State:
     if bound_mps is None:
         return state
     found = state.solution.calibration
-    fixed = np.full(len(found), FIXED_WEIGHT)
+    fixed = np.full(len(found), FIXED_CALIBRATION_WEIGHT)
     adjusted = functools.partial(replace, prior=found, prior_weight=fixed)
     return solve_again(state, bound_mps, p, adjusted)
 
@@ -374,7 +374,7 @@ def _sigma_rad(
     excess = _excess(state, block.p)
     variance = tilt_variance(
         *(state.problem, state.solution, gyro_bias_radps, excess, block.p),
-        noise_share=NOISE_SHARE if state.trust is None else 1.0,
+        noise_share=NOISE_SIGMA_SHARE if state.trust is None else 1.0,
     )
     per_node = block.samples_per_node
     variance += _turning_variance(state.integration.nodes.turned_rad / per_node)
@@ -403,4 +403,4 @@ def _turning_variance(turn_rad: Floats) -> Floats:
     at = np.empty(len(turn_rad) + 1)
     at[0], at[-1] = turn_rad[0], turn_rad[-1]
     at[1:-1] = 0.5 * (turn_rad[1:] + turn_rad[:-1])
-    return np.asarray(np.square(TURN_ERROR * at))
+    return np.asarray(np.square(TILT_ERROR_PER_SAMPLE_TURN * at))

@@ -33,7 +33,7 @@ from hapticplayer.motion.smoother.least_squares import (
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 
 # Factors on the deviation of the gyro's noise, upwards.
-NOISE_FACTORS = (2.0, 4.0, 8.0)
+GYRO_NOISE_FACTORS = (2.0, 4.0, 8.0)
 # Deviations (m/s) and correlation times (s) of the velocity that are tried.
 VELOCITY_MODELS = tuple(
     itertools.starmap(
@@ -42,9 +42,9 @@ VELOCITY_MODELS = tuple(
 )
 # No step on the way up may lose more evidence than this (natural logarithm): beyond a
 # valley lies a gyro that is worth nothing, which explains any vehicle.
-MAX_LOSS = 0.5
+MAX_LOG_EVIDENCE_LOSS = 0.5
 # Rounds of expectation maximisation, and intervals that share a factor.
-LOCAL_ROUNDS, LOCAL_INTERVALS = 6, 3
+LOCAL_NOISE_ROUNDS, LOCAL_NOISE_INTERVALS = 6, 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,12 +85,12 @@ def gyro_trust(
     calibrations = solution.calibration, resting
     usual: list[float] = []
     best, best_gain, last_gain = None, p.noise_evidence, 0.0
-    for factor in NOISE_FACTORS:
+    for factor in GYRO_NOISE_FACTORS:
         found = []
         for place, calibration in enumerate(calibrations):
             one = with_fixed_calibration(problem, calibration, BIAS_COLUMNS)
             evidences = log_evidences(_noisier(one, factor), VELOCITY_MODELS)
-            least = float(evidences.max()) - last_gain + MAX_LOSS
+            least = float(evidences.max()) - last_gain + MAX_LOG_EVIDENCE_LOSS
             if place == len(usual):
                 # one velocity is mostly enough to see that the usual gyro explains more
                 likely = VELOCITY_MODELS[int(evidences.argmax())]
@@ -114,10 +114,10 @@ def with_gyro_trust(
     usual = problem.tilt_weight
     moving = with_velocity_model(problem, trust.velocity)
     noise_factor = np.full(len(usual), trust.noise_factor)
-    for _ in range(LOCAL_ROUNDS):
+    for _ in range(LOCAL_NOISE_ROUNDS):
         moving = replace(moving, tilt_weight=usual / noise_factor**2)
         expected = usual * _expected_square(moving, minimise(moving))
-        shared = uniform_filter1d(expected, LOCAL_INTERVALS, mode="nearest")
+        shared = uniform_filter1d(expected, LOCAL_NOISE_INTERVALS, mode="nearest")
         noise_factor = np.sqrt(np.maximum(shared, 1.0))
     sigma_mps, correlation_s = trust.velocity
     wider = VelocityModel(p.velocity_margin * sigma_mps, correlation_s)

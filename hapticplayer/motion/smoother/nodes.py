@@ -10,9 +10,9 @@ from hapticplayer.motion.rotations import Pair
 from hapticplayer.motion.smoother.strapdown import Windows
 
 # A window that turns further needs the exact mean of its orientations.
-FAST_TURN_RAD2 = 1.0
+FAST_WINDOW_TURN_RAD2 = 1.0
 # Cosine of the angle up to which one frame serves all verticals.
-NEAR_FIRST_COSINE = 0.5
+MIN_SHARED_FRAME_COSINE = 0.5
 # An impulse that is smaller has no direction.
 MIN_IMPULSE_MPS = 1e-6
 
@@ -74,7 +74,7 @@ def gather(windows: Windows, per_node: int, *, with_matrix: bool = True) -> Node
     sums = np.add.reduceat(rows, np.arange(0, count, per_node), axis=1)
     impulse, (duration, power, turned, lost, doubt) = sums[:3], sums[3:]
     mean_power = rot.squared_norm(impulse) / np.maximum(duration, 1e-9)
-    if turn2.max() < FAST_TURN_RAD2:
+    if turn2.max() < FAST_WINDOW_TURN_RAD2:
         # the mean over a window, to second order, is that of its start and the next
         # one's; biases are small, so their leverage needs no more
         R[..., :-1] += R[..., 1:]
@@ -154,7 +154,7 @@ def level_frames(vertical: Floats) -> Pair:
     """
     first = vertical[:, :1]
     to_z = rot.shortest(first, np.array([[0.0], [0.0], [1.0]]))
-    if rot.dot(vertical, first).min() > NEAR_FIRST_COSINE:
+    if rot.dot(vertical, first).min() > MIN_SHARED_FRAME_COSINE:
         return rot.multiply(to_z, rot.shortest(vertical, first))
     steps = rot.shortest(vertical[:, 1:], vertical[:, :-1])
     steps = np.append(to_z[0], steps[0]), np.append(to_z[1], steps[1])

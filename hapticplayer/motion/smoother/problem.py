@@ -26,7 +26,7 @@ from hapticplayer.motion.smoother.vehicle import (
 )
 
 # Error of the specific force where it is in doubt, and rotation rate where it is lost.
-DOUBT_SIGMA_MPS2, LOST_SIGMA_RADPS = 5.0, 1.0
+DOUBTFUL_FORCE_SIGMA_MPS2, LOST_RATE_SIGMA_RADPS = 5.0, 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -167,13 +167,13 @@ def _tilt_noise(nodes: Nodes, p: SmootherParameters) -> Floats:
     return np.asarray(
         p.rate_noise_rad_per_sqrt_s**2 * nodes.duration_s
         + (p.rotation_error * nodes.turned_rad) ** 2
-        + (LOST_SIGMA_RADPS * nodes.lost_s) ** 2
+        + (LOST_RATE_SIGMA_RADPS * nodes.lost_s) ** 2
     )
 
 
 def _velocity_noise(nodes: Nodes, bound_mps: Floats, p: SmootherParameters) -> Floats:
     """Return the variance of the velocity's change from node to node, (m/s)^2."""
-    doubt = (DOUBT_SIGMA_MPS2 * nodes.doubt_s) ** 2
+    doubt = (DOUBTFUL_FORCE_SIGMA_MPS2 * nodes.doubt_s) ** 2
     # a velocity that is bounded on both sides of a gap changes no more than this
     doubt = np.minimum(doubt, bound_mps[1:] ** 2 + bound_mps[:-1] ** 2)
     return np.asarray(

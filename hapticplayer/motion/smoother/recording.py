@@ -20,7 +20,7 @@ from hapticplayer.motion.stillness import StillSpans, mean_rate, nearest_still_b
 # A block has so many samples at least, however long they take.
 MIN_BLOCK_SAMPLES = 50
 # Neighbouring blocks are blended over this share of their margins.
-BLEND_SHARE = 0.25
+BLENDED_MARGIN_SHARE = 0.25
 # A wrong length of the force at rest may be a bias across the vertical, of this share.
 # With 2 a scale error of 5 % passed for a bias (4 to 8 m/s^2 left on one pendulum in
 # place of 0.14); with 0 a bias of 0.3 m/s^2 leaves a twentieth more.
@@ -251,7 +251,7 @@ def _blend(
     """
     q, half, start = block.quaternion_wxyz, 0, border
     if border > 0:
-        half = int(BLEND_SHARE * min(border - reach.start, written - border))
+        half = int(BLENDED_MARGIN_SHARE * min(border - reach.start, written - border))
         start = border - half
         q = _with_heading(q, whole[0][border], border - reach.start)
     mixed = slice(start, start + 2 * half)

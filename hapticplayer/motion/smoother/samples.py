@@ -9,11 +9,11 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 
 # A step of a whole number of intervals has dropped samples, within this tolerance.
-DROPOUT_TOLERANCE = 0.15
+DROPOUT_TOLERANCE_INTERVALS = 0.15
 # A logger that drops samples has at least this share of regular steps.
-MIN_REGULAR_SHARE, REGULAR_TOLERANCE = 0.6, 0.1
+MIN_REGULAR_STEP_SHARE, REGULAR_TOLERANCE_INTERVALS = 0.6, 0.1
 # A logger that would have dropped more stamps packets, not samples.
-MAX_GROWTH = 2.0
+MAX_FILLED_COUNT_RATIO = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -141,16 +141,16 @@ def with_dropouts_filled(
 
     The places are None where nothing was dropped.
     """
-    if samples.step_s.max() < (2.0 - DROPOUT_TOLERANCE) * samples.interval_s:
+    if samples.step_s.max() < (2.0 - DROPOUT_TOLERANCE_INTERVALS) * samples.interval_s:
         return samples, None
     steps = samples.step_s / samples.interval_s
     whole = np.round(steps)
-    dropped = (whole >= 2.0) & (np.abs(steps - whole) < DROPOUT_TOLERANCE)
-    regular = np.mean(np.abs(steps - 1.0) < REGULAR_TOLERANCE)
-    if not dropped.any() or regular < MIN_REGULAR_SHARE:
+    dropped = (whole >= 2.0) & (np.abs(steps - whole) < DROPOUT_TOLERANCE_INTERVALS)
+    regular = np.mean(np.abs(steps - 1.0) < REGULAR_TOLERANCE_INTERVALS)
+    if not dropped.any() or regular < MIN_REGULAR_STEP_SHARE:
         return samples, None
     parts = np.where(dropped, whole, 1.0).astype(np.intp)
-    if parts.sum() > MAX_GROWTH * len(samples):
+    if parts.sum() > MAX_FILLED_COUNT_RATIO * len(samples):
         return samples, None
     places = np.cumsum(parts) - 1
     rows = np.interp(np.arange(places[-1] + 1), places, np.arange(len(samples)))

@@ -35,17 +35,17 @@ from hapticplayer.motion.smoother.stationary import Flags, StillBins
 from hapticplayer.motion.smoother.vehicle import Locomotion
 
 # Below this mean rotation rate the gyro's matrix is not solved for.
-MATRIX_RATE_RADPS = 0.05
+MIN_MATRIX_RATE_RADPS = 0.05
 # A still interval that is accelerated by more in the solution is not at rest.
 REST_ACCEL_LIMIT_MPS2 = 0.15
 # Median turn within a sample that doubles the rotation error (at 15 Hz on hands three
 # times the error is best), and the most and the least that is added: even rotation
 # loses little.
-LOSSY_TURN_RAD, MAX_TURN_LOSS, MIN_TURN_LOSS = 0.18, 4.0, 0.01
+DOUBLING_SAMPLE_TURN_RAD, MAX_ADDED_ERROR_RATIO, MIN_ADDED_ERROR_RATIO = 0.18, 4.0, 0.01
 # A block has so many windows at least.
-MIN_WINDOWS = 8
+MIN_BLOCK_WINDOWS = 8
 # Windows of so few samples, or that turn further, need no first solution on means.
-FEW_SAMPLES, MAX_COARSE_TURN_RAD = 2, 2.0
+FEW_WINDOW_SAMPLES, MAX_COARSE_WINDOW_TURN_RAD = 2, 2.0
 # Before the first solution.
 UNKNOWN_MOTION = Locomotion()
 
@@ -162,13 +162,13 @@ def prepare(
     """Return a block and what its first solution starts from."""
     step_s = samples.interval_s
     per_window = max(1, round(1.0 / (p.window_hz * step_s)))
-    per_window = min(per_window, max(1, len(samples) // MIN_WINDOWS))
+    per_window = min(per_window, max(1, len(samples) // MIN_BLOCK_WINDOWS))
     node_s = max(p.node_s, p.node_samples * step_s)
     # even, because the first solution has nodes twice as far apart
     per_node = 2 * max(1, round(0.5 * node_s / (per_window * step_s)))
     bias_radps, _ = stationary.gyro_bias_prior(bins, p)
     # slow logs have few samples to a node: for them coarser windows save nothing
-    is_fine = per_window <= FEW_SAMPLES or _turns_fast(samples, per_window)
+    is_fine = per_window <= FEW_WINDOW_SAMPLES or _turns_fast(samples, per_window)
     coarse = (
         None if is_fine else at_middles(samples.averages(2 * per_window), bias_radps)
     )
@@ -281,7 +281,7 @@ def columns_to_solve(integration: Integration, p: SmootherParameters) -> int:
     Where little turns, the gyro's scale and alignment move nothing; coarse windows
     do not show them.
     """
-    turns_little = p.shortcuts and integration.turn_radps < MATRIX_RATE_RADPS
+    turns_little = p.shortcuts and integration.turn_radps < MIN_MATRIX_RATE_RADPS
     return BIAS_COLUMNS if turns_little or not integration.is_fine else ALL_COLUMNS
 
 
@@ -320,7 +320,7 @@ def _turns_fast(samples: InertialSamples, per_window: int) -> bool:
     rate = samples.angular_rate_radps
     fastest = max(float(rate.max()), -float(rate.min()))
     turn_rad = 2 * per_window * fastest * samples.interval_s
-    return bool(turn_rad > MAX_COARSE_TURN_RAD)
+    return bool(turn_rad > MAX_COARSE_WINDOW_TURN_RAD)
 
 
 def _with_turn_loss(p: SmootherParameters, turn_rad: float) -> SmootherParameters:
@@ -328,7 +328,7 @@ def _with_turn_loss(p: SmootherParameters, turn_rad: float) -> SmootherParameter
 
     The rotation lost there would pass for a velocity, and the bound would follow it.
     """
-    loss = min((turn_rad / LOSSY_TURN_RAD) ** 4, MAX_TURN_LOSS)
-    if loss < MIN_TURN_LOSS:
+    loss = min((turn_rad / DOUBLING_SAMPLE_TURN_RAD) ** 4, MAX_ADDED_ERROR_RATIO)
+    if loss < MIN_ADDED_ERROR_RATIO:
         return p
     return replace(p, rotation_error=p.rotation_error * (1.0 + loss))

@@ -24,13 +24,13 @@ Flags = NDArray[np.bool_]
 # An interval is still if this share of it is; bins and nodes never quite agree.
 MIN_STILL_SHARE = 0.99
 # From so many sigmas on a bias is an outlier; by what to widen its prior then.
-BIAS_OUTLIER_SIGMAS, WIDE_PRIOR_FACTOR = 2.0, 4.0
+BIAS_OUTLIER_SIGMAS, WIDE_BIAS_SIGMA_FACTOR = 2.0, 4.0
 # No accelerometer has a larger bias (data sheets: 0.25 g at the worst axis).
 MAX_ACCEL_BIAS_MPS2 = 2.5
 # What may be left at rest.
-REST_TOLERANCE_MPS2 = 0.03
+REST_ACCEL_TOLERANCE_MPS2 = 0.03
 # Correlation time of unseen accelerations of a sensor at rest.
-CORRELATION_S = 1.0
+REST_ACCEL_CORRELATION_S = 1.0
 # Stationary recordings are decimated to this rate, from so many samples on.
 STATIONARY_RATE_HZ, MIN_STATIONARY_SAMPLES = 16.0, 100
 
@@ -82,7 +82,9 @@ def zero_velocity_weight(
         p: of the smoother.
     """
     squared = p.still_accel_mps2**2 + apparent_mps2 * apparent_mps2
-    return np.asarray(still / (squared * CORRELATION_S * np.maximum(duration_s, 1e-9)))
+    return np.asarray(
+        still / (squared * REST_ACCEL_CORRELATION_S * np.maximum(duration_s, 1e-9))
+    )
 
 
 def apparent_acceleration(
@@ -133,7 +135,7 @@ def widened_bias_sigma(
         or _norm((found_radps - expected) / sigma) < BIAS_OUTLIER_SIGMAS
     ):
         return sigma
-    return np.maximum(WIDE_PRIOR_FACTOR * sigma, p.gyro_bias_sigma_radps)
+    return np.maximum(WIDE_BIAS_SIGMA_FACTOR * sigma, p.gyro_bias_sigma_radps)
 
 
 def _norm(vector: Floats) -> float:
@@ -170,7 +172,7 @@ def levelled_at_rest(problem: Problem, solution: Solution, still: Flags) -> Floa
     inside = span_mps > 0.0
     shift = np.where(inside, level / np.where(inside, span_mps, 1.0) - tilt, 0.0)
     size = STANDARD_GRAVITY_MPS2 * np.sqrt(rot.squared_norm(shift))
-    part = np.maximum(1.0 - REST_TOLERANCE_MPS2 / np.maximum(size, 1e-9), 0.0)
+    part = np.maximum(1.0 - REST_ACCEL_TOLERANCE_MPS2 / np.maximum(size, 1e-9), 0.0)
     return np.asarray(tilt + np.where(size < MAX_ACCEL_BIAS_MPS2, part, 0.0) * shift)
 
 

@@ -31,21 +31,21 @@ from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import mean_square
 
 # The model's variance is found at nodes this far apart, of so many at the least.
-NODE_SPACING_S, MIN_NODES = 20.0, 5
+VARIANCE_NODE_SPACING_S, MIN_VARIANCE_NODES = 20.0, 5
 # Intervals whose tilt weight is below this share of the median are gaps; so many of
 # them are looked at one by one.
-GAP_WEIGHT_SHARE, MAX_GAPS = 0.02, 50
-FLOOR_RAD = 0.004
+GAP_TILT_WEIGHT_SHARE, MAX_EXAMINED_GAPS = 0.02, 50
+TILT_SIGMA_FLOOR_RAD = 0.004
 # Share of the model's deviation for noise, which the smoother assumes too large
 # (not that of a gap).
-NOISE_SHARE = 0.27
+NOISE_SIGMA_SHARE = 0.27
 # Share of the prior sigma of the accelerometer's bias, and from which gyro bias it grows.
-ACCEL_BIAS_SHARE, CALIBRATED_BIAS_RADPS = 0.1, 0.006
+ACCEL_BIAS_SIGMA_SHARE, CALIBRATED_GYRO_BIAS_RADPS = 0.1, 0.006
 # Share of the way that the vertical moves, and the same.
-BOUND_SHARE, ROUGH_BIAS_RADPS = 0.75, 0.03
+BOUND_SHIFT_SHARE, ROUGH_GYRO_BIAS_RADPS = 0.75, 0.03
 # A vehicle's bound is tightened beyond the velocity found by this factor; lower values
 # underestimate outliers.
-VEHICLE_TIGHTENING = 1.85
+VEHICLE_BOUND_TIGHTENING_RATIO = 1.85
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,7 +68,7 @@ def tilt_variance(
     excess: BoundExcess,
     p: SmootherParameters,
     *,
-    noise_share: float = NOISE_SHARE,
+    noise_share: float = NOISE_SIGMA_SHARE,
 ) -> Floats:
     """Return the variance of both tilts together at the nodes (K + 1,), rad^2.
 
@@ -82,9 +82,11 @@ def tilt_variance(
     """
     squared = float(np.square(gyro_bias_radps).sum())
     squared = min(squared, p.gyro_bias_sigma_radps**2)
-    bias_share = ACCEL_BIAS_SHARE**2 * (1.0 + squared / CALIBRATED_BIAS_RADPS**2)
-    bound_share = BOUND_SHARE**2 * (1.0 + squared / ROUGH_BIAS_RADPS**2)
-    tightening = VEHICLE_TIGHTENING**excess.vehicle_weight
+    bias_share = ACCEL_BIAS_SIGMA_SHARE**2 * (
+        1.0 + squared / CALIBRATED_GYRO_BIAS_RADPS**2
+    )
+    bound_share = BOUND_SHIFT_SHARE**2 * (1.0 + squared / ROUGH_GYRO_BIAS_RADPS**2)
+    tightening = VEHICLE_BOUND_TIGHTENING_RATIO**excess.vehicle_weight
     factor = p.velocity_factor * excess.factor * tightening
     other = minimise(with_tighter_bound(problem, solution, factor)).tilt
     moved = mean_square(other - solution.tilt, problem.duration_s, p.bound_half_width_s)
@@ -100,7 +102,7 @@ def tilt_variance(
         shares * noise
         + bias_share * accel_bias_variance(problem, solution)
         + bound_share * moved
-        + FLOOR_RAD**2
+        + TILT_SIGMA_FLOOR_RAD**2
     )
 
 
@@ -127,10 +129,13 @@ def noise_variance(problem: Problem, gaps: NDArray[np.intp]) -> Floats:
         gaps: of it, see `gaps_of`.
     """
     count = len(problem.duration_s) + 1
-    wanted = max(MIN_NODES, round(float(problem.duration_s.sum()) / NODE_SPACING_S))
+    wanted = max(
+        MIN_VARIANCE_NODES,
+        round(float(problem.duration_s.sum()) / VARIANCE_NODE_SPACING_S),
+    )
     chosen = np.linspace(0, count - 1, min(wanted, count)).round().astype(np.intp)
     if len(gaps):
-        gaps = gaps[:: max(1, len(gaps) // MAX_GAPS)]
+        gaps = gaps[:: max(1, len(gaps) // MAX_EXAMINED_GAPS)]
         near = (gaps[:, None] + np.arange(-2, 4)).ravel().clip(0, count - 1)
         chosen = np.unique(np.concatenate([chosen, near]))
     found = np.log(tilt_variances(problem, chosen))
@@ -140,6 +145,6 @@ def noise_variance(problem: Problem, gaps: NDArray[np.intp]) -> Floats:
 def gaps_of(problem: Problem) -> NDArray[np.intp]:
     """Return the intervals whose tilt has far less weight than usual."""
     weight = problem.tilt_weight
-    if weight.min() >= GAP_WEIGHT_SHARE * weight.max():
+    if weight.min() >= GAP_TILT_WEIGHT_SHARE * weight.max():
         return np.empty(0, np.intp)
-    return np.flatnonzero(weight < GAP_WEIGHT_SHARE * np.median(weight))
+    return np.flatnonzero(weight < GAP_TILT_WEIGHT_SHARE * np.median(weight))

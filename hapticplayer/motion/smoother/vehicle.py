@@ -46,7 +46,7 @@ HEADING_RATE_RADPS = (0.005, 0.02)
 # Bound on v' of a vehicle, and the least for riding and walking.
 VEHICLE_BOUND_MPS, RIDING_BOUND_MPS, WALKING_BOUND_MPS = 40.0, 8.0, 4.0
 # Beyond the least, the bound is that of the velocity found over this.
-BOUND_RATIO = 1.15
+FOUND_BOUND_RATIO = 1.15
 # A gap disturbs the velocity for so long; a smaller undisturbed share is not used alone.
 GAP_INFLUENCE_S, MIN_UNDISTURBED_SHARE = 15.0, 0.2
 
@@ -82,7 +82,7 @@ class Locomotion:
         if not self.moving_weight:
             return found_mps
         least_mps = _geometric(WALKING_BOUND_MPS, RIDING_BOUND_MPS, self.riding_weight)
-        moving_mps = np.maximum(least_mps, found_mps / BOUND_RATIO)
+        moving_mps = np.maximum(least_mps, found_mps / FOUND_BOUND_RATIO)
         weight = self.moving_weight
         bound = found_mps ** (1.0 - weight) * moving_mps**weight
         weight = self.vehicle_weight
