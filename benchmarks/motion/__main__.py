@@ -1,4 +1,4 @@
-"""Gravity removal: error, run time, flawed recordings, numerics, and the error budget."""
+"""Gravity removal: error, short clips, run time, flaws, numerics, the error budget."""
 
 import sys
 
@@ -6,6 +6,7 @@ from benchmarks.common import command
 
 PLACES = {
     "accuracy": "motion.accuracy",
+    "short_clips": "motion.short_clips",
     "run_time": "motion.run_time",
     "stress": "campaigns:stress",
     "numerics": "motion.numerics",
