@@ -17,7 +17,8 @@ from app.bridge.jobs import in_child
 from app.experimenter.import_wizard import ImportWizard
 from app.player.window import PlayerWindow
 from hapticplayer.haptics.contract import Cause
-from hapticplayer.sequence.build import build_sequence
+from hapticplayer.sequence.build import Choices, build_sequence
+from hapticplayer.sequence.synchronizing import SyncChoices
 from hapticplayer.simulation.recordings import demo_folder
 
 Steps = Iterator[float]
@@ -381,8 +382,9 @@ class Person(QObject):
         target, log = self.folder / f"imported-{self._imports}", self._motion_log()
 
         def work(progress: Callable[[float, str], None]) -> object:
-            choices = {"imu_log": log, "offset_s": 0.0, "progress": progress}
-            return in_child(build_sequence, self.video, target, **choices)
+            choices = Choices(sync=SyncChoices(offset_s=0.0))
+            given = {"imu_log": log, "choices": choices, "progress": progress}
+            return in_child(build_sequence, self.video, target, **given)
 
         session.jobs.run("importing", work, session.open_path)
         yield from self.jobs()
