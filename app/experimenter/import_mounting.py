@@ -17,10 +17,11 @@ from PySide6.QtWidgets import (
 
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.files import folder_dialog
+from app.widgets.files import file_dialog, folder_dialog, settings_filter
 from app.widgets.layout import (
     STRETCH,
     ElidedLabel,
+    captioned,
     column_of,
     indent,
     paragraph,
@@ -38,7 +39,9 @@ from hapticplayer.capture.mounting import (
 from hapticplayer.model import Mapping
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import DEFAULT_GAIN_N_PER_MPS2, M_AD
+from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.library import free_name
+from hapticplayer.sequence.processing import Processing
 from hapticplayer.sequence.recognising import Recognised
 
 _SIDE_PX = 210
@@ -186,7 +189,7 @@ _TURNS = {
 
 
 class MountingPage(QWidget):
-    """Asks for mounting, direction of the device, gain, title and place."""
+    """Asks for mounting, direction of the device, gain, calibration, title and place."""
 
     def __init__(self, library: Path) -> None:
         super().__init__()
@@ -207,6 +210,15 @@ class MountingPage(QWidget):
         indent(self.gain)
         self.gain.setToolTip(
             self.tr("Use the same gain for all sequences that you compare")
+        )
+        self.calibration = QLineEdit()
+        self.calibration.setAccessibleName(self.tr("Calibration"))
+        self.calibration.setPlaceholderText(self.tr("None"))
+        self.calibration.setToolTip(
+            self.tr(
+                "For short recordings: what a longer one of the same sensor tells of it, "
+                "from process --save-calibration"
+            )
         )
         self.title = QLineEdit()
         self.title.setAccessibleName(self.tr("Title"))
@@ -255,6 +267,10 @@ class MountingPage(QWidget):
         form.addRow("", self.gravity)
         form.addRow(self.tr("&Device position"), self.device)
         form.addRow(self.tr("&Gain"), self.gain)
+        choose = text_button(self.tr("Choose\u2026"), self.tr("Choose a calibration"))
+        choose.clicked.connect(self._choose_calibration)
+        name, field = captioned(self.tr("&Calibration"), self.calibration)
+        form.addRow(name, row_of((field, 1), choose))
         form.addRow(self.tr("&Title"), self.title)
         form.addRow(self.tr("Library"), row_of((self.place, 1), change))
         hint = paragraph(
@@ -285,6 +301,15 @@ class MountingPage(QWidget):
         turn = _TURNS[str(self.device.currentData())]
         return Mapping(turn @ M_AD, gain_n_per_mps2=self.gain.value())
 
+    def processing(self) -> Processing:
+        """Return how gravity is removed.
+
+        Raises:
+            InputError: for a calibration that cannot be read.
+        """
+        path = self.calibration.text().strip()
+        return Processing(calibration=read_calibration(Path(path)) if path else None)
+
     def target(self) -> Path:
         """Return the folder that will be made."""
         return free_name(self.library, self.title.text())
@@ -306,6 +331,13 @@ class MountingPage(QWidget):
             colour = theme.BAD
         self.gravity.setText(text)
         self.gravity.setStyleSheet(f"color: {colour};")
+
+    def _choose_calibration(self) -> None:
+        title = self.tr("Choose a calibration")
+        start = self.calibration.text() or str(self.library)
+        dialog = file_dialog(self, title, start, settings_filter())
+        dialog.fileSelected.connect(self.calibration.setText)
+        dialog.open()
 
     def _choose_library(self) -> None:
         title = self.tr("Choose the library folder")

@@ -1686,6 +1686,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Dieselbe Verstärkung für alle Sequenzen, die verglichen werden</translation>
     </message>
     <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>For short recordings: what a longer one of the same sensor tells of it, from process --save-calibration</source>
+        <translation>Für kurze Aufnahmen: was eine längere desselben Sensors über ihn verrät, aus process --save-calibration</translation>
+    </message>
+    <message>
         <source>Facing forward, upright</source>
         <translation>Nach vorn gerichtet, aufrecht</translation>
     </message>
@@ -1748,6 +1760,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>&amp;Gain</source>
         <translation>&amp;Verstärkung</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished">Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Eine Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>&amp;Kalibrierung</translation>
     </message>
     <message>
         <source>&amp;Title</source>

@@ -1686,6 +1686,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Le même gain pour toutes les séquences à comparer</translation>
     </message>
     <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>For short recordings: what a longer one of the same sensor tells of it, from process --save-calibration</source>
+        <translation>Pour les enregistrements courts&#xa0;: ce qu’un plus long du même capteur dit de lui, écrit par process --save-calibration</translation>
+    </message>
+    <message>
         <source>Facing forward, upright</source>
         <translation>Vers l’avant, à l’endroit</translation>
     </message>
@@ -1748,6 +1760,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>&amp;Gain</source>
         <translation>&amp;Gain</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished">Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Choisir un étalonnage</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>Éta&amp;lonnage</translation>
     </message>
     <message>
         <source>&amp;Title</source>

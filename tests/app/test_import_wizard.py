@@ -21,8 +21,10 @@ from hapticplayer.capture.sync import methods
 from hapticplayer.errors import Message
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
+from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.calibration import StoredCalibration, write_calibration
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.rides.gpmf_writer import write_payloads
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
@@ -103,7 +105,7 @@ def test_a_ride_goes_from_files_to_a_report_in_the_library(
     assert wanted.args == [wizard.made]
 
 
-def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for):
+def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for, tmp_path):
     wizard.take([ride[0] / "gopro.mp4"])
     wait_for(wizard.next.isEnabled)
     wizard.next.click()
@@ -113,9 +115,18 @@ def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for):
     wizard.mounting.mounting.setCurrentIndex(
         wizard.mounting.mounting.findData("-x,-y,z")
     )
+    kept = tmp_path / "camera.json"
+    wizard.mounting.calibration.setText(str(kept))
+    wizard.next.click()
+    assert "there is no such file" in wizard.problem.text()
+    known = SensorCalibration(gyro_bias_sigma_radps=(0.01,) * 3)
+    write_calibration(kept, StoredCalibration(known, "other camera", "long.mp4", ""))
     wizard.next.click()
     wait_for(lambda: wizard.stack.currentIndex() == REPORT)
     made = open_sequence(wizard.made)
+    given = made.description["provenance"]["processing"]["calibration"]
+    assert given["source"] == "long.mp4"
+    assert "calibration is of other camera" in wizard.report.toPlainText()
     assert made.description["provenance"]["mounting"] == "-x,-y,z"
     assert made.description["provenance"]["synchronisation"]["method"] == "embedded"
     with np.load(wizard.made / "imu.npz") as kept:
