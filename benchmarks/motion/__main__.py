@@ -1,4 +1,4 @@
-"""Gravity removal: error, short clips, run time, flaws, numerics, the error budget."""
+"""Gravity removal: error, short clips, run time, flaws, numerics, budget, constants."""
 
 import sys
 
@@ -11,5 +11,6 @@ PLACES = {
     "stress": "campaigns:stress",
     "numerics": "motion.numerics",
     "budget": "motion.budget",
+    "sensitivity": "motion.sensitivity",
 }
 sys.exit(command("motion", __doc__, PLACES))

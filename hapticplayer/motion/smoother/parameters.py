@@ -18,9 +18,11 @@ OTHER_SENSOR_SIGMAS = 4.0
 class SmootherParameters:
     """Settings of the smoother; one set serves hands, heads, pockets and cars.
 
-    Where no source is given, the value was found on recordings with optical truth
-    (hand-held, camera rig, phones on people, one car) and on simulated rides, by
-    the mean error of all; each is flat within a factor of about two.
+    Where no source is given, the value was chosen by `benchmarks.motion accuracy`: the
+    mean error of recordings with optical truth (hand-held, camera rig, phones on
+    people, one car) and of simulated rides. Half or twice of each costs at most 4 %
+    (`benchmarks.motion sensitivity`), but for half of gyro_bias_sigma_radps (8 %) and
+    twice of vertical_half_width_s (5 %).
 
     Attributes:
         window_hz: windows of strapdown integration per second.

@@ -40,11 +40,12 @@ MIN_MATRIX_RATE_RADPS = 0.05
 REST_ACCEL_LIMIT_MPS2 = 0.15
 # Median turn within a sample that doubles the rotation error (at 15 Hz on hands three
 # times the error is best), and the most and the least that is added: even rotation
-# loses little.
+# loses little. Half of the turn costs 2 %.
 DOUBLING_SAMPLE_TURN_RAD, MAX_ADDED_ERROR_RATIO, MIN_ADDED_ERROR_RATIO = 0.18, 4.0, 0.01
 # A block has so many windows at least.
 MIN_BLOCK_WINDOWS = 8
-# Windows of so few samples, or that turn further, need no first solution on means.
+# Windows of so few samples, or that turn further, need no first solution on means;
+# twice that turn costs 3 %.
 FEW_WINDOW_SAMPLES, MAX_COARSE_WINDOW_TURN_RAD = 2, 2.0
 # Before the first solution.
 UNKNOWN_MOTION = Locomotion()

@@ -35,17 +35,19 @@ from hapticplayer.motion.smoother.nodes import Nodes
 # Columns of u.
 BODY_VELOCITY_COLUMNS = 3
 # Prior sigma of each component of u: at the least, of what moves, and of a vehicle
-# (beside its wide bound a smaller one makes u too small).
+# (beside its wide bound a smaller one makes u too small). Half of the second costs 1 %.
 MIN_BODY_SIGMA_MPS, MOVING_BODY_SIGMA_MPS, VEHICLE_BODY_SIGMA_MPS = 0.01, 10.0, 80.0
-# RMS speed between swaying (weight 0) and moving (weight 1).
+# RMS speed between swaying (weight 0) and moving (weight 1); twice of it costs 8 %.
 MOVING_SPEED_MPS = (0.4, 0.55)
 # Turning radius between walking and riding, and between riding and a vehicle.
 RIDING_RADIUS_M, VEHICLE_RADIUS_M = (2.8, 4.2), (6.5, 9.5)
 # Mean rotation rate between which the heading becomes observable.
 HEADING_RATE_RADPS = (0.005, 0.02)
-# Bound on v' of a vehicle, and the least for riding and walking.
+# Bound on v' of a vehicle, and the least for riding and walking; twice of the last costs
+# 3 %.
 VEHICLE_BOUND_MPS, RIDING_BOUND_MPS, WALKING_BOUND_MPS = 40.0, 8.0, 4.0
-# Beyond the least, the bound is that of the velocity found over this.
+# Beyond the least, the bound is that of the velocity found over this; half of it costs
+# 3 %.
 FOUND_BOUND_RATIO = 1.15
 # A gap disturbs the velocity for so long; a smaller undisturbed share is not used alone.
 GAP_INFLUENCE_S, MIN_UNDISTURBED_SHARE = 15.0, 0.2
