@@ -147,6 +147,7 @@ def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
             float(done.mean("accelerometer_scale_sigma")), 5
         ),
         "blocks": len(done.blocks),
+        "calibration_overruled": done.overruled,
     }
 
 

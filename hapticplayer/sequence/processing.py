@@ -165,7 +165,10 @@ def process_motion(
                 lowpass_hz=processing.lowpass_hz,
             )
         )
-    return Processed(imu, track, plain(done.summary), tuple(steps), done.calibration)
+    summary = plain(done.summary)
+    if processing.calibration is None:  # what was overruled is stillness elsewhere
+        summary.pop("calibration_overruled", None)
+    return Processed(imu, track, summary, tuple(steps), done.calibration)
 
 
 def lowpassed(track: MotionTrack, processing: Processing) -> MotionTrack:

@@ -231,6 +231,13 @@ def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:
                 leak_mps2=leak_mps2,
             )
         )
+    if summary.get("calibration_overruled"):
+        notes.append(
+            Message(
+                "the recording contradicts the calibration, which was not used: it is of "
+                "another sensor, or too old"
+            )
+        )
     up = mean_up(imu)
     if up is not None and up[2] < UPRIGHT:
         notes.append(Message("{what}; see --mounting", what=fallen_text(up)))

@@ -5288,6 +5288,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Aufzeichnung kann nicht geschrieben werden ({reason})</translation>
     </message>
     <message>
+        <source>the recording contradicts the calibration, which was not used: it is of another sensor, or too old</source>
+        <translation>die Aufnahme widerspricht der Kalibrierung, die deshalb nicht verwendet wurde: sie ist von einem anderen Sensor oder zu alt</translation>
+    </message>
+    <message>
         <source>the recording has no end: it was truncated, or is still being written</source>
         <translation>die Aufzeichnung hat kein Ende: sie ist abgeschnitten oder wird noch geschrieben</translation>
     </message>

@@ -5288,6 +5288,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’enregistrement ne peut pas être écrit ({reason})</translation>
     </message>
     <message>
+        <source>the recording contradicts the calibration, which was not used: it is of another sensor, or too old</source>
+        <translation>l’enregistrement contredit l’étalonnage, qui n’a pas été utilisé&#xa0;: il vient d’un autre capteur ou est trop ancien</translation>
+    </message>
+    <message>
         <source>the recording has no end: it was truncated, or is still being written</source>
         <translation>l’enregistrement n’a pas de fin&#xa0;: il est tronqué, ou encore en cours d’écriture</translation>
     </message>

@@ -38,6 +38,7 @@ class SmoothedRecording:
         sigma_rad: (n,) standard deviation of the tilt, both axes together.
         at_rest: (n,) still samples that are not accelerated in the solution.
         blocks: what was found in each.
+        overruled: in how many of them the calibration that was given was not used.
     """
 
     quaternion_wxyz: Floats
@@ -45,6 +46,7 @@ class SmoothedRecording:
     sigma_rad: Floats
     at_rest: NDArray[np.bool_]
     blocks: tuple[Calibration, ...]
+    overruled: int = 0
 
     @property
     def time_constant_s(self) -> tuple[float, float]:
@@ -130,6 +132,7 @@ def smooth_recording(
         whole.sigma_rad[places],
         whole.at_rest[places],
         whole.blocks,
+        whole.overruled,
     )
 
 
@@ -142,14 +145,17 @@ def _in_blocks(
     with_sigma: bool,
 ) -> SmoothedRecording:
     count, blocks = len(samples), _blocks(samples.step_s, p)
+    overruled = 0
 
     def smoothed(reach: slice) -> Smoothed:
+        nonlocal overruled
         bins = _still_bins(still, edges, reach)
-        if bins is None and len(blocks) > 1:
+        if bins is None and len(blocks) > 1 and still.bins.any():
             bins = _still_elsewhere(still, edges, reach, samples.step_s)
         part = samples.cut(reach)
         done = smooth(part, bins, p, with_sigma=with_sigma)
         if p.contradicts(done.calibration.gyro_bias_radps):
+            overruled += 1
             unknown = replace(p, calibration=None)
             done = smooth(part, bins, unknown, with_sigma=with_sigma)
         return done
@@ -162,6 +168,7 @@ def _in_blocks(
             one.sigma_rad,
             one.at_rest,
             (one.calibration,),
+            overruled,
         )
     q, vertical, sigma_rad = np.empty((count, 4)), np.empty((count, 3)), np.empty(count)
     at_rest = np.empty(count, np.bool_)
@@ -172,7 +179,7 @@ def _in_blocks(
         at_rest[core.start : reach.stop] = block.at_rest[core.start - reach.start :]
         found.append(block.calibration)
         written = reach.stop
-    return SmoothedRecording(q, vertical, sigma_rad, at_rest, tuple(found))
+    return SmoothedRecording(q, vertical, sigma_rad, at_rest, tuple(found), overruled)
 
 
 def _still_bins(

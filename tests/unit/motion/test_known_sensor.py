@@ -80,8 +80,9 @@ def test_a_calibration_of_another_sensor_is_overruled():
     log, up = ride("walk")
     wrong = SensorCalibration((-0.05, 0.03, 0.0), (0.001,) * 3)
     known = SmootherParameters(calibration=wrong.for_another_recording())
-    found = analyse(log, parameters=known).summary["gyro_bias_radps"]
-    right = analyse(log).summary["gyro_bias_radps"]
+    summary = analyse(log, parameters=known).summary
+    found, right = summary["gyro_bias_radps"], analyse(log).summary["gyro_bias_radps"]
+    assert summary["calibration_overruled"] == 1
     assert np.linalg.norm(np.subtract(found, right)) < 0.01
     assert error_mps2(log, up, wrong.for_another_recording()) < 2.0 * error_mps2(
         log, up

@@ -178,6 +178,7 @@ def test_a_good_recording_needs_no_note(still_log):
         ({"invalid_share": 0.002}, "0.2 % of the motion is not valid"),
         ({"leak_at_rest_mps2": 0.07}, "0.07 m/s2 of gravity remain"),
         ({"clock": "the time stamps jitter by 12 %"}, "jitter by 12 %"),
+        ({"calibration_overruled": 1}, "contradicts the calibration"),
     ],
 )
 def test_what_harms_the_force_is_noted(still_log, changed, sentence):
