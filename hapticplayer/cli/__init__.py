@@ -61,6 +61,7 @@ class Command(NamedTuple):
 COMMANDS = (
     Command("play", "play a sequence, or any video with any force track", "play"),
     Command("import", "make a sequence of a video and its motion", "importing"),
+    Command("render", "give a sequence another mapping from motion to force", "render"),
     Command("sync", "synchronise a motion log with a clip", "sync"),
     Command(
         "process", "report how good a recording's motion is; compare methods", "process"

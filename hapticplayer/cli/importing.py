@@ -8,6 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
+from hapticplayer.cli.mapping_options import (
+    FIT,
+    add_mapping,
+    chosen_mapping,
+    mapping_text,
+)
 from hapticplayer.cli.recording_options import (
     add_mounting,
     add_processing,
@@ -50,13 +56,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_sync(command, "--sync")
     command.add_argument("-o", "--output", required=True, metavar="DIR")
     command.add_argument("--title", help="default: the name of the video")
-    add_number(
-        command,
-        "--gain",
-        ranges.GAIN_N_PER_MPS2,
-        metavar="N",
-        help="newtons per m/s^2 (default 0.4)",
-    )
+    add_mapping(command)
     add_number(
         command,
         "--seed",
@@ -79,22 +79,22 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
             choices=chosen_import(options),
             progress=progress,
         )
-    description = open_sequence(folder).description
+    sequence = open_sequence(folder)
+    description = sequence.description
     if options.json:
         say(json.dumps({"sequence": str(folder), **description}, ensure_ascii=False))
         return 0
-    _say_imported(folder, description)
+    _say_imported(folder, description, sequence.mapping)
     return 0
 
 
 def chosen_import(options: argparse.Namespace) -> Choices:
     """Return what the options of an import say."""
-    mapping = (
-        Mapping() if options.gain is None else Mapping(gain_n_per_mps2=options.gain)
-    )
+    mapping, fits_gain = chosen_mapping(options)
     return Choices(
         title=options.title,
         mapping=mapping,
+        fits_gain=fits_gain,
         processing=chosen_processing(options),
         seed=options.seed,
         log=chosen_log(options),
@@ -103,13 +103,15 @@ def chosen_import(options: argparse.Namespace) -> Choices:
     )
 
 
-def _say_imported(folder: Path, description: Dict[str, Any]) -> None:
+def _say_imported(folder: Path, description: Dict[str, Any], mapping: Mapping) -> None:
     made_of = description["provenance"]
     realistic = description["feedbacks"]["realistic"]
+    fit = " (fit)" if made_of["rendering"]["gain_from"] == FIT else ""
     say(
         f"{folder}: {description['clip']['duration_s']:.1f} s of "
         f"{made_of['camera'] or made_of['motion_source']} at "
         f"{made_of['imu_rate_hz']:.1f} Hz; force peak {realistic['peak_n']:.2f} N; "
+        f"{mapping_text(mapping)}{fit}; "
         f"gravity removed by {made_of['gravity_removal']}; "
         f"accelerometer gain {made_of['accelerometer_gain']:.4f} "
         f"({made_of['accelerometer_gain_from']})"

@@ -69,6 +69,9 @@ SKEW_S = Range(-2.0, 2.0, "s")
 GAIN_N_PER_MPS2 = Range(1e-4, 100.0, "N per m/s^2")
 """From nothing that is felt to the limit of any device at 0.1 m/s^2."""
 
+LEVER_ARM_M = Range(-10.0, 10.0, "m")
+"""Within a vehicle; beyond it the noise of the angular rate outweighs the motion."""
+
 TIME_CONSTANT_S = Range(0.1, 1000.0, "s")
 """Beyond it the smoother has no solution for short recordings."""
 

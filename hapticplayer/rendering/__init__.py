@@ -11,15 +11,19 @@ from hapticplayer.rendering.feedback import (
     no_feedback,
     random_feedback,
 )
-from hapticplayer.rendering.force import adapted, render_force
+from hapticplayer.rendering.force import adapted, fit_gain, render_force
+from hapticplayer.rendering.lever_arm import LEVER_ARMS_M, at_point
 
 __all__ = [
     "FEEDBACKS",
+    "LEVER_ARMS_M",
     "FeedbackCondition",
     "adapted",
+    "at_point",
     "circle",
     "coverage_notice",
     "demonstration",
+    "fit_gain",
     "no_feedback",
     "random_feedback",
     "refuse_late",

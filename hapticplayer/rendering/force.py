@@ -2,23 +2,40 @@
 
 Source: Danieau et al. 2012, section on the rendering of the haptic effect: the axes of
 the actor are aligned with the device by M and scaled by s, F[k] = diag(s) M p[k]; here
-with one scale for all axes, and saturated in magnitude.
+with one scale for all axes unless said otherwise, and saturated in magnitude. Above a
+soft knee k the magnitude n becomes k + (L - k) tanh((n - k) / (L - k)), L the limit: the
+slope is 1 at the knee and the direction stays.
 """
 
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError
-from hapticplayer.model import ForceTrack, Mapping, MotionTrack, Reconstruction
+from hapticplayer.model import (
+    ForceTrack,
+    ImuLog,
+    Mapping,
+    MotionTrack,
+    Reconstruction,
+)
+from hapticplayer.model.arrays import Floats
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
+from hapticplayer.rendering.lever_arm import at_point
 from hapticplayer.rendering.window_means import dense_motion
+
+FIT_QUANTILE = 0.995
+FIT_FORCE_N = 3.5
+FIT_GAIN_RANGE_N_PER_MPS2 = (0.2, 1.6)
 
 _ROWS = 1 << 16  # at a time: all rows of an hour at 1 kHz take 0.3 GB more
 
 
-def render_force(motion: MotionTrack, mapping: Mapping | None = None) -> ForceTrack:
+def render_force(
+    motion: MotionTrack, mapping: Mapping | None = None, imu: ImuLog | None = None
+) -> ForceTrack:
     """Return the force track (frame D, N) of a motion track (frame A, m/s^2).
 
     Samples that are not valid give no force. A vector longer than the limit is
@@ -28,25 +45,25 @@ def render_force(motion: MotionTrack, mapping: Mapping | None = None) -> ForceTr
     Args:
         motion: gravity-free acceleration, in media time.
         mapping: axes, gain and limit; the default mapping if None.
+        imu: in media time; a lever arm needs its angular rate.
 
     Raises:
-        InputError: for an empty motion track.
+        InputError: for an empty motion track, or a lever arm without angular rate.
     """
     mapping = mapping or Mapping()
-    if not len(motion):
-        raise InputError("the motion track is empty, so there is no force to render")
-    time_s, acceleration, valid = dense_motion(motion)
-    is_dense = len(time_s) > len(motion)
-    force_n, saturated = np.empty((len(time_s), 3), np.float32), 0
+    time_s, acceleration, valid = _rendered_motion(motion, mapping, imu)
+    is_dense, moves = len(time_s) > len(motion), mapping.moves_point
+    force_n, shortened = np.empty((len(time_s), 3), np.float32), 0
     for start in range(0, len(time_s), _ROWS):
         rows = slice(start, start + _ROWS)
-        force = mapping.gain_n_per_mps2 * acceleration[rows] @ mapping.axes.T
+        force = mapping.gains_n_per_mps2 * (acceleration[rows] @ mapping.axes.T)
         force[~valid[rows]] = 0.0
         magnitude = np.linalg.norm(force, axis=1)
-        over = magnitude > mapping.force_limit_n
-        force[over] *= (mapping.force_limit_n / magnitude[over])[:, None]
+        over = magnitude > (mapping.soft_knee_n or mapping.force_limit_n)
+        limited = _limited(magnitude[over], mapping)
+        force[over] *= (limited / magnitude[over])[:, None]
         force_n[rows] = force
-        saturated += int(np.count_nonzero(over))
+        shortened += int(np.count_nonzero(over))
     force_n.setflags(write=False)  # then the track takes it instead of a copy
     return ForceTrack(
         time_s=time_s,
@@ -54,12 +71,76 @@ def render_force(motion: MotionTrack, mapping: Mapping | None = None) -> ForceTr
         reconstruction=Reconstruction.LINEAR,
         provenance={
             "feedback": "realistic",
-            "gain_n_per_mps2": mapping.gain_n_per_mps2,
+            "gain_n_per_mps2": mapping.gains_n_per_mps2.tolist()
+            if isinstance(mapping.gain_n_per_mps2, tuple)
+            else mapping.gain_n_per_mps2,
             "force_limit_n": mapping.force_limit_n,
-            "saturated_share": saturated / len(time_s),
+            **_described_shortening(mapping, shortened / len(time_s)),
+            **({"lever_arm_m": list(mapping.lever_arm_m)} if moves else {}),
             "reconstruction": "integral-spline" if is_dense else "linear",
         },
     )
+
+
+def fit_gain(
+    motion: MotionTrack,
+    mapping: Mapping,
+    duration_s: float,
+    imu: ImuLog | None = None,
+) -> float:
+    """Return the gain at which 99.5 % of the force is at most 3.5 N, from 0.2 to 1.6.
+
+    Magnitudes at the valid entries of the track while the clip plays, before limit and
+    knee. A motion without force gets the largest gain.
+
+    Args:
+        motion: gravity-free acceleration, in media time.
+        mapping: its axes and lever arm; its gain is not used.
+        duration_s: of the clip.
+        imu: in media time; a lever arm needs its angular rate.
+
+    Raises:
+        InputError: as `render_force`, or when no valid motion is in the clip.
+    """
+    time_s, acceleration, valid = _rendered_motion(motion, mapping, imu)
+    chosen = valid & (time_s >= 0.0) & (time_s <= duration_s)
+    if not chosen.any():
+        raise InputError("there is no valid motion in the clip to fit a gain to")
+    magnitude = np.linalg.norm(acceleration[chosen], axis=1)
+    high_mps2 = float(np.quantile(magnitude, FIT_QUANTILE))
+    least, largest = FIT_GAIN_RANGE_N_PER_MPS2
+    return min(max(FIT_FORCE_N / max(high_mps2, 1e-9), least), largest)
+
+
+def _rendered_motion(
+    motion: MotionTrack, mapping: Mapping, imu: ImuLog | None
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    if not len(motion):
+        raise InputError("the motion track is empty, so there is no force to render")
+    if mapping.moves_point:
+        if imu is None:
+            raise InputError("a lever arm needs the angular rate of the recording")
+        motion = at_point(motion, imu, mapping.lever_arm_m)
+    return dense_motion(motion)
+
+
+def _limited(magnitude_n: Floats, mapping: Mapping) -> Floats:
+    """Return magnitudes above the knee, or above the limit, as they are rendered."""
+    limit_n, knee_n = mapping.force_limit_n, mapping.soft_knee_n
+    if knee_n is None:
+        return np.full_like(magnitude_n, limit_n)
+    rest_n = limit_n - knee_n
+    return np.asarray(knee_n + rest_n * np.tanh((magnitude_n - knee_n) / rest_n))
+
+
+def _described_shortening(mapping: Mapping, share: float) -> dict[str, float]:
+    if mapping.soft_knee_n is None:
+        return {"saturated_share": share}
+    return {
+        "saturated_share": 0.0,
+        "soft_knee_n": mapping.soft_knee_n,
+        "compressed_share": share,
+    }
 
 
 def adapted(track: ForceTrack, capabilities: DeviceCapabilities) -> ForceTrack:

@@ -28,6 +28,7 @@ from hapticplayer.model import (
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import files, store
+from hapticplayer.sequence.editing import describe_rendering
 from hapticplayer.sequence.excursion import excursion_texts, predict
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.report import (
@@ -48,7 +49,8 @@ class Choices:
 
     Attributes:
         title: None for the name of the video.
-        mapping: axes, gain and limit.
+        mapping: axes, gain, limit, knee and lever arm.
+        fits_gain: replace its gain by the one of `rendering.fit_gain`.
         processing: conditioning, gravity removal and low-pass.
         seed: of the random feedback; None derives it from the clip's content.
         log: answers about a log that does not describe itself.
@@ -59,6 +61,7 @@ class Choices:
 
     title: str | None = None
     mapping: Mapping = dataclasses.field(default_factory=Mapping)
+    fits_gain: bool = False
     processing: Processing = dataclasses.field(default_factory=Processing)
     seed: int | None = None
     log: LogChoices | None = None
@@ -157,7 +160,7 @@ def write_sequence(
         clip_name = "clip" + clip.path.suffix.lower()
         clip_hash = _copy_clip(clip.path, folder / clip_name, progress)
         progress(0.85, Message("rendering the force"))
-        tracks = _render(track, choices, clip_hash)
+        mapping, tracks = _render(track, recording, clip, choices, clip_hash)
         excursions = _predict(tracks, clip, progress)
         _write_arrays(folder, recording.imu, track, tracks, extras or {})
         listed = _checksums(folder, {clip_name: clip_hash})
@@ -175,7 +178,7 @@ def write_sequence(
             "title": choices.title or clip.path.stem,
             "clip": _describe_clip(clip, clip_name),
             "clock_map": dataclasses.asdict(recording.clock_map),
-            "mapping": store.describe_mapping(choices.mapping),
+            "mapping": store.describe_mapping(mapping),
             "feedbacks": _describe_tracks(tracks, excursions),
             "files": listed,
             "provenance": {
@@ -188,6 +191,7 @@ def write_sequence(
                 "imu_samples": len(recording.imu),
                 **_describe_cover(recording.imu, track, clip),
                 **_describe_processing(processed, choices.processing),
+                "rendering": describe_rendering(fits_gain=choices.fits_gain),
                 **describe_notes(notes),
                 **recording.provenance,
             },
@@ -258,14 +262,24 @@ def _copy_clip(clip: Path, target: Path, progress: files.Progress) -> str:
 
 
 def _render(
-    track: MotionTrack, choices: Choices, clip_hash: str
-) -> dict[str, ForceTrack]:
-    realistic = rendering.render_force(track, choices.mapping)
+    track: MotionTrack,
+    recording: Recording,
+    clip: ClipInfo,
+    choices: Choices,
+    clip_hash: str,
+) -> tuple[Mapping, dict[str, ForceTrack]]:
+    """Return the mapping, with its gain fitted where that is chosen, and the tracks."""
+    mapping = choices.mapping
+    imu = store.in_media_time(recording.imu, recording.clock_map)
+    if choices.fits_gain:
+        gain = rendering.fit_gain(track, mapping, clip.duration_s, imu)
+        mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
+    realistic = rendering.render_force(track, mapping, imu)
     seed = choices.seed
     if seed is None:
         # the same clip gives the same random track, on every machine
         seed = int.from_bytes(hashlib.sha256(clip_hash.encode()).digest()[:4], "big")
-    return {
+    return mapping, {
         condition.name: condition.make(realistic, seed)
         for condition in rendering.FEEDBACKS
         if condition.is_stored

@@ -1,4 +1,4 @@
-"""Edits an existing sequence: its title, its gain, its force tracks.
+"""Edits an existing sequence: its title, its mapping, its force tracks.
 
 New files get new names; then the description is replaced atomically, and only then are
 files removed that it no longer names. An interruption leaves a consistent sequence.
@@ -13,8 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer import rendering
+from hapticplayer import __version__, model, rendering
 from hapticplayer.capture.si_csv import read_force_csv
+from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import files, store
@@ -109,9 +110,39 @@ def set_gain(
         InputError: for a gain that is not positive and finite.
         SequenceError: when the sequence is damaged or cannot be written.
     """
+    mapping = store.open_sequence(folder).mapping
+    mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain_n_per_mps2)
+    set_mapping(folder, mapping, progress=progress)
+
+
+def set_mapping(
+    folder: Path,
+    mapping: model.Mapping,
+    *,
+    fits_gain: bool = False,
+    progress: files.Progress = files.no_progress,
+) -> None:
+    """Render the realistic and the random track again with another mapping.
+
+    The random track keeps its seed and gets the RMS per axis of the realistic one.
+
+    Args:
+        folder: of the sequence.
+        mapping: axes, gain, limit, knee and lever arm.
+        fits_gain: replace its gain by the one of `rendering.fit_gain`.
+        progress: called while excursions are predicted; raises Cancelled to stop.
+
+    Raises:
+        InputError: when there is no motion to fit a gain to.
+        SequenceError: when the sequence is damaged or cannot be written.
+    """
     sequence = store.open_sequence(folder)
-    mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
-    realistic = rendering.render_force(sequence.motion, mapping)
+    imu = _angular_rate(folder, sequence, mapping)
+    if fits_gain:
+        mapping = dataclasses.replace(
+            mapping, gain_n_per_mps2=fitted_gain(folder, mapping)
+        )
+    realistic = rendering.render_force(sequence.motion, mapping, imu)
     tracks = {
         condition.name: condition.make(
             realistic, int(sequence.tracks[condition.name].provenance.get("seed", 0))
@@ -122,8 +153,81 @@ def set_gain(
     description = {
         **sequence.description,
         "mapping": store.describe_mapping(mapping),
+        "provenance": {
+            **sequence.description["provenance"],
+            "rendering": describe_rendering(fits_gain=fits_gain),
+        },
     }
     _replace_tracks(folder, description, tracks, progress)
+
+
+def copy_with_mapping(
+    folder: Path,
+    target: Path,
+    mapping: model.Mapping,
+    *,
+    fits_gain: bool = False,
+    progress: files.Progress = files.no_progress,
+) -> None:
+    """Write a copy of a sequence with another mapping; see `set_mapping`.
+
+    Raises:
+        InputError: when there is no motion to fit a gain to.
+        SequenceError: when the target exists or cannot be written, or the sequence is
+            damaged; then no part of the copy remains.
+    """
+    with files.written_aside(target) as aside:
+        store.copy_files(folder, aside, lambda f, step: progress(0.5 * f, step))
+        set_mapping(
+            aside,
+            mapping,
+            fits_gain=fits_gain,
+            progress=lambda f, step: progress(0.5 + 0.5 * f, step),
+        )
+
+
+def fitted_gain(folder: Path, mapping: model.Mapping) -> float:
+    """Return the gain that `rendering.fit_gain` offers for a sequence.
+
+    Raises:
+        InputError: when there is no motion to fit a gain to.
+        SequenceError: when the sequence is damaged.
+    """
+    sequence = store.open_sequence(folder)
+    return rendering.fit_gain(
+        sequence.motion,
+        mapping,
+        _duration_s(sequence.description),
+        _angular_rate(folder, sequence, mapping),
+    )
+
+
+def describe_rendering(*, fits_gain: bool) -> dict[str, Any]:
+    """Return when and by what force tracks were rendered, for the provenance."""
+    return {
+        "program": f"hapticplayer {__version__}",
+        "created_utc": utc_now_iso(),
+        "gain_from": "fit" if fits_gain else "given",
+    }
+
+
+def _angular_rate(
+    folder: Path, sequence: store.Sequence, mapping: model.Mapping
+) -> model.ImuLog | None:
+    """Return the recorded samples in media time where the mapping needs them."""
+    if not mapping.moves_point:
+        return None
+    imu, _ = store.read_recorded(folder)
+    try:
+        clock = model.ClockMap(**sequence.description["clock_map"])
+    except (KeyError, TypeError) as problem:
+        raise SequenceError(
+            "an entry is missing or of the wrong kind ({reason})",
+            where=str(folder / store.DESCRIPTION),
+            remedy="import it again",
+            reason=problem,
+        ) from problem
+    return store.in_media_time(imu, clock)
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -159,7 +263,8 @@ def preview_gain(
     """
     sequence = store.open_sequence(folder)
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
-    track = rendering.render_force(sequence.motion, mapping)
+    imu = _angular_rate(folder, sequence, mapping)
+    track = rendering.render_force(sequence.motion, mapping, imu)
     report = _reporter(progress, 0, 1)
     hands = predict(track, _duration_s(sequence.description), report)["hands"]
     return GainPreview(

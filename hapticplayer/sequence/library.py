@@ -47,7 +47,7 @@ class Entry:
         size_bytes: of all its files, as described.
         camera: that recorded the motion.
         created_utc: time of the import.
-        gain_n_per_mps2: of its mapping.
+        gain_n_per_mps2: of its mapping; None where the axes have different ones.
         tracks: its force tracks.
         findings: its quality report.
         problem: why it cannot be used, or "".
@@ -118,7 +118,7 @@ def _entry(folder: Path, description: Mapping[str, Any]) -> Entry:
         size_bytes=sum(int(one["size_bytes"]) for one in description["files"].values()),
         camera=str(made_of.get("camera", "")),
         created_utc=str(made_of.get("created_utc", "")),
-        gain_n_per_mps2=_finite(description["mapping"]["gain_n_per_mps2"]),
+        gain_n_per_mps2=_one_gain(description["mapping"]["gain_n_per_mps2"]),
         tracks=tuple(
             _track(name, entry)
             for name, entry in description["feedbacks"].items()
@@ -139,6 +139,13 @@ def _track(name: str, entry: Mapping[str, Any]) -> Track:
         rms_n,
         None if reach is None else _finite(reach),
     )
+
+
+def _one_gain(value: Any) -> float | None:
+    if isinstance(value, list):
+        _, _, _ = map(_finite, value)
+        return None
+    return _finite(value)
 
 
 def _finite(value: Any) -> float:

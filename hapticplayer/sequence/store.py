@@ -1,12 +1,13 @@
 """Opens, checks and describes a sequence."""
 
 from collections.abc import Mapping as Dict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import InputError, Message, SequenceError
 from hapticplayer.model import (
+    ClockMap,
     Feedback,
     ForceTrack,
     ImuLog,
@@ -17,7 +18,7 @@ from hapticplayer.model import (
 )
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.sequence import files
-from hapticplayer.untrusted import without_controls
+from hapticplayer.untrusted import HeldFile, without_controls
 
 SCHEMA = "hapticplayer.sequence"
 VERSION = 1
@@ -25,6 +26,7 @@ DESCRIPTION = "sequence.json"
 MOTION = "motion.npz"
 IMU = "imu.npz"
 OPTIONAL_IMU_FIELDS = ("magnetic_field_ut", "valid")
+_COPY_AGAIN = Message("copy the sequence again or import it again")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -143,6 +145,46 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
     return imu, made_of
 
 
+def in_media_time(imu: ImuLog, clock: ClockMap) -> ImuLog:
+    """Return a log with its times in media time."""
+    return replace(imu, time_s=clock.rate * imu.time_s + clock.offset_s)
+
+
+def copy_files(
+    folder: Path, target: Path, progress: files.Progress = files.no_progress
+) -> None:
+    """Copy all files of a sequence into an empty folder.
+
+    Raises:
+        SequenceError: for a file that is missing or damaged.
+    """
+    description = open_sequence(folder).description
+    listed = description["files"]
+    whole = sum(entry["size_bytes"] for entry in listed.values())
+    before = 0
+    for name, entry in listed.items():
+        _check_file(folder, name, entry, with_checksum=False)
+
+        def report(share: float, before: int = before, entry: Any = entry) -> None:
+            done = (before + share * entry["size_bytes"]) / max(1, whole)
+            progress(done, Message("copying the sequence"))
+
+        with HeldFile(folder / name, SequenceError) as source:
+            digest = files.copy_file(source, target / name, report)
+        if digest != entry["sha256"]:
+            raise _changed(folder / name)
+        before += entry["size_bytes"]
+    files.write_json(target / DESCRIPTION, dict(description))
+
+
+def _changed(path: Path) -> SequenceError:
+    return SequenceError(
+        "has changed since it was written (its checksum differs)",
+        where=str(path),
+        remedy=_COPY_AGAIN,
+    )
+
+
 def track_arrays(track: ForceTrack) -> dict[str, Any]:
     """Return the arrays of a force track as they are stored."""
     return {
@@ -168,14 +210,23 @@ def describe_track(
 def describe_mapping(mapping: Mapping) -> dict[str, Any]:
     """Return the description of a mapping."""
     return {
-        "axes": mapping.axes.astype(int).tolist(),
+        "axes": mapping.axes.tolist(),
         "gain_n_per_mps2": mapping.gain_n_per_mps2,
         "force_limit_n": mapping.force_limit_n,
+        "soft_knee_n": mapping.soft_knee_n,
+        "lever_arm_m": mapping.lever_arm_m,
     }
 
 
 def _mapping_of(entry: dict[str, Any]) -> Mapping:
-    return Mapping(entry["axes"], entry["gain_n_per_mps2"], entry["force_limit_n"])
+    # earlier versions had neither knee nor lever arm
+    return Mapping(
+        entry["axes"],
+        entry["gain_n_per_mps2"],
+        entry["force_limit_n"],
+        entry.get("soft_knee_n"),
+        entry.get("lever_arm_m", Mapping().lever_arm_m),
+    )
 
 
 def _check_schema(folder: Path, description: dict[str, Any]) -> None:
@@ -212,24 +263,19 @@ def _check_file(
     folder: Path, name: str, entry: dict[str, Any], *, with_checksum: bool
 ) -> None:
     path = _inside(folder, name)
-    remedy = Message("copy the sequence again or import it again")
     if path.is_symlink() or not path.is_file():
-        raise SequenceError("is missing", where=str(path), remedy=remedy)
+        raise SequenceError("is missing", where=str(path), remedy=_COPY_AGAIN)
     size = path.stat().st_size
     if size != entry["size_bytes"]:
         raise SequenceError(
             "has {count} bytes instead of {expected}",
             where=str(path),
-            remedy=remedy,
+            remedy=_COPY_AGAIN,
             count=size,
             expected=entry["size_bytes"],
         )
     if with_checksum and files.sha256_of(path) != entry["sha256"]:
-        raise SequenceError(
-            "has changed since it was written (its checksum differs)",
-            where=str(path),
-            remedy=remedy,
-        )
+        raise _changed(path)
 
 
 def _read_tracks(

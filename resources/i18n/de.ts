@@ -4560,10 +4560,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Achsen der Abbildung</translation>
     </message>
     <message>
-        <source>mapping axes must be a signed permutation with determinant +1</source>
-        <translation>die Achsen der Abbildung müssen eine Permutation mit Vorzeichen und Determinante +1 sein</translation>
-    </message>
-    <message>
         <source>may not be read</source>
         <translation>darf nicht gelesen werden</translation>
     </message>
@@ -4680,8 +4676,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Kalibrierung gilt für das Verfahren smoother, nicht für {method}</translation>
     </message>
     <message>
+        <source>a lever arm needs the angular rate of the recording</source>
+        <translation>ein Hebelarm braucht die Drehrate der Aufnahme</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>wählen Sie eine andere Datei, oder ersetzen Sie sie mit --overwrite</translation>
+    </message>
+    <message>
+        <source>copying the sequence</source>
+        <translation>Sequenz wird kopiert</translation>
     </message>
     <message>
         <source>does not declare its rate</source>
@@ -4786,6 +4790,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>lacks what is to be exported</source>
         <translation>enthält nicht, was zu exportieren ist</translation>
+    </message>
+    <message>
+        <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
+        <translation>die Achsen der Abbildung müssen eine Drehung sein (orthogonal, Determinante +1)</translation>
     </message>
     <message>
         <source>names a part of {axes}</source>
@@ -4974,6 +4982,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>simulated camera</source>
         <translation>simulierte Kamera</translation>
+    </message>
+    <message>
+        <source>soft_knee_n must be below force_limit_n, got {knee_n} and {limit_n}</source>
+        <translation>soft_knee_n muss unter force_limit_n liegen, angegeben sind {knee_n} und {limit_n}</translation>
     </message>
     <message>
         <source>sort the log by time and remove duplicates</source>
@@ -6034,6 +6046,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>there is no judgement to analyse</source>
         <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
+    </message>
+    <message>
+        <source>there is no valid motion in the clip to fit a gain to</source>
+        <translation>im Clip gibt es keine gültige Bewegung, an die sich eine Verstärkung anpassen ließe</translation>
     </message>
     <message>
         <source>these are two videos: {names}</source>

@@ -4560,10 +4560,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>axes de la correspondance</translation>
     </message>
     <message>
-        <source>mapping axes must be a signed permutation with determinant +1</source>
-        <translation>les axes de la correspondance doivent être une permutation signée de déterminant +1</translation>
-    </message>
-    <message>
         <source>may not be read</source>
         <translation>ne peut pas être lu, faute de droits</translation>
     </message>
@@ -4680,8 +4676,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un étalonnage vaut pour la méthode smoother, pas pour {method}</translation>
     </message>
     <message>
+        <source>a lever arm needs the angular rate of the recording</source>
+        <translation>un bras de levier nécessite la vitesse angulaire de l’enregistrement</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>choisissez un autre fichier, ou remplacez-le avec --overwrite</translation>
+    </message>
+    <message>
+        <source>copying the sequence</source>
+        <translation>copie de la séquence</translation>
     </message>
     <message>
         <source>does not declare its rate</source>
@@ -4786,6 +4790,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>lacks what is to be exported</source>
         <translation>ne contient pas ce qu’il faut exporter</translation>
+    </message>
+    <message>
+        <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
+        <translation>les axes de la transformation doivent être une rotation (orthogonale, déterminant +1)</translation>
     </message>
     <message>
         <source>names a part of {axes}</source>
@@ -4974,6 +4982,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>simulated camera</source>
         <translation>caméra simulée</translation>
+    </message>
+    <message>
+        <source>soft_knee_n must be below force_limit_n, got {knee_n} and {limit_n}</source>
+        <translation>soft_knee_n doit être inférieur à force_limit_n, reçu {knee_n} et {limit_n}</translation>
     </message>
     <message>
         <source>sort the log by time and remove duplicates</source>
@@ -6034,6 +6046,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>there is no judgement to analyse</source>
         <translation>il n’y a pas de jugement à analyser</translation>
+    </message>
+    <message>
+        <source>there is no valid motion in the clip to fit a gain to</source>
+        <translation>le clip ne contient aucun mouvement valide auquel ajuster un gain</translation>
     </message>
     <message>
         <source>these are two videos: {names}</source>

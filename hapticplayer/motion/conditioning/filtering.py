@@ -46,9 +46,27 @@ def lowpass_motion(track: MotionTrack, cutoff_hz: float) -> MotionTrack:
         InputError: for a cutoff that is not between 0 and half the median rate.
     """
     timing.positive(cutoff_hz, Message("the cutoff"), Message("give a frequency in Hz"))
-    if len(track) < 2:
-        return track
-    step_s = timing.median_step_s(track.time_s)
+    out = lowpass_samples(track.time_s, track.acceleration_mps2, track.valid, cutoff_hz)
+    return dataclasses.replace(track, acceleration_mps2=out)
+
+
+def lowpass_samples(
+    time_s: Floats, values: Floats, valid: Mask, cutoff_hz: float
+) -> Floats:
+    """Return samples (N, C) low-passed as `lowpass_motion` does.
+
+    Args:
+        time_s: (N,) strictly increasing.
+        values: (N, C).
+        valid: (N,).
+        cutoff_hz: -3 dB of the result.
+
+    Raises:
+        InputError: for a cutoff that is not below half the median rate.
+    """
+    if len(time_s) < 2:
+        return values
+    step_s = timing.median_step_s(time_s)
     if cutoff_hz >= 0.5 / step_s:
         raise InputError(
             "a cutoff of {cutoff_hz:g} Hz is not below half the rate of the "
@@ -57,13 +75,11 @@ def lowpass_motion(track: MotionTrack, cutoff_hz: float) -> MotionTrack:
             cutoff_hz=cutoff_hz,
             half_rate_hz=0.5 / step_s,
         )
-    values, usable = _bridged(
-        track.time_s, track.acceleration_mps2, track.valid, MAX_BRIDGE / cutoff_hz
-    )
+    values, usable = _bridged(time_s, values, valid, MAX_BRIDGE / cutoff_hz)
     out = np.empty_like(values)
-    for part in _stretches(track.time_s, usable, step_s):
-        out[part] = _stretch(track.time_s[part], values[part], step_s, cutoff_hz)
-    return dataclasses.replace(track, acceleration_mps2=out)
+    for part in _stretches(time_s, usable, step_s):
+        out[part] = _stretch(time_s[part], values[part], step_s, cutoff_hz)
+    return out
 
 
 def lowpass(values: Floats, rate_hz: float, cutoff_hz: float) -> Floats:

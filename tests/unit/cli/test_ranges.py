@@ -17,6 +17,9 @@ COMMANDS = {
         ("--seed", "-1", "0 and 9007199254740992"),
         ("--seed", "1.5", "a whole number"),
     ],
+    ("render", "none", "--in-place"): [
+        ("--gain", "nan", "0.0001 and 100 N per m/s^2"),
+    ],
     ("play", "none.mp4", "--headless"): [
         ("--start", "-1", "0 and 10000000 s"),
         ("--duration", "1e400", "0 and 10000000 s"),

@@ -101,7 +101,12 @@ def test_default_axes_map_up_to_y_and_forward_to_minus_z():
         {"axes": np.full((3, 3), 0.5)},
         {"gain_n_per_mps2": 0.0},
         {"gain_n_per_mps2": float("nan")},
+        {"gain_n_per_mps2": (0.1, 0.0, 0.2)},
+        {"gain_n_per_mps2": (0.1, 0.2)},
         {"force_limit_n": -1.0},
+        {"soft_knee_n": 4.5},
+        {"soft_knee_n": 0.0},
+        {"lever_arm_m": (0.0, float("inf"), 0.0)},
     ],
 )
 def test_a_mapping_refuses_what_is_no_rotation_or_no_gain(changes):

@@ -1,0 +1,65 @@
+"""The command `render`: another mapping for a sequence that exists."""
+
+import argparse
+import json
+from pathlib import Path
+
+from hapticplayer.cli.common import interruptible, say, shown_progress
+from hapticplayer.cli.mapping_options import (
+    FIT,
+    add_mapping,
+    chosen_mapping,
+    mapping_text,
+)
+from hapticplayer.errors import SequenceError
+from hapticplayer.outputs import FOLDER, refuse_existing
+from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.editing import copy_with_mapping, fitted_gain, set_mapping
+from hapticplayer.sequence.excursion import excursion_texts
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument(
+        "sequence",
+        metavar="SEQUENCE",
+        help="what is not given stays as it is; added force tracks stay too",
+    )
+    add_mapping(command)
+    where = command.add_mutually_exclusive_group(required=True)
+    where.add_argument("-o", "--output", metavar="DIR", help="a new sequence")
+    where.add_argument(
+        "--in-place", action="store_true", help="change the sequence itself"
+    )
+    command.add_argument("--json", action="store_true", help="print a report as JSON")
+
+
+def run(options: argparse.Namespace, _open_window: object) -> int:
+    """Render the force tracks of a sequence again, or of a copy of it."""
+    folder = Path(options.sequence)
+    target = folder if options.in_place else Path(options.output)
+    if not options.in_place:
+        refuse_existing(target, FOLDER, error=SequenceError)
+    mapping, fits_gain = chosen_mapping(options, open_sequence(folder).mapping)
+    with interruptible(), shown_progress() as progress:
+        if options.in_place:
+            set_mapping(folder, mapping, fits_gain=fits_gain, progress=progress)
+        else:
+            copy_with_mapping(
+                folder, target, mapping, fits_gain=fits_gain, progress=progress
+            )
+    made = open_sequence(target)
+    if options.json:
+        content = {"sequence": str(target), **made.description}
+        say(json.dumps(content, ensure_ascii=False))
+        return 0
+    realistic = made.description["feedbacks"]["realistic"]
+    offer = FIT if fits_gain else f"--gain fit: {fitted_gain(target, made.mapping):.4g}"
+    say(
+        f"{target}: {mapping_text(made.mapping)} ({offer}); "
+        f"force peak {realistic['peak_n']:.2f} N"
+    )
+    for note in excursion_texts(realistic["excursion"]):
+        say(f"note: {note}")
+    return 0
