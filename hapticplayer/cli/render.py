@@ -16,6 +16,7 @@ from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.editing import copy_with_mapping, fitted_gain, set_mapping
 from hapticplayer.sequence.excursion import excursion_texts
+from hapticplayer.sequence.presets import PRESETS, preset_of
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -27,6 +28,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="what is not given stays as it is; added force tracks stay too",
     )
     add_mapping(command)
+    command.add_argument(
+        "--preset",
+        choices=[preset.name for preset in PRESETS],
+        help="; ".join(f"{preset.name}: {preset.text}" for preset in PRESETS)
+        + " (a new sequence is faithful)",
+    )
     where = command.add_mutually_exclusive_group(required=True)
     where.add_argument("-o", "--output", metavar="DIR", help="a new sequence")
     where.add_argument(
@@ -44,10 +51,21 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     mapping, fits_gain = chosen_mapping(options, open_sequence(folder).mapping)
     with interruptible(), shown_progress() as progress:
         if options.in_place:
-            set_mapping(folder, mapping, fits_gain=fits_gain, progress=progress)
+            set_mapping(
+                folder,
+                mapping,
+                fits_gain=fits_gain,
+                preset=options.preset,
+                progress=progress,
+            )
         else:
             copy_with_mapping(
-                folder, target, mapping, fits_gain=fits_gain, progress=progress
+                folder,
+                target,
+                mapping,
+                fits_gain=fits_gain,
+                preset=options.preset,
+                progress=progress,
             )
     made = open_sequence(target)
     if options.json:
@@ -58,6 +76,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     offer = FIT if fits_gain else f"--gain fit: {fitted_gain(target, made.mapping):.4g}"
     say(
         f"{target}: {mapping_text(made.mapping)} ({offer}); "
+        f"preset {preset_of(made.tracks['realistic'])}; "
         f"force peak {realistic['peak_n']:.2f} N"
     )
     for note in excursion_texts(realistic["excursion"]):

@@ -20,6 +20,7 @@ from hapticplayer.errors import Message, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import predict
+from hapticplayer.sequence.presets import preset_of, render_preset
 
 MAX_TITLE = 300
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
@@ -120,6 +121,7 @@ def set_mapping(
     mapping: model.Mapping,
     *,
     fits_gain: bool = False,
+    preset: str | None = None,
     progress: files.Progress = files.no_progress,
 ) -> None:
     """Render the realistic and the random track again with another mapping.
@@ -130,10 +132,12 @@ def set_mapping(
         folder: of the sequence.
         mapping: axes, gain, limit, knee and lever arm.
         fits_gain: replace its gain by the one of `rendering.fit_gain`.
+        preset: see `presets`; None keeps that of the realistic track.
         progress: called while excursions are predicted; raises Cancelled to stop.
 
     Raises:
         InputError: when there is no motion to fit a gain to.
+        UsageError: for an unknown preset.
         SequenceError: when the sequence is damaged or cannot be written.
     """
     sequence = store.open_sequence(folder)
@@ -142,7 +146,8 @@ def set_mapping(
         mapping = dataclasses.replace(
             mapping, gain_n_per_mps2=fitted_gain(folder, mapping)
         )
-    realistic = rendering.render_force(sequence.motion, mapping, imu)
+    name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
+    realistic = render_preset(sequence.motion, mapping, imu, name=name)
     tracks = {
         condition.name: condition.make(
             realistic, int(sequence.tracks[condition.name].provenance.get("seed", 0))
@@ -167,12 +172,14 @@ def copy_with_mapping(
     mapping: model.Mapping,
     *,
     fits_gain: bool = False,
+    preset: str | None = None,
     progress: files.Progress = files.no_progress,
 ) -> None:
     """Write a copy of a sequence with another mapping; see `set_mapping`.
 
     Raises:
         InputError: when there is no motion to fit a gain to.
+        UsageError: for an unknown preset.
         SequenceError: when the target exists or cannot be written, or the sequence is
             damaged; then no part of the copy remains.
     """
@@ -182,6 +189,7 @@ def copy_with_mapping(
             aside,
             mapping,
             fits_gain=fits_gain,
+            preset=preset,
             progress=lambda f, step: progress(0.5 + 0.5 * f, step),
         )
 
@@ -264,7 +272,8 @@ def preview_gain(
     sequence = store.open_sequence(folder)
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
     imu = _angular_rate(folder, sequence, mapping)
-    track = rendering.render_force(sequence.motion, mapping, imu)
+    name = preset_of(sequence.tracks[model.Feedback.REALISTIC])
+    track = render_preset(sequence.motion, mapping, imu, name=name)
     report = _reporter(progress, 0, 1)
     hands = predict(track, _duration_s(sequence.description), report)["hands"]
     return GainPreview(

@@ -4680,6 +4680,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Hebelarm braucht die Drehrate der Aufnahme</translation>
     </message>
     <message>
+        <source>a washout needs a track of straight lines, this one holds</source>
+        <translation>ein Washout braucht eine Spur aus geraden Linien, diese hält ihre Werte</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>wählen Sie eine andere Datei, oder ersetzen Sie sie mit --overwrite</translation>
     </message>
@@ -6174,6 +6178,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} ist kein einfacher Dateiname</translation>
+    </message>
+    <message>
+        <source>{name!r} is not a preset; choose one of {names}</source>
+        <translation>{name!r} ist keine Voreinstellung; wählbar sind {names}</translation>
     </message>
     <message>
         <source>{name} does not hold numbers only ({reason})</source>

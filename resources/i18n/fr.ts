@@ -4680,6 +4680,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un bras de levier nécessite la vitesse angulaire de l’enregistrement</translation>
     </message>
     <message>
+        <source>a washout needs a track of straight lines, this one holds</source>
+        <translation>un washout demande une piste de lignes droites, celle-ci maintient ses valeurs</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>choisissez un autre fichier, ou remplacez-le avec --overwrite</translation>
     </message>
@@ -6174,6 +6178,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
+    </message>
+    <message>
+        <source>{name!r} is not a preset; choose one of {names}</source>
+        <translation>{name!r} n&apos;est pas un préréglage&#xa0;; choix possibles&#xa0;: {names}</translation>
     </message>
     <message>
         <source>{name} does not hold numbers only ({reason})</source>

@@ -10,6 +10,8 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.model import ClockMap, ImuLog, Mapping
 from hapticplayer.sequence import open_sequence, verify_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
+from hapticplayer.sequence.editing import preview_gain, set_gain
+from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.library import read_entry
 from hapticplayer.sequence.store import read_recorded
 
@@ -127,6 +129,29 @@ def test_a_sequence_with_one_gain_of_before_opens(folder):
     )
 
 
+def test_a_preset_is_rendered_kept_and_taken_back(folder, tmp_path, capsys):
+    before = open_sequence(folder).tracks["realistic"]
+    target = tmp_path / "equal"
+    words = ["--preset", "equal", "--gain", "1.6", "-o", str(target)]
+    assert cli.main(["render", str(folder), *words]) == 0
+    assert "preset equal" in capsys.readouterr().out
+    verify_sequence(target)
+    equal = open_sequence(target).tracks["realistic"]
+    made = equal.provenance["washout"]
+    assert (equal.provenance["preset"], made["reach_m"]) == ("equal", 0.022)
+    assert [hand["yield_s"] for hand in made["hands"]] == [0.3, None]
+    assert made["changed_share"] > 0.0
+    reach = predict(equal, 2.0)["hands"]["relaxed"]["reach"]
+    assert reach * 0.04 <= 0.022
+    assert preview_gain(target, 1.6).reaches["relaxed"] == pytest.approx(reach)
+    set_gain(target, 1.5)
+    assert open_sequence(target).tracks["realistic"].provenance["preset"] == "equal"
+    words = ["--preset", "faithful", "--gain", "0.4", "--in-place"]
+    assert cli.main(["render", str(target), *words]) == 0
+    faithful = open_sequence(target).tracks["realistic"]
+    assert np.array_equal(faithful.force_n, before.force_n)
+
+
 @pytest.mark.parametrize(
     ("words", "status", "said"),
     [
@@ -140,6 +165,7 @@ def test_a_sequence_with_one_gain_of_before_opens(folder):
         (["--axes", "1,0,0,0,1,0,0,0,-1"], 2, "not a rotation"),
         (["--lever-arm", "0,0,11"], 2, "--lever-arm must be between -10 and 10 m"),
         (["--lever-arm", "knee"], 2, "takes three numbers"),
+        (["--preset", "paper"], 2, "faithful"),
         ([], 1, "exists"),
     ],
 )

@@ -1,0 +1,299 @@
+"""Washout: the force nearest to a track under which the hands it is made for stay inside.
+
+Over a piece of the track, three axes together,
+
+    minimise 1/2 ||W (u - F)||^2 subject to
+        min(0, F_i) - d <= u_i <= max(0, F_i) + d       no force where none is meant
+        |u| <= force limit
+        |(1 + a s) X_h(s) u| <= R for each design hand h
+        X_h = 1 / (m s^2 + b s + k (1 - Y)),  Y = (1/t_y) / (s + 1/t_y + 1/t_r)
+
+    |W(f)|^2 = (w^2 + (f/f_1)^2) / (1 + (f/f_1)^2) / (1 + (f/f_2)^4)
+
+X_h is the way of grip and hand under a force, Y the rest point of a hand that gives way.
+W and X_h do not change with time, so the alternating direction method of multipliers
+(Boyd et al. 2011, section 3; over-relaxation 3.4.3, varying penalty 3.4.1) solves for u
+with one division per frequency; its other steps clip and shorten vectors. The solution
+at 50 Hz gives a correction u - F that is added to the track, which keeps its detail.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.errors import InputError
+from hapticplayer.model import ForceTrack, Reconstruction
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
+
+SOLVE_HZ = 50.0
+PIECE_S, OVERLAP_S, BLEND_S = 30.0, 8.0, 2.0
+_PAD_S = 8.0  # zeros in which the slowest hand comes back
+_TAPER_S = 1.0  # a piece begins and ends without a step that the track does not have
+_OVERSAMPLING = 8  # before the low-pass that comes before 50 Hz
+_CORNERS_HZ = 0.5, 15.0
+_RELAXATION, _FIRST_PENALTY, _PENALTY_STEP, _APART = 1.7, 2.0, 1.6, 5.0
+_CHECK_EVERY, _LEAST_ITERATIONS, _MOST_ITERATIONS = 10, 40, 400
+_EXCESS_SHARE, _ERROR_STEP = 0.005, 0.0005
+
+
+@dataclass(frozen=True, slots=True)
+class DesignHand:
+    """A hand on the grip, with what the hand feels of the device.
+
+    Attributes:
+        mass_kg: of hand and device, along x, y, z of frame D.
+        damping_n_s_per_m: of both, likewise.
+        stiffness_n_per_m: of the hand.
+        yield_s, return_s: time constants of its rest point, see `devices.dynamics.Hand`.
+    """
+
+    mass_kg: tuple[float, float, float]
+    damping_n_s_per_m: tuple[float, float, float]
+    stiffness_n_per_m: float
+    yield_s: float = math.inf
+    return_s: float = 0.5
+
+    def compliance_m_per_n(self, frequency_hz: Floats) -> NDArray[np.complex128]:
+        """Return X_h, (3, M), at frequencies (M,)."""
+        s = 2j * np.pi * frequency_hz
+        gives_way = (1.0 / self.yield_s) / (
+            s + 1.0 / self.yield_s + 1.0 / self.return_s
+        )
+        mass, damping = np.array([self.mass_kg, self.damping_n_s_per_m])[:, :, None]
+        stiffness = self.stiffness_n_per_m * (1.0 - gives_way)
+        return np.asarray(1.0 / (mass * s * s + damping * s + stiffness))
+
+
+@dataclass(frozen=True, slots=True)
+class Washout:
+    """What a washout has to keep.
+
+    Attributes:
+        hands: for which the excursion is limited.
+        reach_m: R, the limit.
+        ahead_s: a, the prediction time of the device's spring and fade.
+        false_force_n: d, allowed against the track's direction, per axis.
+        constant_weight: w, of a constant error beside one of 0.5 to 10 Hz.
+        force_limit_n: magnitude.
+    """
+
+    hands: tuple[DesignHand, ...]
+    reach_m: float
+    ahead_s: float = 0.010
+    false_force_n: float = 0.15
+    constant_weight: float = 0.3
+    force_limit_n: float = DEFAULT_FORCE_LIMIT_N
+
+    def weight(self, frequency_hz: Floats) -> Floats:
+        """Return |W|, (M,), at frequencies (M,)."""
+        low, high = (np.square(frequency_hz / corner) for corner in _CORNERS_HZ)
+        square = (self.constant_weight**2 + low) / (1.0 + low) / (1.0 + high * high)
+        return np.asarray(np.sqrt(square))
+
+    def reaches(self, frequency_hz: Floats) -> NDArray[np.complex128]:
+        """Return (1 + a s) X_h / R, (hands, 3, M), at frequencies (M,)."""
+        ahead = 1.0 + 2j * np.pi * self.ahead_s * frequency_hz
+        each = [hand.compliance_m_per_n(frequency_hz) for hand in self.hands]
+        return np.asarray(np.stack(each) * ahead / self.reach_m)
+
+
+def washed_out(track: ForceTrack, washout: Washout) -> ForceTrack:
+    """Return a LINEAR track under which every design hand stays within the limit.
+
+    Where the hands stay within it anyway, the force is the track's own, bit for bit.
+    The provenance gains the parameters and the share of the time that was changed.
+
+    Args:
+        track: LINEAR, in frame D, N.
+        washout: limits and hands.
+
+    Raises:
+        InputError: for a HOLD track.
+    """
+    if track.reconstruction is not Reconstruction.LINEAR:
+        raise InputError("a washout needs a track of straight lines, this one holds")
+    start_s = float(track.time_s[0])
+    count = math.ceil((float(track.time_s[-1]) - start_s) * SOLVE_HZ) + 1
+    correction = np.zeros((3, count), np.float32)
+    for first, size in _pieces(count):
+        piece = slice(first, first + size)
+        force = _sampled(track, start_s, first, size)
+        force *= _ramps(first, size, count, 0.0, _TAPER_S)
+        solved = solve(force, washout)
+        margin_s = 0.5 * (OVERLAP_S - BLEND_S)
+        blend = _ramps(first, size, count, margin_s, BLEND_S)
+        correction[:, piece] += blend * (solved - force)
+    changed = np.any(correction != 0.0, axis=0)
+    made = {**_described(washout), "changed_share": float(np.mean(changed))}
+    provenance = {**track.provenance, "washout": made}
+    if not changed.any():
+        return replace(track, provenance=provenance)
+    time_s = _with_grid(track.time_s, start_s + np.arange(count) / SOLVE_HZ, changed)
+    force_n = np.empty((len(time_s), 3), np.float32)
+    rows_at_once = 1 << 16
+    for begin in range(0, len(time_s), rows_at_once):
+        rows = slice(begin, begin + rows_at_once)
+        force_n[rows] = _corrected(track, correction, time_s[rows], washout)
+    return replace(track, time_s=time_s, force_n=force_n, provenance=provenance)
+
+
+def solve(force_n: Floats, washout: Washout) -> Floats:
+    """Return u, (3, N) in N at 50 Hz; `force_n` itself where nothing has to change.
+
+    Before and after it there is no force.
+
+    Args:
+        force_n: F, (3, N) in N at 50 Hz.
+        washout: limits and hands.
+    """
+    from scipy import fft  # playing does not need it
+
+    count = force_n.shape[1]
+    size = fft.next_fast_len(count + round(_PAD_S * SOLVE_HZ), real=True)
+    frequency_hz = fft.rfftfreq(size, 1.0 / SOLVE_HZ)
+    reaches = washout.reaches(frequency_hz)
+    wanted = fft.rfft(force_n, size)
+
+    def moved(spectrum: NDArray[np.complex128]) -> Floats:
+        return np.asarray(fft.irfft(reaches * spectrum, size))
+
+    if _lengths(moved(wanted)).max(initial=0.0) <= 1.0:
+        return force_n
+    weight = np.square(washout.weight(frequency_hz))
+    low, high = _box(force_n, size, washout.false_force_n)
+    gain = np.square(np.abs(reaches)).sum(axis=0)
+    scale = max(_energy(weight, wanted), 1e-12)
+    penalty, error = _FIRST_PENALTY, math.inf
+    copies = np.zeros((1 + len(reaches), 3, size))
+    duals = np.zeros_like(copies)
+    for iteration in range(1, _MOST_ITERATIONS + 1):
+        aims = fft.rfft(copies - duals)
+        pulled = aims[0] + (np.conj(reaches) * aims[1:]).sum(axis=0)
+        spectrum = weight * wanted + penalty * pulled
+        spectrum /= weight + penalty * (1.0 + gain)
+        own = np.concatenate((fft.irfft(spectrum, size)[None], moved(spectrum)))
+        relaxed = _RELAXATION * own + (1.0 - _RELAXATION) * copies
+        before, copies = copies, relaxed + duals
+        copies[0] = _shortened(np.clip(copies[0], low, high), washout.force_limit_n)
+        copies[1:] = _shortened(copies[1:], 1.0)
+        duals += relaxed - copies
+        if iteration % _CHECK_EVERY:
+            continue
+        result = fft.rfft(copies[0])
+        last, error = error, math.sqrt(_energy(weight, result - wanted) / scale)
+        excess = _lengths(moved(result)).max() - 1.0
+        is_done = excess < _EXCESS_SHARE and abs(error - last) < _ERROR_STEP
+        if is_done and iteration >= _LEAST_ITERATIONS:
+            break
+        if iteration <= _MOST_ITERATIONS // 2:
+            factor = _penalty_factor(own - copies, penalty * (copies - before))
+            penalty *= factor
+            duals /= factor
+    return np.asarray(copies[0][:, :count])
+
+
+def _energy(weight: Floats, spectrum: NDArray[np.complex128]) -> float:
+    return float((weight * np.square(np.abs(spectrum))).sum())
+
+
+def _described(washout: Washout) -> dict[str, Any]:
+    """Return the parameters as JSON holds them; a hand that never yields has None."""
+    hands = [
+        {
+            **asdict(hand),
+            "mass_kg": list(hand.mass_kg),
+            "damping_n_s_per_m": list(hand.damping_n_s_per_m),
+            "yield_s": hand.yield_s if math.isfinite(hand.yield_s) else None,
+        }
+        for hand in washout.hands
+    ]
+    return {**asdict(washout), "hands": hands, "solve_hz": SOLVE_HZ}
+
+
+def _penalty_factor(primal: Floats, dual: Floats) -> float:
+    """Return what brings the sizes of the residuals closer."""
+    sizes = float(np.linalg.norm(primal)), float(np.linalg.norm(dual))
+    if sizes[0] > _APART * sizes[1]:
+        return _PENALTY_STEP
+    return 1.0 / _PENALTY_STEP if sizes[1] > _APART * sizes[0] else 1.0
+
+
+def _box(force_n: Floats, size: int, false_force_n: float) -> tuple[Floats, Floats]:
+    """Return the bounds (3, size) of u; zero outside the piece."""
+    low, high = np.zeros((2, 3, size))
+    count = force_n.shape[1]
+    low[:, :count] = np.minimum(0.0, force_n) - false_force_n
+    high[:, :count] = np.maximum(0.0, force_n) + false_force_n
+    return low, high
+
+
+def _lengths(vectors: Floats) -> Floats:
+    """Return the lengths (..., N) of vectors (..., 3, N)."""
+    return np.asarray(np.sqrt(np.square(vectors).sum(axis=-2, keepdims=True)))
+
+
+def _shortened(vectors: Floats, limit: float) -> Floats:
+    """Return vectors (..., 3, N) no longer than the limit."""
+    return np.asarray(vectors * (limit / np.maximum(_lengths(vectors), limit)))
+
+
+def _pieces(count: int) -> Iterator[tuple[int, int]]:
+    """Yield first sample and size of overlapping pieces; the last takes a short rest."""
+    size, step = round(PIECE_S * SOLVE_HZ), round((PIECE_S - OVERLAP_S) * SOLVE_HZ)
+    first = 0
+    while first + size < count:
+        yield first, size
+        first += step
+    yield first, count - first
+
+
+def _ramps(
+    first: int, size: int, count: int, margin_s: float, width_s: float
+) -> Floats:
+    """Return (size,) ramps up and down at those ends that are not the track's."""
+    shares = np.ones(size)
+    from_start_s = np.arange(size) / SOLVE_HZ
+    to_end_s = (size - np.arange(size)) / SOLVE_HZ
+    if first > 0:
+        shares *= np.clip((from_start_s - margin_s) / width_s, 0.0, 1.0)
+    if first + size < count:
+        shares *= np.clip((to_end_s - margin_s) / width_s, 0.0, 1.0)
+    return shares
+
+
+def _sampled(track: ForceTrack, start_s: float, first: int, size: int) -> Floats:
+    """Return the track (3, size) at 50 Hz, low-passed before."""
+    from scipy import signal
+
+    fine = np.arange(first * _OVERSAMPLING, (first + size) * _OVERSAMPLING)
+    force = track.at(start_s + fine / (_OVERSAMPLING * SOLVE_HZ))
+    return np.asarray(signal.resample_poly(force, 1, _OVERSAMPLING, axis=0).T)
+
+
+def _with_grid(time_s: Floats, grid_s: Floats, changed: NDArray[np.bool_]) -> Floats:
+    """Return the times with those of the grid that lie in steps longer than its own."""
+    chosen = grid_s[changed & (grid_s > time_s[0]) & (grid_s < time_s[-1])]
+    after = np.searchsorted(time_s, chosen)
+    is_long = np.diff(time_s)[after - 1] > 1.001 / SOLVE_HZ
+    return np.asarray(np.union1d(time_s, chosen[is_long]))
+
+
+def _corrected(
+    track: ForceTrack, correction: NDArray[np.float32], time_s: Floats, washout: Washout
+) -> Floats:
+    """Return the force (M, 3) with the correction between its samples."""
+    places = (time_s - track.time_s[0]) * SOLVE_HZ
+    grid = np.arange(correction.shape[1])
+    more = np.stack([np.interp(places, grid, axis) for axis in correction], axis=1)
+    rows = np.searchsorted(track.time_s, time_s)
+    is_own = track.time_s[np.minimum(rows, len(track.time_s) - 1)] == time_s
+    force = track.at(time_s)
+    force[is_own] = track.force_n[rows[is_own]]  # the last entry too
+    is_changed = np.any(more != 0.0, axis=1)
+    total = _shortened((force + more).T, washout.force_limit_n).T
+    return np.where(is_changed[:, None], total, force)
