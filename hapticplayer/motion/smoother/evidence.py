@@ -58,10 +58,17 @@ def _precisions(
     return bound, change
 
 
-def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
-    """Return the logarithm of the evidence for models of the velocity, (M,).
+def log_evidences(
+    problem: Problem, models: Sequence[VelocityModel], known: int = 1
+) -> Floats:
+    """Return the logarithm of the evidence for models of the velocity, (known, M).
 
     All but for one constant, which depends on the number of nodes alone.
+
+    Args:
+        problem: whose first columns are the known part under one hypothesis each.
+        models: M of them.
+        known: how many columns that are.
     """
     count, columns = len(models), len(problem.tilt)
     chain = _chain(problem, models)
@@ -90,12 +97,14 @@ def log_evidences(problem: Problem, models: Sequence[VelocityModel]) -> Floats:
     log_det += _sums(np.log(main), count)
     log_weights += 2.0 * np.log(problem.tilt_weight).sum()
     # the calibration
-    matrix = normal[:, 1:, 1:] + np.diag(problem.prior_weight)
-    pull = problem.prior_weight * problem.prior - normal[:, 1:, 0]
-    best = np.linalg.solve(matrix, pull[..., None])[..., 0]
-    squares = normal[:, 0, 0] - np.vecdot(pull, best)
+    matrix = normal[:, known:, known:] + np.diag(problem.prior_weight)
+    pull = (problem.prior_weight * problem.prior)[:, None] - normal[:, known:, :known]
+    best = np.linalg.solve(matrix, pull)
+    squares = np.diagonal(normal, axis1=1, axis2=2)[:, :known] - (pull * best).sum(
+        axis=1
+    )
     log_det += np.linalg.slogdet(matrix)[1]
-    return np.asarray(0.5 * (log_weights - log_det - squares))
+    return np.asarray(0.5 * (log_weights - log_det - squares.T))
 
 
 def _gram(columns: Floats, weight: Floats) -> Floats:

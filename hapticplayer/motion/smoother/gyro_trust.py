@@ -83,27 +83,32 @@ def gyro_trust(
     """
     resting = solution.calibration.copy()
     resting[body] = 0.0
-    calibrations = solution.calibration, resting
-    usual: list[float] = []
+    moving, still = (
+        with_fixed_calibration(problem, calibration, BIAS_COLUMNS)
+        for calibration in (solution.calibration, resting)
+    )
+    both = replace(
+        moving,
+        tilt=np.concatenate([still.tilt[:1], moving.tilt]),
+        impulse=np.concatenate([still.impulse[:1], moving.impulse]),
+    )
+    usual: Floats | None = None
     best, best_gain, last_gain = None, p.noise_evidence, 0.0
     for factor in GYRO_NOISE_FACTORS:
-        found = []
-        for place, calibration in enumerate(calibrations):
-            one = with_fixed_calibration(problem, calibration, BIAS_COLUMNS)
-            evidences = log_evidences(_noisier(one, factor), VELOCITY_MODELS)
-            least = float(evidences.max()) - last_gain + MAX_LOG_EVIDENCE_LOSS
-            if place == len(usual):
-                # one velocity is mostly enough to see that the usual gyro explains more
-                likely = VELOCITY_MODELS[int(evidences.argmax())]
-                if log_evidences(one, [likely])[0] > least:
-                    return best
-                usual.append(float(log_evidences(one, VELOCITY_MODELS).max()))
-            if usual[place] > least:
+        evidences = log_evidences(_noisier(both, factor), VELOCITY_MODELS, 2)
+        least = evidences.max(axis=1) - last_gain + MAX_LOG_EVIDENCE_LOSS
+        if usual is None:
+            # two velocities are mostly enough to see that the usual gyro explains more
+            likely = [VELOCITY_MODELS[place] for place in evidences.argmax(axis=1)]
+            if (log_evidences(both, likely, 2).max(axis=1) > least).any():
                 return best
-            found.append(evidences - usual[place])
-        last_gain = float(min(one.max() for one in found))
+            usual = log_evidences(both, VELOCITY_MODELS, 2).max(axis=1)
+        if (usual > least).any():
+            return best
+        gains = evidences - usual[:, None]
+        last_gain = float(gains.max(axis=1).min())
         if last_gain > best_gain:
-            model = VELOCITY_MODELS[int(np.argmax(found[-1]))]
+            model = VELOCITY_MODELS[int(np.argmax(gains[0]))]
             best, best_gain = GyroTrust(factor, model), last_gain
     return best
 
