@@ -39,7 +39,7 @@ def add_mapping(command: argparse.ArgumentParser) -> None:
         type=_lever_arm,
         metavar="X,Y,Z",
         help="feel another point of the rigid body: metres right, front and up from "
-        "the recorder (default 0,0,0), or a rough example for a recorder on the chest: "
+        "the recorder (default 0,0,0; write --lever-arm=-0.1,...), or a rough example for a recorder on the chest: "
         + ", ".join(LEVER_ARMS_M),
     )
     command.add_argument(

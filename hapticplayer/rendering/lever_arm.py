@@ -52,6 +52,13 @@ def at_point(motion: MotionTrack, imu: ImuLog, lever_arm_m: Point) -> MotionTrac
 def _smoothed(imu: ImuLog) -> Floats:
     from hapticplayer.motion.conditioning.filtering import lowpass_samples
 
-    valid = np.ones(len(imu), dtype=np.bool_) if imu.valid is None else imu.valid
+    rate_radps, valid = imu.angular_rate_radps, imu.valid
+    if valid is not None and valid.any():
+        # filtered by itself, an invalid span would leave a jump that alpha repeats
+        columns = (
+            np.interp(imu.time_s, imu.time_s[valid], c[valid]) for c in rate_radps.T
+        )
+        rate_radps = np.stack(list(columns), axis=1)
     cutoff_hz = min(SMOOTHING_HZ, HIGHEST_SHARE_OF_RATE * imu.rate_hz)
-    return lowpass_samples(imu.time_s, imu.angular_rate_radps, valid, cutoff_hz)
+    whole = np.ones(len(imu), dtype=np.bool_)
+    return lowpass_samples(imu.time_s, rate_radps, whole, cutoff_hz)

@@ -143,9 +143,9 @@ def set_mapping(
     sequence = store.open_sequence(folder)
     imu = _angular_rate(folder, sequence, mapping)
     if fits_gain:
-        mapping = dataclasses.replace(
-            mapping, gain_n_per_mps2=fitted_gain(folder, mapping)
-        )
+        duration_s = _duration_s(sequence.description)
+        gain = rendering.fit_gain(sequence.motion, mapping, duration_s, imu)
+        mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
     name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
     realistic = render_preset(sequence.motion, mapping, imu, name=name)
     tracks = {
@@ -159,7 +159,7 @@ def set_mapping(
         **sequence.description,
         "mapping": store.describe_mapping(mapping),
         "provenance": {
-            **sequence.description["provenance"],
+            **dict(sequence.description.get("provenance", {})),
             "rendering": describe_rendering(fits_gain=fits_gain),
         },
     }
@@ -228,14 +228,14 @@ def _angular_rate(
     imu, _ = store.read_recorded(folder)
     try:
         clock = model.ClockMap(**sequence.description["clock_map"])
-    except (KeyError, TypeError) as problem:
+        return store.in_media_time(imu, clock)
+    except (KeyError, TypeError, ValueError) as problem:
         raise SequenceError(
             "an entry is missing or of the wrong kind ({reason})",
             where=str(folder / store.DESCRIPTION),
             remedy="import it again",
             reason=problem,
         ) from problem
-    return store.in_media_time(imu, clock)
 
 
 @dataclasses.dataclass(frozen=True, slots=True)

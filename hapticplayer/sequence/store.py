@@ -80,6 +80,7 @@ def open_sequence(folder: str | Path) -> Sequence:
         mapping = _mapping_of(description["mapping"])
         motion = MotionTrack(**_motion_fields(folder))
         title = without_controls(str(description["title"]))
+        dict(description.get("provenance", {}))
     except (KeyError, TypeError, ValueError, AttributeError) as problem:
         raise SequenceError(
             "an entry is missing or of the wrong kind ({reason})",

@@ -66,6 +66,16 @@ def test_a_log_of_30_hz_is_smoothed_below_half_its_rate():
     assert np.allclose(moved.acceleration_mps2[:, 1], -4.0 * 0.45)
 
 
+def test_an_angular_rate_that_is_not_valid_reaches_no_force():
+    rates = np.tile([0.0, 0.0, 3.0], (COUNT, 1))
+    valid = np.ones(COUNT, bool)
+    valid[400:500] = False
+    rates[~valid] = 700.0
+    imu = ImuLog(TIME_S, np.zeros((COUNT, 3)), rates, valid=valid)
+    moved = at_point(motion(np.zeros((COUNT, 3))), imu, (0.5, 0.0, 0.0))
+    np.testing.assert_allclose(moved.acceleration_mps2[:, 0], -4.5, atol=1e-9)
+
+
 def test_a_lever_arm_is_rendered_and_needs_the_angular_rate():
     track, imu = turning(np.tile([0.0, 0.0, 3.0], (COUNT, 1)))
     mapping = Mapping(lever_arm_m=(0.5, 0.0, 0.0))

@@ -120,7 +120,7 @@ def test_a_sequence_with_one_gain_of_before_opens(folder):
     content = json.loads(path.read_text())
     axes = [[1, 0, 0], [0, 0, 1], [0, -1, 0]]
     content["mapping"] = {"axes": axes, "gain_n_per_mps2": 0.4, "force_limit_n": 4.5}
-    del content["provenance"]["rendering"]
+    del content["provenance"]
     path.write_text(json.dumps(content))
     track = open_sequence(folder).tracks["realistic"]
     assert cli.main(["render", str(folder), "--in-place"]) == 0
@@ -174,6 +174,18 @@ def test_what_cannot_be_is_refused(folder, capsys, words, status, said):
     assert cli.main(["render", str(folder), *words, "-o", str(folder)]) == status
     assert said in capsys.readouterr().err
     assert contents(folder) == before
+
+
+@pytest.mark.parametrize("name", ["clock_map", "provenance"])
+@pytest.mark.parametrize("value", [None, "text", {"offset_s": "text"}])
+def test_a_damaged_description_never_crashes(folder, capsys, name, value):
+    path = folder / "sequence.json"
+    content = json.loads(path.read_text())
+    content[name] = value
+    path.write_text(json.dumps(content))
+    words = ["render", str(folder), "--in-place", "--lever-arm", "seat"]
+    assert cli.main(words) == 1
+    assert "import it again" in capsys.readouterr().err
 
 
 def test_a_damaged_file_is_not_copied(folder, tmp_path, capsys):
