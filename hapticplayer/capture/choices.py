@@ -185,6 +185,11 @@ def _is_template(content: bytes) -> bool:
     return bool(answers) and _are_answers(answers)
 
 
+def refuse_existing_template(path: Path, overwrite: bool) -> None:
+    """Raise InputError for a file that exists and is no template to be overwritten."""
+    refuse_existing(path, FILE, _is_template if overwrite else None)
+
+
 def write_template(path: Path, choices: LogChoices, *, overwrite: bool = False) -> None:
     """Write answers as a template.
 
@@ -192,7 +197,7 @@ def write_template(path: Path, choices: LogChoices, *, overwrite: bool = False) 
         InputError: when the file exists and is not a template to be overwritten, or
             cannot be written.
     """
-    refuse_existing(path, FILE, _is_template if overwrite else None)
+    refuse_existing_template(path, overwrite)
     content = {
         key.replace("_", "-"): value
         for key, value in dataclasses.asdict(choices).items()

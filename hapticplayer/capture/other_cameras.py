@@ -65,7 +65,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
         raise TelemetryError(
             reason,
             where=str(source.path),
-            remedy="give the log with --imu LOG --offset S",
+            remedy="give the log with --imu LOG",
         )
     return read_other_camera(source.path, choices)
 
@@ -206,7 +206,7 @@ def _refusal(video: Path, what: str) -> TelemetryError:
         what,
         where=str(video),
         remedy=Message(
-            "give the log with --imu LOG --offset S, and {option} if asked",
+            "give the log with --imu LOG, and {option} if asked",
             option=OPTION,
         ),
     )

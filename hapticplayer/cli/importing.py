@@ -23,6 +23,7 @@ from hapticplayer.cli.recording_options import (
     chosen_mounting,
     chosen_processing,
     chosen_sync,
+    keep_template,
     sync_text,
 )
 from hapticplayer.errors import Cancelled, HapticPlayerError, UsageError
@@ -79,6 +80,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
             choices=chosen_import(options),
             progress=progress,
         )
+    keep_template(options)
     sequence = open_sequence(folder)
     description = sequence.description
     if options.json:
@@ -163,6 +165,8 @@ def import_batch(options: argparse.Namespace) -> int:
             with shown_progress() as progress:
                 target = Path(options.output) / video.stem
                 rows.append(_import(video, target, choices, progress))
+    if any(row.status == 0 for row in rows):
+        keep_template(options)
     if options.json:
         say(json.dumps([asdict(row) for row in rows], ensure_ascii=False))
     else:

@@ -22,6 +22,7 @@ from hapticplayer.cli.recording_options import (
     chosen_log,
     chosen_mounting,
     chosen_processing,
+    keep_template,
     plot_overwritten,
     plot_target,
 )
@@ -104,6 +105,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         recording = _read(
             Path(options.recording), chosen_log(options), chosen_mounting(options)
         )
+        keep_template(options)
         progress(0.3, f"removing gravity: {processing.method}")
         give_back_freed_memory()  # a third of what an hour at 1 kHz needs
         mounting = chosen_mounting(options) or recording.provenance.get("mounting", "")

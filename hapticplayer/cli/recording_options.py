@@ -6,7 +6,12 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.capture import formats
-from hapticplayer.capture.choices import LogChoices, parse_choices, write_template
+from hapticplayer.capture.choices import (
+    LogChoices,
+    parse_choices,
+    refuse_existing_template,
+    write_template,
+)
 from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
 from hapticplayer.capture.sync import methods
 from hapticplayer.cli.common import add_number, add_overwrite
@@ -144,12 +149,17 @@ def chosen_mounting(options: argparse.Namespace) -> str:
 
 
 def chosen_log(options: argparse.Namespace) -> LogChoices:
-    """Return the choices about a log; saved as a template if wanted."""
-    choices = parse_choices(options.read_as)
+    """Return the choices about a log."""
     if options.save_template is not None:
-        path, overwrite = Path(options.save_template), options.overwrite
-        write_template(path, choices, overwrite=overwrite)
-    return choices
+        refuse_existing_template(Path(options.save_template), options.overwrite)
+    return parse_choices(options.read_as)
+
+
+def keep_template(options: argparse.Namespace) -> None:
+    """Keep the choices as a template, if wanted, now that they have read the log."""
+    if options.save_template is not None:
+        path, choices = Path(options.save_template), parse_choices(options.read_as)
+        write_template(path, choices, overwrite=options.overwrite)
 
 
 def chosen_sync(options: argparse.Namespace) -> SyncChoices:

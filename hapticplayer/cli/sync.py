@@ -18,6 +18,7 @@ from hapticplayer.cli.recording_options import (
     add_sync,
     chosen_log,
     chosen_sync,
+    keep_template,
     plot_overwritten,
     plot_target,
     rarity_text,
@@ -84,6 +85,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
             return _check(_read_either(options), options, choices)
         clip = probe(options.clip)
         recording = read_recording(options.imu or options.clip, chosen_log(options))
+        keep_template(options)
         found = find_sync(clip, recording, choices)
         if plot:
             sound = read_sound(clip.path)

@@ -157,7 +157,7 @@ def _reason(vehicle_weight: float, noise_factor: float) -> str:
         return "the gyro's noise: it is larger than that of a calibrated gyro"
     if vehicle_weight < 0.5:
         return "how fast the recording moves"
-    return "that it drives: it is far from the centre of its turns"
+    return "a vehicle: its turns are wide"
 
 
 def _samples(task: Task) -> InertialSamples:

@@ -36,7 +36,7 @@ def _import(stage: Stage) -> Pictures:
         wizard.files.show_problem(InputError("holds no motion", where="log.csv"))
         yield "import-error", stage.picture(wizard)
         for name, recognised in (("doubt", found.doubtful), ("sure", found.certain)):
-            wizard._on_found(recognised)
+            wizard.on_found(recognised)
             wizard.recognised = recognised
             wizard.go_to(SYNC)
             yield f"import-sync-{name}", stage.picture(wizard, 500)
@@ -94,9 +94,13 @@ def _library(stage: Stage) -> Pictures:
         yield "library-nothing-found", stage.picture(page)
 
 
+def _no_export(*_: object) -> list[str]:
+    return []
+
+
 def _analysis(stage: Stage) -> Pictures:
     answers = simulated_answers(PARTICIPANTS, seed=1)
-    page = AnalysisPage("Rides", lambda: answers, print, SystemClock())
+    page = AnalysisPage("Rides", lambda: answers, _no_export, print, SystemClock())
     resize_within_screen(page, 1040, 860)
     with stage.shown(page):
         page.analyse()

@@ -29,6 +29,13 @@ def test_the_answer_is_taken_kept_and_used_again(table, tmp_path, capsys):
     assert main([*again, "--method", "lowpass"]) == 0
 
 
+def test_answers_that_read_nothing_are_not_kept(table, tmp_path, capsys):
+    template = tmp_path / "mine.json"
+    wrong = ["--read-as", GENERIC[0], "--save-template", str(template)]
+    assert main(["process", str(table), *wrong]) == 2
+    assert not template.exists()
+
+
 def test_motion_without_gravity_is_not_processed_a_second_time(tmp_path, capsys):
     path = put(phyphox_linear(sample()), tmp_path / "in")
     assert main(["process", str(path)]) == 1

@@ -86,8 +86,7 @@ def test_video_without_motion_names_the_remedy(mute_clip):
     with pytest.raises(TelemetryError) as caught:
         read_recording(mute_clip)
     assert str(caught.value) == (
-        f"{mute_clip}: holds no motion telemetry; "
-        "give the log with --imu LOG --offset S"
+        f"{mute_clip}: holds no motion telemetry; give the log with --imu LOG"
     )
 
 

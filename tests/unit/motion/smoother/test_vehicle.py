@@ -357,7 +357,7 @@ def test_what_holes_seem_to_have_moved_is_not_looked_at():
 
 @pytest.mark.parametrize(
     ("scene", "drives", "words"),
-    [("car-hills", True, "it drives"), ("handheld-brisk", False, "how fast")],
+    [("car-hills", True, "a vehicle"), ("handheld-brisk", False, "how fast")],
 )
 def test_the_summary_says_whether_it_drives(scene, drives, words):
     summary = analyse(simulate_motion(scene, 2).imu).summary
