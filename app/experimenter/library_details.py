@@ -204,12 +204,13 @@ class LibraryDetails(QWidget):
         """Say at once what follows from the figures, and soon what a hand would do."""
         self._move_slider()
         entry = self._entry
-        if entry is None or not entry.gain_n_per_mps2:
+        if entry is None or entry.problem:
             return
-        self.apply.setEnabled(abs(gain - entry.gain_n_per_mps2) > 1e-9)
+        before = entry.gain_n_per_mps2  # None where each axis has its own
+        self.apply.setEnabled(before is None or abs(gain - before) > 1e-9)
         real = [track for track in entry.tracks if track.name == _OWN[0]]
-        if real:
-            factor = gain / entry.gain_n_per_mps2
+        if real and before:
+            factor = gain / before
             text = self.tr("about {peak} N peak, {rms} N RMS\u2026")
             peak, rms = (
                 local(f"{factor * real[0].peak_n:.2f}"),

@@ -1,6 +1,7 @@
 """The library page over a folder of sequences, and what it changes in them."""
 
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from app.experimenter import library_details
 from app.experimenter.library_page import LibraryPage
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence
-from hapticplayer.sequence.editing import rename_sequence
+from hapticplayer.sequence.editing import rename_sequence, set_mapping
 
 
 @pytest.fixture
@@ -162,6 +163,20 @@ def test_the_gain_is_previewed_and_then_used(page, library, wait_for):
     assert after.mapping.gain_n_per_mps2 == pytest.approx(0.2)
     assert (page.chosen().tracks[0].peak_n) == pytest.approx(before.peak_n() / 2)
     verify_sequence(library / "a")
+
+
+def test_one_gain_replaces_those_of_the_axes(page, library, wait_for):
+    folder = library / "a"
+    mapping = open_sequence(folder).mapping
+    set_mapping(folder, replace(mapping, gain_n_per_mps2=(0.1, 0.2, 0.3)))
+    page.refresh()
+    page.list.setCurrentRow(0)
+    assert not page.details.apply.isEnabled()
+    page.details.number.setValue(0.2)
+    wait_for(lambda: "relaxed hand" in page.details.preview.text())
+    page.details.apply.click()
+    wait_for(lambda: not page.details.apply.isEnabled() and not page.jobs.is_busy)
+    assert open_sequence(folder).mapping.gain_n_per_mps2 == pytest.approx(0.2)
 
 
 def test_a_sequence_is_opened_from_the_window(window, library, settings, wait_for):
