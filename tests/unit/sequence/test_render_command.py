@@ -7,8 +7,9 @@ import pytest
 
 from hapticplayer import cli, rendering
 from hapticplayer.capture.recording import Recording
+from hapticplayer.cli.importing import chosen_import
 from hapticplayer.model import ClockMap, ImuLog, Mapping
-from hapticplayer.sequence import open_sequence, verify_sequence
+from hapticplayer.sequence import open_sequence, store, verify_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.sequence.editing import preview_gain, set_gain
 from hapticplayer.sequence.excursion import predict
@@ -197,3 +198,25 @@ def test_a_damaged_file_is_not_copied(folder, tmp_path, capsys):
     assert cli.main(["render", str(folder), "-o", str(target)]) == 1
     assert "checksum differs" in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["ride"]
+
+
+def test_the_options_of_an_import_reach_its_choices():
+    words = [
+        "import",
+        "ride.mp4",
+        "-o",
+        "ride",
+        "--gain",
+        "fit",
+        "--axes=-x,y,-z",
+        "--soft-knee",
+    ]
+    options = cli.build_parser("import").parse_args([*words, "--lever-arm=-1,0,2"])
+    choices = chosen_import(options)
+    assert choices.fits_gain
+    assert choices.mapping.axes.tolist() == [[-1, 0, 0], [0, 1, 0], [0, 0, -1]]
+    assert choices.mapping.soft_knee_n == 2.0
+    assert choices.mapping.lever_arm_m == (-1.0, 0.0, 2.0)
+    plain = chosen_import(cli.build_parser("import").parse_args(words[:4]))
+    assert store.describe_mapping(plain.mapping) == store.describe_mapping(Mapping())
+    assert not plain.fits_gain
