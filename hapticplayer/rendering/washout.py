@@ -31,7 +31,14 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 
 SOLVE_HZ = 50.0
-PIECE_S, OVERLAP_S, BLEND_S = 30.0, 8.0, 2.0
+PIECE_S, BLEND_S = 30.0, 2.0
+RUN_UP_S = 8.0
+"""Of a piece before it counts: a hand that gives way remembers a force for 2.4 s."""
+
+LOOK_AHEAD_S = 4.0
+"""Of a piece after it has counted."""
+
+_OVERLAP_S = RUN_UP_S + BLEND_S + LOOK_AHEAD_S
 _PAD_S = 8.0  # zeros in which the slowest hand comes back
 _TAPER_S = 1.0  # a piece begins and ends without a step that the track does not have
 _OVERSAMPLING = 8  # before the low-pass that comes before 50 Hz
@@ -123,10 +130,9 @@ def washed_out(track: ForceTrack, washout: Washout) -> ForceTrack:
     for first, size in _pieces(count):
         piece = slice(first, first + size)
         force = _sampled(track, start_s, first, size)
-        force *= _ramps(first, size, count, 0.0, _TAPER_S)
+        force *= _ramps(first, size, count, (0.0, 0.0), _TAPER_S)
         solved = solve(force, washout)
-        margin_s = 0.5 * (OVERLAP_S - BLEND_S)
-        blend = _ramps(first, size, count, margin_s, BLEND_S)
+        blend = _ramps(first, size, count, (RUN_UP_S, LOOK_AHEAD_S), BLEND_S)
         correction[:, piece] += blend * (solved - force)
     changed = np.any(correction != 0.0, axis=0)
     made = {**_described(washout), "changed_share": float(np.mean(changed))}
@@ -244,7 +250,7 @@ def _shortened(vectors: Floats, limit: float) -> Floats:
 
 def _pieces(count: int) -> Iterator[tuple[int, int]]:
     """Yield first sample and size of overlapping pieces; the last takes a short rest."""
-    size, step = round(PIECE_S * SOLVE_HZ), round((PIECE_S - OVERLAP_S) * SOLVE_HZ)
+    size, step = round(PIECE_S * SOLVE_HZ), round((PIECE_S - _OVERLAP_S) * SOLVE_HZ)
     first = 0
     while first + size < count:
         yield first, size
@@ -253,16 +259,16 @@ def _pieces(count: int) -> Iterator[tuple[int, int]]:
 
 
 def _ramps(
-    first: int, size: int, count: int, margin_s: float, width_s: float
+    first: int, size: int, count: int, margins_s: tuple[float, float], width_s: float
 ) -> Floats:
     """Return (size,) ramps up and down at those ends that are not the track's."""
     shares = np.ones(size)
     from_start_s = np.arange(size) / SOLVE_HZ
     to_end_s = (size - np.arange(size)) / SOLVE_HZ
     if first > 0:
-        shares *= np.clip((from_start_s - margin_s) / width_s, 0.0, 1.0)
+        shares *= np.clip((from_start_s - margins_s[0]) / width_s, 0.0, 1.0)
     if first + size < count:
-        shares *= np.clip((to_end_s - margin_s) / width_s, 0.0, 1.0)
+        shares *= np.clip((to_end_s - margins_s[1]) / width_s, 0.0, 1.0)
     return shares
 
 

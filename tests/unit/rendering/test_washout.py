@@ -28,15 +28,6 @@ def turns(length_s, seed=7):
     return ForceTrack(t, force)
 
 
-def weighted_error(made, wanted):
-    """Return ew of section 1 of the measured figures; arrays (N, 3) at 50 Hz."""
-    f = np.fft.rfftfreq(len(wanted), 0.02)[:, None]
-    low, high = (f / 0.5) ** 2, (f / 15.0) ** 4
-    weight = np.sqrt((0.09 + low) / (1.0 + low) / (1.0 + high))
-    parts = [np.fft.rfft(one, axis=0) * weight for one in (made - wanted, wanted)]
-    return np.linalg.norm(parts[0]) / np.linalg.norm(parts[1])
-
-
 def way_matrix(size, count, yield_s, return_s):
     """Return the ways (size, count) along x, m, of unit forces at each sample."""
     s = 2j * np.pi * np.fft.rfftfreq(size, 0.02)[:, None]
@@ -115,6 +106,18 @@ def test_pieces_join_as_if_solved_in_one(monkeypatch):
     assert np.abs(pieces - whole).max() < 0.1
     steps = [np.abs(np.diff(one, axis=0)).max() for one in (pieces, whole)]
     assert steps[0] < 1.1 * steps[1]
+
+
+def test_a_hand_that_remembers_stays_within_across_pieces():
+    t = np.arange(0.0, 70.0, 0.02)
+    force = np.zeros((len(t), 3))
+    force[:, 0] = 0.45 + 0.25 * np.sin(2.0 * np.pi * 0.1 * t)
+    done = washed_out(ForceTrack(t, force), LIMITS).force_n[:, 0].astype(float)
+    s = 2j * np.pi * np.fft.rfftfreq(len(t) + 1000, 0.02)
+    kept = 1.0 - (1.0 / 0.3) / (s + 1.0 / 0.3 + 0.5)
+    ways = (1.0 + 0.01 * s) / (0.45 * s**2 + 8.6 * s + 150.0 * kept)
+    way_m = np.fft.irfft(ways * np.fft.rfft(done, len(t) + 1000))
+    assert np.abs(way_m).max() < 1.01 * 0.022
 
 
 def test_force_keeps_its_side_and_its_limit():
