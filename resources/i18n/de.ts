@@ -3972,14 +3972,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie die Kräfte in Newton an</translation>
     </message>
     <message>
-        <source>give the log with --imu LOG --offset S</source>
-        <translation>geben Sie das Protokoll mit --imu LOG --offset S an</translation>
-    </message>
-    <message>
-        <source>give the log with --imu LOG --offset S, and {option} if asked</source>
-        <translation>geben Sie das Protokoll mit --imu LOG --offset S an, und {option}, wo danach gefragt wird</translation>
-    </message>
-    <message>
         <source>give the specific force in m/s2, about 9.8 at rest</source>
         <translation>geben Sie die spezifische Kraft in m/s2 an, etwa 9.8 in Ruhe</translation>
     </message>
@@ -4717,7 +4709,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>give the folder of one of them instead</source>
-        <translation>nichts, aber geben Sie den Ordner von einer an</translation>
+        <translation>geben Sie stattdessen den Ordner einer davon an</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG</source>
+        <translation>geben Sie das Protokoll mit --imu LOG an</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG, and {option} if asked</source>
+        <translation>geben Sie das Protokoll mit --imu LOG an, und {option}, wo danach gefragt wird</translation>
     </message>
     <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>

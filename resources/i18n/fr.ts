@@ -3972,14 +3972,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez les forces en newtons</translation>
     </message>
     <message>
-        <source>give the log with --imu LOG --offset S</source>
-        <translation>donnez le journal avec --imu LOG --offset S</translation>
-    </message>
-    <message>
-        <source>give the log with --imu LOG --offset S, and {option} if asked</source>
-        <translation>donnez le journal avec --imu LOG --offset S, et {option} là où c’est demandé</translation>
-    </message>
-    <message>
         <source>give the specific force in m/s2, about 9.8 at rest</source>
         <translation>donnez la force spécifique en m/s2, environ 9.8 au repos</translation>
     </message>
@@ -4718,6 +4710,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give the folder of one of them instead</source>
         <translation>rien, mais donnez le dossier de l’un d’eux</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG</source>
+        <translation>donnez le journal avec --imu LOG</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG, and {option} if asked</source>
+        <translation>donnez le journal avec --imu LOG, et {option} là où c’est demandé</translation>
     </message>
     <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
