@@ -4709,7 +4709,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>give the folder of one of them instead</source>
-        <translation>rien, mais donnez le dossier de l’un d’eux</translation>
+        <translation>donnez plutôt le dossier de l’un d’eux</translation>
     </message>
     <message>
         <source>give the log with --imu LOG</source>
