@@ -10,5 +10,6 @@ PLACES = {
     "exchange": "haptics.falcon:exchange",
     "kinematics": "haptics.falcon:kinematics",
     "centring": "campaigns:centring",
+    "washout": "haptics.washout",
 }
 sys.exit(command("haptics", __doc__, PLACES))
