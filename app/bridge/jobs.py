@@ -3,8 +3,9 @@
 import contextlib
 import multiprocessing
 import os
+import signal
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from typing import Any, Generic, TypeVar
@@ -164,7 +165,8 @@ def in_child(
         target=_serve, args=(theirs, work, arguments, options), daemon=True
     )
     with ours:
-        process.start()
+        with _deaf_to_ctrl_c():
+            process.start()
         theirs.close()
         if process.pid is not None:
             _stand_back(process.pid)
@@ -180,6 +182,19 @@ def in_child(
         finally:
             ours.close()  # which the work takes for the wish to stop
             process.join()
+
+
+@contextlib.contextmanager
+def _deaf_to_ctrl_c() -> Iterator[None]:
+    """Keep SIGINT, which a terminal sends to all, from what this thread starts.
+
+    The window hears it, and closes the line to the work.
+    """
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _stand_back(pid: int) -> None:

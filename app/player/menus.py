@@ -214,7 +214,7 @@ class ThemeMenus(QObject):
                 (languages.SYSTEM, self.tr("System default")),
                 *languages.NAMES.items(),
             ],
-            lambda: settings.text(LANGUAGE, languages.ENGLISH),
+            lambda: settings.text(LANGUAGE, languages.SYSTEM),
             lambda value: self._choose(LANGUAGE, value),
         )
 

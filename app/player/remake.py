@@ -167,7 +167,7 @@ def appearance_in_steps(
     application: QApplication, settings: Settings
 ) -> Iterator[None]:
     """Do so, a part at each turn."""
-    languages.install(application, settings.text(LANGUAGE, languages.ENGLISH))
+    languages.install(application, settings.text(LANGUAGE, languages.SYSTEM))
     yield
     theme.apply(application, settings.text(THEME, theme.DARK))
     yield

@@ -56,11 +56,17 @@ FORCE_STEP_S = 1e-4
 
 
 def recognises(source: Source) -> Confidence:
-    """The name of the time column comes first."""
-    if not source.is_one_file:
-        return Confidence.NO
-    begins = source.head(source.names[0]).lstrip(' \t\r\n"').startswith(TIME)
-    return Confidence.CERTAIN if begins else Confidence.NO
+    """The name of the time column comes first; a folder holds one such file."""
+    return Confidence.CERTAIN if len(_logs(source)) == 1 else Confidence.NO
+
+
+def _logs(source: Source) -> list[str]:
+    """Return the members that begin with the name of the time column."""
+    return [
+        name
+        for name in source.names
+        if source.head(name).lstrip(' \t\r\n"').startswith(TIME)
+    ]
 
 
 def read(source: Source, _choices: LogChoices) -> Recording:
@@ -73,6 +79,7 @@ def read(source: Source, _choices: LogChoices) -> Recording:
         InputError: with file, line, column and what to do; also when the numbers are
             in g or in degrees, and for what cannot be repaired.
     """
+    source = source if source.is_one_file else source.alone(_logs(source)[0])
     numbers = _read_strict(source, LOG_COLUMNS, FIELD_COLUMNS)
     where, values = str(source.path), numbers.values
     _check_accel(values[:, 1:4], where)

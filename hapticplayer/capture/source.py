@@ -91,7 +91,12 @@ class Source:
         self.path, self.names, self.is_one_file = path, tuple(members), is_one_file
         self._members = members
         self.beginning = functools.cache(self._beginning)
-        self.is_binary = is_one_file and not is_text(self.beginning(path.name))
+        self.is_binary = is_one_file and not is_text(self.beginning(self.names[0]))
+
+    def alone(self, name: str) -> "Source":
+        """Return one member as the source of a file."""
+        path = self.path if self.is_one_file else self.path / name
+        return Source(path, {name: self._members[name]}, is_one_file=True)
 
     def refuse_changed(self) -> None:
         """Raise InputError if a file is not what it was when the source was opened."""

@@ -107,7 +107,7 @@ def _sentence_and_status(problem: BaseException) -> tuple[str, int]:
         return str(problem), 2 if isinstance(problem, UsageError) else 1
     if isinstance(problem, KeyboardInterrupt):
         number = getattr(problem, "number", signal.SIGINT)
-        return "interrupted; nothing half-done was left behind", 128 + number
+        return "interrupted; no file was left half written", 128 + number
     if sentence := shortage_of(problem):
         return sentence, 1
     if isinstance(problem, OSError) and problem.errno in _OUTPUT_ERRNO:

@@ -24,6 +24,12 @@ def dying(*, progress):
     os.kill(os.getpid(), signal.SIGKILL)
 
 
+def interrupted(*, progress):
+    os.kill(os.getpid(), signal.SIGINT)
+    progress(1.0, "still here")
+    return "done"
+
+
 def writing(target, *, progress):
     with files.written_aside(target) as aside:
         (aside / "part").write_text("half")
@@ -48,6 +54,11 @@ def test_a_refusal_is_raised_here_with_its_words():
 def test_a_child_that_is_killed_is_an_error_with_words():
     with pytest.raises(HapticPlayerError, match=r"ended from outside.*-9"):
         in_child(dying, progress=lambda *_: None)
+
+
+def test_a_child_leaves_ctrl_c_to_the_window():
+    assert in_child(interrupted, progress=lambda *_: None) == "done"
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, [])
 
 
 def test_a_cancelled_child_tidies_up_before_it_ends(tmp_path):

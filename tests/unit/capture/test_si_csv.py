@@ -40,6 +40,14 @@ def test_plain_log_is_read(tmp_path):
     assert imu.source.endswith("log.csv")
 
 
+def test_the_one_log_of_a_folder_is_read(tmp_path):
+    write(tmp_path / "log.csv", log_lines())
+    (tmp_path / "truth.npz").write_bytes(bytes(range(256)))
+    found = read_recording(tmp_path)
+    assert len(found.imu) == 20
+    assert found.imu.source.endswith("log.csv")
+
+
 def test_field_columns_are_read(tmp_path):
     lines = [
         HEADER + ",mx,my,mz",
