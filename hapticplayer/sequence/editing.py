@@ -144,10 +144,10 @@ def set_mapping(
     imu = _angular_rate(folder, sequence, mapping)
     if fits_gain:
         duration_s = _duration_s(sequence.description)
-        gain = rendering.fit_gain(sequence.motion, mapping, duration_s, imu)
+        gain = rendering.fit_gain(_motion(sequence), mapping, duration_s, imu)
         mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
     name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    realistic = render_preset(sequence.motion, mapping, imu, name=name)
+    realistic = render_preset(_motion(sequence), mapping, imu, name=name)
     tracks = {
         condition.name: condition.make(
             realistic, int(sequence.tracks[condition.name].provenance.get("seed", 0))
@@ -203,7 +203,7 @@ def fitted_gain(folder: Path, mapping: model.Mapping) -> float:
     """
     sequence = store.open_sequence(folder)
     return rendering.fit_gain(
-        sequence.motion,
+        _motion(sequence),
         mapping,
         _duration_s(sequence.description),
         _angular_rate(folder, sequence, mapping),
@@ -217,6 +217,17 @@ def describe_rendering(*, fits_gain: bool) -> dict[str, Any]:
         "created_utc": utc_now_iso(),
         "gain_from": "fit" if fits_gain else "given",
     }
+
+
+def _motion(sequence: store.Sequence) -> model.MotionTrack:
+    """Return the motion that force is rendered from."""
+    if sequence.motion is None:
+        raise SequenceError(
+            "was shared without its motion, so its force cannot be rendered again",
+            where=str(sequence.folder),
+            remedy="ask for a file that was packed with --with-motion",
+        )
+    return sequence.motion
 
 
 def _angular_rate(
@@ -273,7 +284,7 @@ def preview_gain(
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
     imu = _angular_rate(folder, sequence, mapping)
     name = preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    track = render_preset(sequence.motion, mapping, imu, name=name)
+    track = render_preset(_motion(sequence), mapping, imu, name=name)
     report = _reporter(progress, 0, 1)
     hands = predict(track, _duration_s(sequence.description), report)["hands"]
     return GainPreview(

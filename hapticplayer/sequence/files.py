@@ -15,7 +15,7 @@ import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -305,26 +305,37 @@ def read_arrays(path: Path) -> dict[str, NDArray[Any]]:
     Raises:
         SequenceError: when it is missing, damaged or larger than the limit.
     """
+    with open_regular(path, SequenceError, _IMPORT_AGAIN) as reader:
+        return arrays_of(reader, str(path), MAX_ARRAYS_BYTES)
+
+
+def arrays_of(
+    reader: IO[bytes], where: str, most_bytes: int = MAX_ARRAYS_BYTES
+) -> dict[str, NDArray[Any]]:
+    """Return the arrays of an .npz that is open; never unpickles.
+
+    Raises:
+        SequenceError: when it is damaged or larger than the limit.
+    """
     try:
-        with open_regular(path, SequenceError, _IMPORT_AGAIN) as reader:
-            with zipfile.ZipFile(reader) as archive:
-                total = sum(entry.file_size for entry in archive.infolist())
-            if total > MAX_ARRAYS_BYTES:
-                raise SequenceError("is too large", where=str(path))
-            reader.seek(0)
-            with np.load(reader, allow_pickle=False) as archive:
-                return {name: archive[name] for name in archive.files}
+        with zipfile.ZipFile(reader) as archive:
+            total = sum(entry.file_size for entry in archive.infolist())
+        if total > most_bytes:
+            raise SequenceError("is too large", where=where)
+        reader.seek(0)
+        with np.load(reader, allow_pickle=False) as archive:
+            return {name: archive[name] for name in archive.files}
     except OSError as problem:
         raise SequenceError(
             "cannot be read ({reason})",
-            where=str(path),
+            where=where,
             remedy="import it again",
             reason=problem,
         ) from problem
     except _DAMAGED as problem:
         raise SequenceError(
             "is damaged ({reason})",
-            where=str(path),
+            where=where,
             remedy="import it again",
             reason=problem,
         ) from problem

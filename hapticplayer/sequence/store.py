@@ -3,7 +3,9 @@
 from collections.abc import Mapping as Dict
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
+
+from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError, Message, SequenceError
 from hapticplayer.model import (
@@ -37,7 +39,7 @@ class Sequence:
         folder: of the sequence.
         title: of the sequence.
         clip: the video file.
-        motion: gravity-free acceleration, in media time.
+        motion: gravity-free acceleration, in media time; None if it was not shared.
         tracks: force tracks by name of the condition.
         mapping: of the realistic track.
         description: sequence.json, with its provenance.
@@ -46,10 +48,37 @@ class Sequence:
     folder: Path
     title: str
     clip: Path
-    motion: MotionTrack
+    motion: MotionTrack | None
     tracks: Dict[str, ForceTrack]
     mapping: Mapping
     description: Dict[str, Any]
+
+
+class SmallFiles(Protocol):
+    """Where the arrays of a sequence are: in its folder, or attached to its clip."""
+
+    where: str
+
+    def arrays(self, name: Any, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
+        """Return the arrays of a file, whose size and checksum are as listed.
+
+        Raises:
+            InputError: when it is missing, damaged or another one.
+            LookupError: when it is not listed.
+        """
+
+
+class FolderFiles:
+    """The small files in the folder of a sequence."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder, self.where = folder, str(folder / DESCRIPTION)
+
+    def arrays(self, name: Any, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
+        """Return the arrays of a file; see `SmallFiles`."""
+        path = _inside(self._folder, name)
+        _check_file(self._folder, name, listed[name], with_checksum=True)
+        return files.read_arrays(path)
 
 
 def open_sequence(folder: str | Path) -> Sequence:
@@ -70,21 +99,44 @@ def open_sequence(folder: str | Path) -> Sequence:
             name=DESCRIPTION,
         )
     description = files.read_json(folder / DESCRIPTION)
-    _check_schema(folder, description)
+    return sequence_of(description, FolderFiles(folder), folder)
+
+
+def sequence_of(
+    description: dict[str, Any],
+    small: SmallFiles,
+    folder: Path,
+    clip: Path | None = None,
+) -> Sequence:
+    """Return the sequence that a description and its small files make.
+
+    Args:
+        description: the content of sequence.json.
+        small: where its arrays are.
+        folder: that it is in.
+        clip: a file that holds its video; None for the one that it describes.
+
+    Raises:
+        SequenceError: when an entry or a file is missing, or of the wrong kind.
+    """
+    _check_schema(small.where, description)
     try:
         listed = description["files"]
-        clip = _inside(folder, description["clip"]["file"])
-        _check_file(folder, clip.name, listed[clip.name], with_checksum=False)
-        _check_file(folder, MOTION, listed[MOTION], with_checksum=True)
-        tracks = _read_tracks(folder, description["feedbacks"], listed)
+        if clip is None:
+            clip = _inside(folder, description["clip"]["file"])
+            _check_file(folder, clip.name, listed[clip.name], with_checksum=False)
+        tracks = _read_tracks(small, description["feedbacks"], listed)
         mapping = _mapping_of(description["mapping"])
-        motion = MotionTrack(**_motion_fields(folder))
+        motion = None
+        if MOTION in listed:
+            motion = MotionTrack(**_motion_fields(small.arrays(MOTION, listed)))
         title = without_controls(str(description["title"]))
+        float(description["clip"]["duration_s"])
         dict(description.get("provenance", {}))
     except (KeyError, TypeError, ValueError, AttributeError) as problem:
         raise SequenceError(
             "an entry is missing or of the wrong kind ({reason})",
-            where=str(folder / DESCRIPTION),
+            where=small.where,
             remedy="import it again",
             reason=problem,
         ) from problem
@@ -92,7 +144,7 @@ def open_sequence(folder: str | Path) -> Sequence:
         raise
     except InputError as problem:
         raise SequenceError(
-            str(problem), where=str(folder), remedy="import it again"
+            str(problem), where=small.where, remedy="import it again"
         ) from problem
     return Sequence(folder, title, clip, motion, tracks, mapping, description)
 
@@ -121,7 +173,7 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
     """
     folder = Path(folder)
     description = files.read_json(folder / DESCRIPTION)
-    _check_schema(folder, description)
+    _check_schema(str(folder / DESCRIPTION), description)
     try:
         _check_file(folder, IMU, description["files"][IMU], with_checksum=True)
         made_of = dict(description["provenance"])
@@ -230,8 +282,7 @@ def _mapping_of(entry: dict[str, Any]) -> Mapping:
     )
 
 
-def _check_schema(folder: Path, description: dict[str, Any]) -> None:
-    where = str(folder / DESCRIPTION)
+def _check_schema(where: str, description: dict[str, Any]) -> None:
     if description.get("schema") != SCHEMA:
         raise SequenceError(
             "is not the description of a sequence",
@@ -261,7 +312,7 @@ def _inside(folder: Path, name: Any) -> Path:
 
 
 def _check_file(
-    folder: Path, name: str, entry: dict[str, Any], *, with_checksum: bool
+    folder: Path, name: str, entry: Dict[str, Any], *, with_checksum: bool
 ) -> None:
     path = _inside(folder, name)
     if path.is_symlink() or not path.is_file():
@@ -280,15 +331,13 @@ def _check_file(
 
 
 def _read_tracks(
-    folder: Path, feedbacks: dict[str, Any], listed: dict[str, Any]
+    small: SmallFiles, feedbacks: dict[str, Any], listed: dict[str, Any]
 ) -> dict[str, ForceTrack]:
     tracks = {}
     for name, entry in feedbacks.items():
         if "file" not in entry:
             continue
-        path = _inside(folder, entry["file"])
-        _check_file(folder, path.name, listed[path.name], with_checksum=True)
-        arrays = files.read_arrays(path)
+        arrays = small.arrays(entry["file"], listed)
         tracks[name] = ForceTrack(
             arrays["time_s"],
             arrays["force_n"],
@@ -303,8 +352,7 @@ def _read_tracks(
     return dict(sorted(tracks.items(), key=lambda i: [*order, i[0]].index(i[0])))
 
 
-def _motion_fields(folder: Path) -> dict[str, Any]:
-    arrays = files.read_arrays(folder / MOTION)
+def _motion_fields(arrays: dict[str, NDArray[Any]]) -> dict[str, Any]:
     sigma = arrays.get("gravity_sigma_mps2")
     return {
         "time_s": arrays["time_s"],
