@@ -179,6 +179,12 @@ def _is_reply_lost(s: Situation) -> bool:
     return s.reply_age_s > REPLY_TRIP_S and s.state.acted_s > s.hand.replied_s
 
 
+def _is_reply_late(s: Situation) -> bool:
+    """At rest the newest answer is one or two long periods old."""
+    usual_s = 0.0 if s.is_acting else 2.0 * s.gap_s
+    return s.reply_age_s > REPLY_RAMP_S + usual_s
+
+
 def _is_runaway(s: Situation) -> bool:
     return s.hand.fast_samples >= FAST_SAMPLES_TRIP and s.is_acting
 
@@ -261,7 +267,7 @@ RULES: tuple[Rule, ...] = (
     # a command was older than 20 ms before it was sent; zero was sent instead
     Rule(Cause.COMMAND_STALE, _RAMP, lambda s: s.supervision.is_stale),
     # the device has not answered for 20 ms
-    Rule(Cause.REPLY_LATE, _RAMP, lambda s: s.reply_age_s > REPLY_RAMP_S),
+    Rule(Cause.REPLY_LATE, _RAMP, _is_reply_late),
     Rule(Cause.NOT_HOMED, _RAMP, lambda s: not s.hand.is_homed),
     Rule(Cause.NO_TRACK, _RAMP, lambda s: s.clock is None or s.track is None),
     # the clip is paused, or has not begun

@@ -81,6 +81,8 @@ class Guard:
         stalls is checked as soon as it has done so for too long.
         """
         last_s, now_s = self._block.last_tick_s(), self._clock.now_s()
+        if not last_s:  # no force is held
+            return CHECK_PERIOD_S
         overdue_s = last_s + GAP_RAMP_S + _JUST_AFTER_S - now_s
         if overdue_s <= 0.0:
             return REPEAT_PERIOD_S

@@ -28,6 +28,8 @@ from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import DeviceReading, Vector
 
 ZERO_TICKS_BEFORE_CLOSING = 5
+REST_AFTER_S = 30.0
+REST_PERIOD_S = 0.020  # buttons and unplugging are noticed within two
 CHECKED_PER_TICK = 10_000  # numbers of a new track: 0.25 ms
 MISSED_OVER_TICKS = 10_000
 _RESTING = (Mode.IDLE, Mode.TRIPPED)
@@ -83,6 +85,8 @@ class Loop:
         self._is_stale = False
         self._missed = MissedPeriods()
         self._is_player_alive = True
+        self._needed_s = self.clock.now_s()
+        self._is_needed = self.is_resting = False
 
     @property
     def is_over(self) -> bool:
@@ -90,7 +94,10 @@ class Loop:
         return self._is_asked_to_quit or not self._is_player_alive
 
     def run(self) -> None:
-        """Tick until the player quits or is gone, then leave zero on the wire."""
+        """Tick until the player quits or is gone, then leave zero on the wire.
+
+        At 1 kHz; at 50 Hz when there was no force for 30 s and nothing plays.
+        """
         gc.collect()
         gc.freeze()
         gc.disable()  # the loop makes no cycles; a collection costs milliseconds
@@ -101,9 +108,12 @@ class Loop:
             clock.sleep_until(deadline_s)
             now_s = clock.now_s()
             late_s = now_s - deadline_s
-            missed = int(late_s / PERIOD_S)
+            missed = 0 if self.is_resting else int(late_s / PERIOD_S)
             self.tick(now_s, late_s, missed)
-            deadline_s += (missed + 1) * PERIOD_S
+            if self.is_resting:
+                deadline_s = now_s + REST_PERIOD_S
+            else:
+                deadline_s += (missed + 1) * PERIOD_S
             if self.state.force_n == ZERO and self.is_over:
                 last_ticks -= 1
 
@@ -132,6 +142,11 @@ class Loop:
             self.cpu_latency.set_active(is_active=state.mode not in _RESTING)
         self._record(late_s, missed)
         self.count += 1
+        if self._is_needed or state.mode not in _RESTING or self.is_over:
+            self._needed_s, self._is_needed = now_s, False
+        self.is_resting = now_s - self._needed_s >= REST_AFTER_S
+        if self.is_resting:
+            self.block.beat_loop(0.0)  # the guard has no force to watch over
 
     def _supervision(
         self, heartbeat_s: float, guard_s: float, missed: int
@@ -196,6 +211,9 @@ class Loop:
             return
         sample = self.block.read_clock()
         if sample is not None:  # else keep the last good one until it expires
+            if self.is_resting and sample[0].rate != 0.0:
+                self._is_needed = True  # it may bring force: to be taken at 1 kHz
+                return
             self._playback, track_id = sample
             self._track = self._tracks.get(track_id)
             self._clock_count = count
@@ -203,6 +221,7 @@ class Loop:
     def _receive(self) -> None:
         message = self.line.receive()
         if message is not None:
+            self._is_needed = True
             self._handle(message)
         if self.line.is_alarmed:
             self._request = Request.STOP

@@ -27,6 +27,8 @@ MAX_STEP_S = 0.0005
 NO_HAND = Hand(0.0, 0.0, 0.0)
 # Less than this is left over where times that should be equal are subtracted.
 _NO_TIME_S = 1e-9
+# A grip this near to its rest, and no faster in a second, is left alone without force.
+_STILL_M = 1e-9
 
 
 @dataclass(slots=True)
@@ -80,12 +82,20 @@ class Plant:
 
     def advance(self, force_n: Vector, duration_s: float) -> None:
         """Let a constant force act for so long."""
-        if duration_s <= _NO_TIME_S:
+        if duration_s <= _NO_TIME_S or (force_n == ZERO and self._is_still()):
             return
         count = math.ceil(duration_s / self._max_step_s - 1e-6)
         step_s = duration_s / count
         for _ in range(count):
             self._step(force_n, step_s)
+
+    def _is_still(self) -> bool:
+        """Whether a step without force would change nothing that can be seen."""
+        return (
+            math.hypot(*self.velocity_mps) < _STILL_M
+            and math.dist(self.position_m, self.rest_m) < _STILL_M
+            and self.rest_m == self.aim_m
+        )
 
     def _step(self, force_n: Vector, step_s: float) -> None:
         self._move_rest(step_s)

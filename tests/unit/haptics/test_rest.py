@@ -1,0 +1,122 @@
+"""Rest on a virtual clock: 50 Hz when nothing plays, 1 kHz before the first force."""
+
+import math
+
+import numpy as np
+import pytest
+
+from hapticplayer.clock import ManualClock
+from hapticplayer.haptics import loop as loops
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.guard import CHECK_PERIOD_S, Guard
+from hapticplayer.haptics.limiter import PERIOD_S, ZERO
+from hapticplayer.haptics.messages import Word
+from hapticplayer.model import ForceTrack, PlaybackClock
+from tests.doubles import SimulatedFalcon
+from tests.rigs import LoopRig
+
+CONSTANT = ForceTrack([0.0, 100.0], [[0, 2.0, 0], [0, 2.0, 0]])
+WAKES_AFTER_S = 0.05
+
+
+class BeatingClock(ManualClock):
+    """The player beats whenever the loop sleeps, and acts at chosen times."""
+
+    def __init__(self):
+        super().__init__()
+        self.acts = []
+        self.rig = None
+
+    def sleep_until(self, deadline_s):
+        super().sleep_until(deadline_s)
+        self.rig.block.beat(self.now_s())
+        while self.acts and self.acts[0][0] <= self.now_s():
+            self.acts.pop(0)[1]()
+
+
+@pytest.fixture
+def rig(monkeypatch):
+    monkeypatch.setattr(loops, "REST_AFTER_S", WAKES_AFTER_S)
+    made = LoopRig(BeatingClock(), SimulatedFalcon())
+    made.clock.rig = made
+    made.block.beat_guard(math.inf)
+    made.give_track(CONSTANT)
+    yield made
+    made.close()
+
+
+def publish(rig, rate, epoch=1):
+    now_s = rig.clock.now_s()
+    rig.block.write_clock(PlaybackClock(epoch, now_s, 0.0, rate, now_s + 1e6), 1)
+
+
+def run(rig, acts, until_s):
+    """Run the loop with acts at times since its start; return its ticks."""
+    start_s = rig.clock.now_s()
+    rig.clock.acts = [(start_s + at_s, act) for at_s, act in acts]
+    rig.clock.acts.append((start_s + until_s, rig.player.close))
+    rig.loop.run()
+    records, _, lost = rig.block.read_ticks(0)
+    assert not lost
+    return records, records["monotonic_s"] - start_s
+
+
+def test_a_loop_without_work_rests_at_50_hz(rig):
+    records, time_s = run(rig, [(0.0, lambda: publish(rig, 0.0))], 2.0)
+    resting = (time_s > 0.1) & (time_s < 1.99)
+    assert np.allclose(np.diff(time_s[resting]), 0.020, atol=1e-9)
+    assert np.allclose(np.diff(time_s[time_s < WAKES_AFTER_S]), PERIOD_S, atol=1e-9)
+    assert set(records["cause"][resting]) == {Cause.PAUSED}  # no answer counts as late
+    assert not records["missed"].any()
+
+
+def test_it_is_at_1_khz_again_before_the_first_force(rig):
+    acts = [(0.0, lambda: publish(rig, 0.0)), (1.005, lambda: publish(rig, 1.0))]
+    records, time_s = run(rig, acts, 2.0)
+    first = int(np.argmax(records["mode"] == Mode.ENTERING))
+    assert 1.005 <= time_s[first] < 1.005 + 0.022
+    assert time_s[first] - time_s[first - 1] == pytest.approx(PERIOD_S)
+    assert not records["force_n"][:first].any()
+    assert np.abs(np.diff(records["force_n"][:-20, 1])).max() < 0.051
+    assert records["force_n"][time_s < 1.9][-1, 1] == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(
+    ("fault", "cause"),
+    [
+        (lambda rig: rig.player.send(Word.STOP), Cause.STOPPED),
+        (lambda rig: setattr(rig.device.simulation, "buttons", 1), Cause.GRIP_BUTTON),
+        (lambda rig: rig.device.unplug(), Cause.UNPLUGGED),
+    ],
+)
+def test_at_rest_a_trip_is_noticed_within_40_ms(rig, fault, cause):
+    acts = [(0.0, lambda: publish(rig, 0.0)), (1.005, lambda: fault(rig))]
+    records, time_s = run(rig, acts, 1.2)
+    tripped = time_s[records["mode"] == Mode.TRIPPED]
+    assert 1.005 <= tripped[0] <= 1.005 + 0.040
+    assert records["cause"][time_s >= tripped[0]][0] == cause
+    assert not records["force_n"].any()
+
+
+def test_a_tripped_loop_rests_and_can_be_armed_again(rig):
+    acts = [
+        (0.0, lambda: publish(rig, 1.0)),
+        (0.5, lambda: rig.player.send(Word.STOP)),
+        (1.5, lambda: publish(rig, 0.0)),
+        (2.0, lambda: rig.player.send(Word.REARM)),
+        (2.1, lambda: publish(rig, 1.0, epoch=2)),
+    ]
+    records, time_s = run(rig, acts, 3.0)
+    resting = (time_s > 1.6) & (time_s < 1.99)
+    assert np.allclose(np.diff(time_s[resting]), 0.020, atol=1e-9)
+    assert records["force_n"][time_s < 2.9][-1, 1] == pytest.approx(2.0)
+
+
+def test_the_guard_leaves_a_resting_loop_alone(rig):
+    zeros = []
+    guard = Guard(rig.clock, rig.block, lambda: bool(zeros.append(ZERO)))
+    acts = [(at_ms / 1e3, guard.check) for at_ms in range(0, 1000, 7)]
+    run(rig, [(0.0, lambda: publish(rig, 0.0)), *acts], 1.0)
+    assert zeros == []
+    assert rig.block.last_tick_s() > 0.0  # its end is not resting
+    assert CHECK_PERIOD_S < loops.REST_PERIOD_S  # a loop that wakes is watched in time
