@@ -19,6 +19,11 @@ ESCAPED = "backslashreplace"
 """For encoding text that may hold the name of a file which is not UTF-8: its bytes are
 surrogates in a `str`, and are written as JSON escapes them."""
 
+MAX_ATTACHED_BYTES = 256 << 20
+"""All files attached to a video; force of 6 h at 200 Hz with its random track is 180 MB."""
+
+MAX_ATTACHED_FILES = 64
+
 _CONTROLS = (*range(0x20), *range(0x7F, 0xA0))
 
 COPY_AGAIN = Message("copy it again from the camera, or choose another file")

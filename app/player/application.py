@@ -18,6 +18,7 @@ from app.widgets.theme import icon
 from hapticplayer.cli.common import complain, say
 from hapticplayer.cli.play import (
     attach_log,
+    opened,
     record_target,
     refuse_outputs,
     until_s,
@@ -31,7 +32,7 @@ from hapticplayer.media.memory import keep_freed_memory
 from hapticplayer.playback.force_output import is_hardware
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
-from hapticplayer.playback.source import Source, choose_feedback, open_source
+from hapticplayer.playback.source import Source, choose_feedback
 
 # Python's own 5 ms, which the window's thread may have to wait many times in one round
 # of painting, added up to silences of 190 ms while a recording was imported.
@@ -46,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
         HapticPlayerError: when what the command line names cannot be played; no
             window has been shown then.
     """
-    source = open_source(options.source, options.force) if options.source else None
+    source = opened(options) if options.source else None
     feedback = choose_feedback(source, options.feedback) if source else None
     end_s = until_s(options, source) if source else 0.0
     refuse_outputs(options)

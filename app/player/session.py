@@ -99,11 +99,13 @@ class Session(QObject):
         self.player.open(source, feedback)
         self.opened.emit()
         self._report_coverage()
-        if not source.path.is_dir():
+        if source.notice:
+            self.gateway.report(HapticPlayerError(source.notice))
+        if not source.description:
             return
         from hapticplayer.sequence.excursion import stored_texts
 
-        for text in stored_texts(source.path, self.player.snapshot().feedback):
+        for text in stored_texts(source.description, self.player.snapshot().feedback):
             self.gateway.report(HapticPlayerError(text))
 
     def _report_coverage(self) -> None:

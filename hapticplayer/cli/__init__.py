@@ -67,6 +67,8 @@ COMMANDS = (
         "process", "report how good a recording's motion is; compare methods", "process"
     ),
     Command("simulate", "make a simulated ride with known truth", "simulate"),
+    Command("pack", "write a sequence as one video file, to send to someone", "pack"),
+    Command("unpack", "make a sequence of a file that was packed", "unpack"),
     Command("export", "convert a record that `play --record` has written", "export"),
     Command("study", "run an experiment and keep its data", "study"),
     Command("device", "haptic devices", "device"),

@@ -127,6 +127,16 @@ def add_overwrite(command: argparse.ArgumentParser) -> None:
     )
 
 
+def add_accept_changed(command: argparse.ArgumentParser) -> None:
+    """Add what agrees to a video that is not the one that its force was made for."""
+    command.add_argument(
+        "--accept-changed-video",
+        action="store_true",
+        help="of a file that was packed: use the force although the video is not the "
+        "one that it was made for",
+    )
+
+
 def add_device_name(
     command: argparse.ArgumentParser, default: str = "simulated"
 ) -> None:

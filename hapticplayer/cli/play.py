@@ -8,6 +8,7 @@ from typing import Any
 from hapticplayer import __version__
 from hapticplayer.cli import OpenWindow
 from hapticplayer.cli.common import (
+    add_accept_changed,
     add_device_name,
     add_number,
     add_overwrite,
@@ -31,14 +32,19 @@ from hapticplayer.playback.log import PlaybackLog, is_log
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, choose_feedback, open_source
+from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict
 from hapticplayer.rendering import FEEDBACKS
+
+ACCEPT_IT = "--accept-changed-video plays the force with it"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     parser.set_defaults(run=run)
     parser.add_argument(
-        "source", metavar="SEQUENCE_OR_VIDEO", help="folder of a sequence, or a video"
+        "source",
+        metavar="SEQUENCE_OR_VIDEO",
+        help="folder of a sequence, a file that was packed, or any video",
     )
     parser.add_argument(
         "--feedback",
@@ -50,6 +56,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="FILE.csv",
         help="force track: rows of time_s,fx_n,fy_n,fz_n, held between rows",
     )
+    add_accept_changed(parser)
     add_device_name(parser)
     parser.add_argument("--headless", action="store_true", help="without a window")
     parser.add_argument(
@@ -122,7 +129,7 @@ ROUNDING_N = 1e-3  # tracks are stored as float32
 
 def play(options: argparse.Namespace) -> int:
     """Play in real time without a window, and print the summary."""
-    source = open_source(options.source, options.force)
+    source = opened(options)
     feedback = choose_feedback(source, options.feedback)
     end_s = until_s(options, source)
     refuse_outputs(options)
@@ -142,6 +149,7 @@ def play(options: argparse.Namespace) -> int:
             player.open(source, feedback)
             if options.speed != 1.0:
                 player.set_speed(options.speed)
+            advise_of_video(source)
             headless.run(
                 player,
                 clock,
@@ -156,7 +164,7 @@ def play(options: argparse.Namespace) -> int:
     say(json.dumps(report) if options.json else _summary_text(source, feedback, report))
     now = player.snapshot()
     for sentence in now.notices:
-        if sentence != problem:
+        if sentence not in {problem, ANOTHER_VIDEO}:
             say_aside(sentence)
     problem = problem or now.record_problem
     problem = problem or now.log_problem
@@ -166,8 +174,24 @@ def play(options: argparse.Namespace) -> int:
     return 0
 
 
+def opened(options: argparse.Namespace) -> Source:
+    """Return the source that the command line names."""
+    source = open_source(options.source, options.force)
+    if source.check and options.accept_changed_video:
+        source.check.accept()
+    return source
+
+
+def advise_of_video(source: Source) -> None:
+    """Wait until the checksum of the video is known, and say if it is another one."""
+    if source.check and source.check.wait() is Verdict.ANOTHER:
+        say_aside(f"{ANOTHER_VIDEO}; {ACCEPT_IT}")
+
+
 def advise(source: Source, feedback: str) -> None:
     """Say on stderr what a user of this source may not expect."""
+    if source.notice:
+        say_aside(source.notice)
     track = source.tracks[feedback]
     if notice := source.coverage_notice(feedback):
         say_aside(notice)

@@ -26,6 +26,9 @@ from hapticplayer.media.telemetry import find_telemetry
 from hapticplayer.untrusted import COPY_AGAIN
 
 _MAX_PACKETS_TO_FIRST_FRAME = 1000
+POINTER = "hapticplayer"
+"""Key in the metadata of a clip to which force belongs."""
+
 _MAKES = ("com.apple.quicktime.make", "com.android.manufacturer", "make")
 _MODELS = ("com.apple.quicktime.model", "com.android.model", "model")
 _LONGEST_NAME = 80
@@ -44,6 +47,7 @@ class ClipInfo:
     has_audio: bool  # whether there is sound that can be decoded
     audio_rate_hz: int  # as stored; 0 without sound
     has_telemetry: bool
+    names_force: bool = False  # whether its metadata say that force belongs to it
 
 
 def probe(path: str | os.PathLike[str]) -> ClipInfo:
@@ -67,6 +71,7 @@ def probe(path: str | os.PathLike[str]) -> ClipInfo:
             has_audio=audio is not None,
             audio_rate_hz=audio.rate if audio is not None else 0,
             has_telemetry=find_telemetry(container) is not None,
+            names_force=any(key.lower() == POINTER for key in container.metadata),
         )
 
 

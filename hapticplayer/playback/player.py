@@ -28,6 +28,7 @@ from hapticplayer.playback.snapshot import Measurements, Snapshot, SyncTraces
 from hapticplayer.playback.sound import AudioFactory
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
+from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict
 from hapticplayer.playback.video_output import POLL_S, FrameSink
 
 __all__ = ["FASTEST", "SLOWEST", "Player"]
@@ -68,11 +69,13 @@ class Player:
         self._clip.set_device(device)
         self._logged_audio_s = float("-inf")
         self._was_stalled = False
+        self._verdict: Verdict | None = None
 
     # --- commands: the clip ---------------------------------------------------
 
     def open(self, source: Source, feedback: str | None = None) -> None:
         """Load a source and show its first frame; it does not play yet."""
+        self._end_check()
         self._clip.open(source)
         self._feedback = feedback or source.feedback
         self._force.load(source.tracks)
@@ -193,6 +196,7 @@ class Player:
     def close(self) -> None:
         """Ramp the force to zero, end all threads and finish the log."""
         self._force.processes.stop_force()  # before anything that takes its time
+        self._end_check()
         self._clip.close()
         self._force.close()
         self._clip.video.close()
@@ -272,7 +276,8 @@ class Player:
         now_s = self._clock.now_s()
         self._force.poll()
         next_s = self._clip.advance(now_s)
-        track = NO_TRACK if self._has_stalled(now_s) else self._feedback
+        has_no_force = self._has_stalled(now_s) or self._is_withheld()
+        track = NO_TRACK if has_no_force else self._feedback
         self._force.processes.beat()
         self._force.processes.publish(self._clip.force_clock(), track)
         return min(next_s, now_s + POLL_S)
@@ -285,6 +290,25 @@ class Player:
             self._was_stalled = has_stalled
             self._reporter.event("picture_stopped" if has_stalled else "picture_back")
         return has_stalled
+
+    def _is_withheld(self) -> bool:
+        """Whether the video is not known to be the one that the force was made for."""
+        source = self._clip.source
+        if source is None or source.check is None:
+            return False
+        verdict = source.check.verdict
+        if verdict is not self._verdict:
+            self._verdict = verdict
+            self._reporter.event("video_check", verdict=verdict.name.lower())
+            if verdict is Verdict.ANOTHER:
+                self._reporter.notify(ANOTHER_VIDEO)
+        is_its_own = self._feedback in source.description["feedbacks"]
+        return is_its_own and not source.check.allows_force
+
+    def _end_check(self) -> None:
+        """Stop reading a video that is not played any more."""
+        if (source := self._clip.source) and source.check:
+            source.check.close()
 
     def _note_frame(self, shown_s: float, frame_s: float) -> None:
         seen_s = shown_s + self._clip.latency.display_s

@@ -1,8 +1,9 @@
 """What can be played: a sequence, or any video with any force track."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -10,12 +11,19 @@ from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import MediaError, Message, UsageError
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack
+from hapticplayer.playback.video_check import VideoCheck
 from hapticplayer.rendering import coverage_notice, no_feedback, refuse_late
 from hapticplayer.sequence import open_sequence
-from hapticplayer.sequence.store import DESCRIPTION
+from hapticplayer.sequence.packed import read_packed
+from hapticplayer.sequence.store import DESCRIPTION, Sequence
 
 FROM_FILE = "file"
 """Name of the feedback that `--force FILE` adds."""
+
+MISSING_FORCE = Message(
+    "force belongs to this video, but neither it nor the file beside it (.haptics.mkv) "
+    "holds any; ask for both files again"
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -23,7 +31,8 @@ class Source:
     """A clip with the force tracks that can go with it, by name of the feedback.
 
     `motion` is gravity-free acceleration in media time, where it is known; `path` is
-    what was opened.
+    what was opened, `description` that of the sequence. With a `check`, the force is
+    withheld until the video is found to be its own; `notice` is for a person.
     """
 
     title: str
@@ -32,6 +41,9 @@ class Source:
     tracks: Mapping[str, ForceTrack]
     motion: MotionTrack | None
     feedback: str
+    description: Mapping[str, Any] = field(default_factory=dict)
+    check: VideoCheck | None = None
+    notice: Message | None = None
 
     def coverage_notice(self, feedback: str) -> Message | None:
         """Return a notice if a track covers hardly anything of the clip."""
@@ -73,26 +85,39 @@ def choose_feedback(source: Source, name: str | None) -> str:
 
 
 def _from_sequence(folder: Path) -> Source:
-    sequence = open_sequence(folder)
-    clip = probe(sequence.clip)
+    return _source_of(open_sequence(folder), folder)
+
+
+def _source_of(
+    sequence: Sequence, path: Path, check: VideoCheck | None = None
+) -> Source:
     return Source(
         sequence.title,
-        folder,
-        clip,
+        path,
+        probe(sequence.clip),
         dict(sequence.tracks),
         sequence.motion,
         Feedback.REALISTIC.value,
+        sequence.description,
+        check,
     )
 
 
 def _from_video(path: Path) -> Source:
+    """Return a video with the force in it or beside it, or without any."""
     if path.suffix == ".json":
         raise MediaError(
             "is no video", where=str(path), remedy="give the folder of the sequence"
         )
+    if (packed := read_packed(path)) is not None:
+        check = VideoCheck(path.resolve(), packed.payload)  # while the rest is opened
+        return _source_of(packed.sequence, path, check)
     clip = probe(path)
     tracks = {Feedback.NONE.value: no_feedback_for(clip)}
-    return Source(path.name, path, clip, tracks, None, Feedback.NONE.value)
+    notice = MISSING_FORCE if clip.names_force else None
+    return Source(
+        path.name, path, clip, tracks, None, Feedback.NONE.value, notice=notice
+    )
 
 
 def no_feedback_for(clip: ClipInfo) -> ForceTrack:

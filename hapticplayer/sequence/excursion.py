@@ -10,7 +10,6 @@ device's axis (tests).
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,14 +19,12 @@ from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import FIRM, NORMAL, RELAXED, Hand, Mechanism
 from hapticplayer.devices.falcon.geometry import FALCON_GEOMETRY
 from hapticplayer.devices.falcon.kinematics import Kinematics
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import Message
 from hapticplayer.haptics.centring import Centring, centring_of
 from hapticplayer.haptics.contract import OUTWARD_N
 from hapticplayer.haptics.limiter import Limits, limits_of
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence import files
-from hapticplayer.sequence.store import DESCRIPTION
 
 HANDS = {"relaxed": RELAXED, "normal": NORMAL, "firm": FIRM}
 LIMITS = limits_of(FALCON)
@@ -138,19 +135,16 @@ def excursion_texts(prediction: Mapping[str, Any]) -> list[str]:
     return texts
 
 
-def stored_texts(folder: Path, feedback: str) -> list[str]:
+def stored_texts(description: Mapping[str, Any], feedback: str) -> list[str]:
     """Return the warnings about a track that were predicted at import.
 
     Args:
-        folder: of a sequence; other folders and older versions give [].
+        description: of a sequence; earlier versions and other clips give [].
         feedback: name of the track.
     """
-    if not (folder / DESCRIPTION).is_file():
-        return []
     try:
-        entry = files.read_json(folder / DESCRIPTION)["feedbacks"][feedback]
-        return excursion_texts(entry["excursion"])
-    except (InputError, LookupError, TypeError, ValueError, AttributeError):
+        return excursion_texts(description["feedbacks"][feedback]["excursion"])
+    except (LookupError, TypeError, ValueError, AttributeError):
         return []  # playback does not need a prediction
 
 

@@ -76,9 +76,8 @@ class FolderFiles:
 
     def arrays(self, name: Any, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
         """Return the arrays of a file; see `SmallFiles`."""
-        path = _inside(self._folder, name)
-        _check_file(self._folder, name, listed[name], with_checksum=True)
-        return files.read_arrays(path)
+        path = inside(self._folder, name)
+        return files.read_arrays(checked(self._folder, path.name, listed[path.name]))
 
 
 def open_sequence(folder: str | Path) -> Sequence:
@@ -123,7 +122,7 @@ def sequence_of(
     try:
         listed = description["files"]
         if clip is None:
-            clip = _inside(folder, description["clip"]["file"])
+            clip = inside(folder, description["clip"]["file"])
             _check_file(folder, clip.name, listed[clip.name], with_checksum=False)
         tracks = _read_tracks(small, description["feedbacks"], listed)
         mapping = _mapping_of(description["mapping"])
@@ -225,12 +224,24 @@ def copy_files(
         with HeldFile(folder / name, SequenceError) as source:
             digest = files.copy_file(source, target / name, report)
         if digest != entry["sha256"]:
-            raise _changed(folder / name)
+            raise changed(folder / name)
         before += entry["size_bytes"]
     files.write_json(target / DESCRIPTION, dict(description))
 
 
-def _changed(path: Path) -> SequenceError:
+def checked(folder: Path, name: Any, entry: Dict[str, Any]) -> Path:
+    """Return the path of a file whose size and checksum are those of its entry.
+
+    Raises:
+        SequenceError: when it is missing or another one.
+    """
+    path = inside(folder, name)
+    _check_file(folder, name, entry, with_checksum=True)
+    return path
+
+
+def changed(path: Path) -> SequenceError:
+    """Return the error of a file whose checksum differs."""
     return SequenceError(
         "has changed since it was written (its checksum differs)",
         where=str(path),
@@ -299,8 +310,12 @@ def _check_schema(where: str, description: dict[str, Any]) -> None:
         )
 
 
-def _inside(folder: Path, name: Any) -> Path:
-    """Return the path of a file directly in the folder."""
+def inside(folder: Path, name: Any) -> Path:
+    """Return the path of a file directly in the folder.
+
+    Raises:
+        SequenceError: when the name is not that of such a file.
+    """
     if not isinstance(name, str) or Path(name).name != name or name in ("", ".", ".."):
         raise SequenceError(
             "{name!r} is not a plain file name",
@@ -314,7 +329,7 @@ def _inside(folder: Path, name: Any) -> Path:
 def _check_file(
     folder: Path, name: str, entry: Dict[str, Any], *, with_checksum: bool
 ) -> None:
-    path = _inside(folder, name)
+    path = inside(folder, name)
     if path.is_symlink() or not path.is_file():
         raise SequenceError("is missing", where=str(path), remedy=_COPY_AGAIN)
     size = path.stat().st_size
@@ -327,7 +342,7 @@ def _check_file(
             expected=entry["size_bytes"],
         )
     if with_checksum and files.sha256_of(path) != entry["sha256"]:
-        raise _changed(path)
+        raise changed(path)
 
 
 def _read_tracks(

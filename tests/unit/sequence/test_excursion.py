@@ -180,30 +180,26 @@ def test_a_trip_is_reported_instead():
     ]
 
 
-def test_a_sequence_keeps_its_prediction(sequence_folder, tmp_path):
+def test_a_sequence_keeps_its_prediction(sequence_folder):
     sequence = open_sequence(sequence_folder)
     kept = sequence.description["feedbacks"]
     force = sequence.tracks["realistic"]
     again = predict(force, sequence.description["clip"]["duration_s"])
     assert kept["realistic"]["excursion"] == again
     assert set(kept["random"]["excursion"]["hands"]) == {"relaxed", "normal", "firm"}
-    assert stored_texts(sequence_folder, "realistic") == []
+    assert stored_texts(sequence.description, "realistic") == []
     strong = copy.deepcopy(sequence.description)
     strong["feedbacks"]["realistic"]["excursion"]["hands"]["relaxed"]["reach"] = 0.96
-    (tmp_path / "strong").mkdir()
-    (tmp_path / "strong" / "sequence.json").write_text(json.dumps(strong))
-    (text,) = stored_texts(tmp_path / "strong", "realistic")
+    (text,) = stored_texts(strong, "realistic")
     assert "would reach 96 % of the workspace with a relaxed hand" in text
 
 
 @pytest.mark.parametrize(
     "entry", [{}, {"excursion": None}, {"excursion": {"hands": {"relaxed": 3}}}]
 )
-def test_a_sequence_without_a_prediction_is_opened_without_words(tmp_path, entry):
-    content = {"feedbacks": {"realistic": entry}}
-    (tmp_path / "sequence.json").write_text(json.dumps(content))
-    assert stored_texts(tmp_path, "realistic") == []
-    assert stored_texts(tmp_path / "missing", "realistic") == []
+def test_a_sequence_without_a_prediction_is_opened_without_words(entry):
+    assert stored_texts({"feedbacks": {"realistic": entry}}, "realistic") == []
+    assert stored_texts({}, "realistic") == []
 
 
 def test_the_quality_report_has_figures_and_words(swing, recording):

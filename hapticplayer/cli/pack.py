@@ -1,0 +1,105 @@
+"""The command `pack`: a sequence as one video file, to send to someone."""
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.cli.common import add_overwrite, interruptible, say, shown_progress
+from hapticplayer.errors import SequenceError
+from hapticplayer.outputs import FILE, refuse_existing
+from hapticplayer.sequence.pack import container_of, is_packed, outputs_of, pack
+from hapticplayer.sequence.travelling import Contents, contents
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument("sequence", metavar="SEQUENCE")
+    command.add_argument(
+        "-o",
+        "--output",
+        required=True,
+        metavar="FILE",
+        help="FILE.mkv: one file that every player plays and this one makes felt; "
+        "FILE.mp4: the video, with its force beside it in FILE.haptics.mkv",
+    )
+    command.add_argument(
+        "--with-motion",
+        action="store_true",
+        help="also the motion and the recorded samples, from which others can render "
+        "another force; in an MP4 the camera's own motion track too, which may hold places",
+    )
+    command.add_argument(
+        "--dry-run", action="store_true", help="say what it would hold, write nothing"
+    )
+    add_overwrite(command)
+    command.add_argument("--json", action="store_true", help="print a report as JSON")
+
+
+def run(options: argparse.Namespace, _open_window: object) -> int:
+    """Say what a file for sharing holds, and write it."""
+    folder, target = Path(options.sequence), Path(options.output)
+    is_ours = is_packed if options.overwrite else None
+    container_of(target)
+    for path in outputs_of(target):
+        refuse_existing(path, FILE, is_ours, SequenceError)
+    what = contents(folder, with_motion=options.with_motion)
+    report = {"outputs": [str(path) for path in outputs_of(target)], **listing(what)}
+    if not options.json:
+        say(text_of(what))
+    if not options.dry_run:
+        with interruptible(), shown_progress() as progress:
+            payload = pack(
+                folder,
+                target,
+                with_motion=options.with_motion,
+                is_ours=is_ours,
+                progress=progress,
+            )
+        report["video"] = {**report["video"], **payload._asdict()}
+        report["written_bytes"] = sum(
+            path.stat().st_size for path in outputs_of(target)
+        )
+        if not options.json:
+            names = " and ".join(map(str, outputs_of(target)))
+            say(f"{names}: {megabytes(report['written_bytes'])}")
+    if options.json:
+        say(json.dumps(report, ensure_ascii=False))
+    return 0
+
+
+def listing(what: Contents) -> dict[str, Any]:
+    """Return what a file holds as plain values."""
+    return {
+        "title": what.title,
+        "feedbacks": list(what.feedbacks),
+        "has_motion": what.has_motion,
+        "size_bytes": what.size_bytes,
+        "video": {"name": what.video.name, "size_bytes": what.video.size_bytes},
+        "attached": [
+            {
+                "name": part.name,
+                "what": str(part.text),
+                "media_type": part.media_type,
+                "size_bytes": part.size_bytes,
+            }
+            for part in what.attached
+        ],
+    }
+
+
+def text_of(what: Contents) -> str:
+    """Return what a file holds as a table."""
+    parts = [
+        f"  {part.name:24.24} {megabytes(part.size_bytes):>10}  {part.text}"
+        for part in (what.video, *what.attached)
+    ]
+    head = f"{what.title} - feedbacks {', '.join(what.feedbacks)}"
+    whole = f"  {'together':24} {megabytes(what.size_bytes):>10}"
+    return "\n".join([head, *parts, whole])
+
+
+def megabytes(size_bytes: int) -> str:
+    """Return a size for people."""
+    return f"{1e-6 * size_bytes:.{3 if size_bytes < 1e6 else 1}f} MB"

@@ -1,0 +1,244 @@
+"""Copies the streams of a clip into another container, bit for bit, with files attached.
+
+The checksum of a video is of the payloads of its packets, in the order in which they are
+stored: it is the same in every container. `ffmpeg -i FILE -map 0:v:0 -c copy -f streamhash -`
+computes it too.
+"""
+
+import hashlib
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import NamedTuple
+
+import av
+from av.container import InputContainer, OutputContainer
+from av.stream import DataStream, Stream
+
+from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.clip_info import require_video
+from hapticplayer.media.matroska import Attachment
+from hapticplayer.media.opening import context_of, media_errors, open_media, read_only
+from hapticplayer.media.packets import AnyPacket
+from hapticplayer.media.telemetry import HANDLER, find_telemetry
+
+MATROSKA, MP4 = "matroska", "mp4"
+_OPTIONS = {
+    MATROSKA: {"cluster_time_limit": "2000"},
+    MP4: {"movflags": "+faststart+use_metadata_tags"},
+}
+_REPORT_BYTES = 4 << 20
+
+Report = Callable[[float], None]
+"""Called with the done fraction; raises Cancelled to stop."""
+
+
+class Payload(NamedTuple):
+    """The video of a clip, whatever container it is in.
+
+    Attributes:
+        sha256: of the payloads of its packets, one after the other.
+        packets: their number.
+        size_bytes: of all of them.
+    """
+
+    sha256: str
+    packets: int
+    size_bytes: int
+
+
+class Additions(NamedTuple):
+    """What a copy holds beside video and sound.
+
+    Attributes:
+        attached: files, in Matroska.
+        metadata: texts by key, of the file; those of the clip are not kept.
+        with_motion: whether an MP4 keeps a GoPro's motion track, which also holds places.
+    """
+
+    attached: tuple[Attachment, ...] = ()
+    metadata: Mapping[str, str] = MappingProxyType({})
+    with_motion: bool = False
+
+
+NOTHING_MORE = Additions()
+
+
+class _Counter:
+    """Takes the checksum of the packets of one stream."""
+
+    def __init__(self) -> None:
+        self._digest = hashlib.sha256()
+        self._packets = self._size_bytes = 0
+
+    def add(self, packet: AnyPacket) -> None:
+        """Add the payload of the next packet."""
+        self._digest.update(packet)
+        self._packets += 1
+        self._size_bytes += packet.size
+
+    def payload(self) -> Payload:
+        """Return what it has come to."""
+        return Payload(self._digest.hexdigest(), self._packets, self._size_bytes)
+
+
+def video_payload(
+    path: str | os.PathLike[str], report: Report = lambda _share: None
+) -> Payload:
+    """Return the checksum of the video of a clip, reporting the done fraction.
+
+    39 MB in 0.09 s on a 2 GHz server.
+
+    Raises:
+        MediaError: when it cannot be read.
+    """
+    counter, whole, done = _Counter(), max(1, Path(path).stat().st_size), 0
+    with (
+        open_media(path) as container,
+        media_errors(path, Message("its video cannot be read")),
+    ):
+        video = require_video(container, path)
+        read_only(container, video)
+        for packet in container.demux(video):
+            if packet.size:
+                counter.add(packet)
+                done += packet.size
+                if done % _REPORT_BYTES < packet.size:
+                    report(min(1.0, done / whole))
+    return counter.payload()
+
+
+def remux(
+    source: str | os.PathLike[str],
+    target: str | os.PathLike[str],
+    container_format: str,
+    additions: Additions = NOTHING_MORE,
+    report: Report = lambda _share: None,
+) -> Payload:
+    """Copy the first video and all sound into a new file; return the video's checksum.
+
+    Nothing is encoded. Matroska rounds times to 1 ms.
+
+    Args:
+        source: the clip.
+        target: the new file.
+        container_format: MATROSKA or MP4.
+        additions: what it holds beside them.
+        report: called with the done fraction.
+
+    Raises:
+        MediaError: when the clip cannot be read, cannot be in such a container, or the
+            file cannot be written.
+    """
+    whole = max(1, Path(source).stat().st_size)
+    with (
+        open_media(source) as clip,
+        media_errors(
+            target,
+            Message("its streams cannot be copied into {kind}", kind=container_format),
+            Message("choose the other kind of file, or convert the clip first"),
+        ),
+        av.open(
+            str(target),
+            "w",
+            format=container_format,
+            options=_OPTIONS[container_format],
+        ) as copy,
+    ):
+        video = require_video(clip, source)
+        streams = _added(
+            _kept(clip, video, additions.with_motion and container_format == MP4), copy
+        )
+        copy.metadata.update(additions.metadata)
+        for one in additions.attached:
+            copy.add_attachment(one.name, one.media_type, one.content)
+        return _copy(
+            clip, streams, copy, video, lambda done: report(min(1.0, done / whole))
+        )
+
+
+def write_attachments(target: Path, attached: Iterable[Attachment]) -> None:
+    """Write a Matroska file that holds nothing but attached files.
+
+    Raises:
+        MediaError: when it cannot be written.
+    """
+    what, remedy = Message("cannot be written"), Message("choose another folder")
+    with (
+        media_errors(target, what, remedy),
+        av.open(str(target), "w", format=MATROSKA) as file,
+    ):
+        for one in attached:
+            file.add_attachment(one.name, one.media_type, one.content)
+        file.start_encoding()
+
+
+def _kept(clip: InputContainer, video: Stream, with_motion: bool) -> list[Stream]:
+    sound = [one for one in clip.streams.audio if context_of(one)]
+    motion = find_telemetry(clip) if with_motion else None
+    return [video, *sound, *([motion] if motion else [])]
+
+
+def _added(kept: list[Stream], copy: OutputContainer) -> dict[int, Stream]:
+    streams: dict[int, Stream] = {}
+    for stream in kept:
+        if isinstance(stream, DataStream):
+            track = copy.add_data_stream("bin_data")
+            track.codec_tag = "gpmd"
+            track.metadata["handler_name"] = f"\t{HANDLER}"
+            track.time_base = stream.time_base
+            streams[stream.index] = track
+        else:
+            streams[stream.index] = copy.add_stream_from_template(stream)
+    return streams
+
+
+def _copy(
+    clip: InputContainer,
+    streams: Mapping[int, Stream],
+    copy: OutputContainer,
+    video: Stream,
+    report: Report,
+) -> Payload:
+    counter, done = _Counter(), 0
+    wanted = [stream for stream in clip.streams if stream.index in streams]
+    for packet in _with_decoding_times(clip.demux(wanted)):
+        if packet.stream_index == video.index:
+            if packet.is_discard:
+                raise MediaError(
+                    "its beginning is hidden by an edit list, which no copy keeps",
+                    where=Path(clip.name).name,
+                    remedy="convert it to MP4 (H.264 and AAC) and import it again",
+                )
+            counter.add(packet)
+        done += packet.size
+        packet.stream = streams[packet.stream_index]
+        copy.mux(packet)
+        if done % _REPORT_BYTES < packet.size:
+            report(done)
+    return counter.payload()
+
+
+def _with_decoding_times(packets: Iterator[AnyPacket]) -> Iterator[AnyPacket]:
+    """Yield the packets that hold something; all with a decoding time.
+
+    Matroska stores none, and FFmpeg knows it only from the third packet or so on.
+    """
+    held: dict[int, list[AnyPacket]] = {}
+    for packet in packets:
+        if not packet.size:
+            continue
+        waiting = held.setdefault(packet.stream_index, [])
+        if packet.dts is None:
+            waiting.append(packet)
+            continue
+        for before, one in zip(range(len(waiting), 0, -1), waiting, strict=True):
+            one.dts = packet.dts - before
+            yield one
+        waiting.clear()
+        yield packet
+    for waiting in held.values():
+        for number, one in enumerate(waiting):  # of a few frames, none has a time
+            one.dts = (waiting[0].pts or 0) - len(waiting) + number
+            yield one

@@ -1,0 +1,157 @@
+"""Reads a sequence that travels with its video: in one Matroska file, or beside an MP4.
+
+Everything in it is untrusted: files are found by name, compared with the size and checksum
+that the manifest gives, and read without pickle. The checksum of the video says whether
+the force belongs to it; `playback` takes it while it prepares to play.
+"""
+
+import hashlib
+import io
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import NDArray
+
+from hapticplayer.errors import MediaError, Message, SequenceError
+from hapticplayer.media.matroska import Attachment, read_attachments
+from hapticplayer.media.remux import Payload
+from hapticplayer.sequence import files, store
+from hapticplayer.untrusted import MAX_ATTACHED_BYTES, parse_json, without_controls
+
+MANIFEST = "hapticplayer.json"
+SCHEMA, VERSION = "hapticplayer.pack", 1
+SIDE_CAR = ".haptics.mkv"
+_ASK_AGAIN = Message("ask for the file again")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Packed:
+    """A sequence within a video, or beside it.
+
+    Attributes:
+        carrier: the file that holds the force.
+        sequence: with the video as its clip.
+        payload: of the video that the force was made for.
+        attached: the files by name, those for other programs too.
+        small: content of the sequence's own files by name, compared with its checksums.
+    """
+
+    carrier: Path
+    sequence: store.Sequence
+    payload: Payload
+    attached: Mapping[str, Attachment]
+    small: Mapping[str, bytes]
+
+
+class _AttachedFiles:
+    """The small files of a sequence, attached to a video; see `store.SmallFiles`."""
+
+    def __init__(self, carrier: Path, attached: Mapping[str, Attachment]) -> None:
+        self.where, self._attached = str(carrier), attached
+
+    def arrays(self, name: Any, listed: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
+        content = self.content(name, listed)
+        return files.arrays_of(
+            io.BytesIO(content), f"{self.where}: {name}", MAX_ATTACHED_BYTES
+        )
+
+    def content(self, name: Any, listed: Mapping[str, Any]) -> bytes:
+        """Return a file whose size and checksum are as listed."""
+        entry, one = listed[name], self._attached.get(name)
+        where = f"{self.where}: {name}"
+        if one is None:
+            raise SequenceError("is missing", where=where, remedy=_ASK_AGAIN)
+        digest = hashlib.sha256(one.content).hexdigest()
+        if (len(one.content), digest) != (entry["size_bytes"], entry["sha256"]):
+            raise SequenceError(
+                "has changed since it was written (its checksum differs)",
+                where=where,
+                remedy=_ASK_AGAIN,
+            )
+        return one.content
+
+
+def side_car_of(video: Path) -> Path:
+    """Return where the force of a video is if it is not in the video."""
+    return video.with_suffix(SIDE_CAR)
+
+
+def read_packed(video: Path) -> Packed | None:
+    """Return the sequence in a video, or in the side-car beside it; None without one.
+
+    Raises:
+        InputError: when there is one that is damaged or larger than the limits.
+    """
+    if video.name.endswith(SIDE_CAR):
+        raise MediaError(
+            "holds the force of a video, not the video",
+            where=str(video),
+            remedy="open the video of that name, which lies beside it",
+        )
+    carrier = video
+    attached = read_attachments(video, MANIFEST)
+    if not attached and (beside := side_car_of(video)).is_file():
+        carrier, attached = beside, read_attachments(beside, MANIFEST)
+    if not attached:
+        return None
+    return _packed(video, carrier, _by_name(carrier, attached))
+
+
+def _by_name(carrier: Path, attached: list[Attachment]) -> dict[str, Attachment]:
+    named = {one.name: one for one in attached}
+    if len(named) < len(attached):
+        raise SequenceError(
+            "holds two attachments of one name", where=str(carrier), remedy=_ASK_AGAIN
+        )
+    return named
+
+
+def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Packed:
+    small = _AttachedFiles(carrier, attached)
+    manifest = _object(attached[MANIFEST].content, f"{carrier}: {MANIFEST}")
+    _check_version(manifest, carrier)
+    try:
+        listed, said = manifest["files"], manifest["video"]
+        payload = Payload(
+            str(said["sha256"]), int(said["packets"]), int(said["size_bytes"])
+        )
+        content = small.content(store.DESCRIPTION, listed)
+    except (KeyError, TypeError, ValueError, AttributeError) as problem:
+        raise SequenceError(
+            "an entry is missing or of the wrong kind ({reason})",
+            where=f"{carrier}: {MANIFEST}",
+            remedy=_ASK_AGAIN,
+            reason=problem,
+        ) from problem
+    description = _object(content, f"{carrier}: {store.DESCRIPTION}")
+    sequence = store.sequence_of(description, small, video.parent, video)
+    clip, listed = description["clip"]["file"], description["files"]
+    own = {
+        store.inside(carrier, name).name: small.content(name, listed)
+        for name in listed
+        if name != clip
+    }
+    return Packed(carrier, sequence, payload, attached, own)
+
+
+def _object(content: bytes, where: str) -> dict[str, Any]:
+    if len(content) > files.MAX_JSON_BYTES:
+        raise SequenceError("is too large", where=where, remedy=_ASK_AGAIN)
+    value = parse_json(content, where, SequenceError, _ASK_AGAIN)
+    if not isinstance(value, dict):
+        raise SequenceError("is not a JSON object", where=where, remedy=_ASK_AGAIN)
+    return value
+
+
+def _check_version(manifest: dict[str, Any], carrier: Path) -> None:
+    found = (manifest.get("schema"), manifest.get("version"))
+    if found != (SCHEMA, VERSION):
+        raise SequenceError(
+            "has version {found}, this program reads {version}",
+            where=f"{carrier}: {MANIFEST}",
+            remedy="update hapticplayer",
+            found=without_controls(str(found[1])[:40]),
+            version=VERSION,
+        )

@@ -1,0 +1,139 @@
+"""What of a sequence travels with its video, and what a person is told of it."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from hapticplayer.errors import Message, SequenceError
+from hapticplayer.media.matroska import Attachment
+from hapticplayer.sequence import files, store
+from hapticplayer.sequence.packed import MANIFEST, Packed
+from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular
+
+MOTION_FILES = (store.MOTION, store.IMU, "truth.npz")
+"""What is shared only where that is asked for."""
+
+_MEDIA_TYPES = {".json": "application/json", ".hjif": "haptics/hjif"}
+_OTHER_TYPE = "application/octet-stream"
+_TEXTS = (
+    (MANIFEST, Message("contents and checksums")),
+    (store.DESCRIPTION, Message("title, mapping and provenance")),
+    (store.MOTION, Message("motion without gravity")),
+    (store.IMU, Message("recorded samples")),
+    ("truth.npz", Message("true motion of a simulation")),
+    ("effects", Message("effects")),
+    ("force_", Message("force, N, lossless")),
+)
+
+
+class Part(NamedTuple):
+    """A part of what is shared: its name, what it is, media type and size."""
+
+    name: str
+    text: str
+    media_type: str
+    size_bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class Contents:
+    """What a file for sharing holds.
+
+    Attributes:
+        title: of the sequence.
+        feedbacks: names of the force tracks.
+        video: the clip; its size is that of the file, which no longer holds the rest.
+        attached: the files with it.
+        has_motion: whether the motion is among them.
+    """
+
+    title: str
+    feedbacks: tuple[str, ...]
+    video: Part
+    attached: tuple[Part, ...]
+    has_motion: bool
+
+    @property
+    def size_bytes(self) -> int:
+        """Of everything together."""
+        return self.video.size_bytes + sum(part.size_bytes for part in self.attached)
+
+
+def contents(
+    folder: Path, *, with_motion: bool = False, extras: Iterable[Attachment] = ()
+) -> Contents:
+    """Return what `pack` would write of a sequence; nothing is written.
+
+    Raises:
+        SequenceError: when the sequence is damaged, or has more than fits.
+    """
+    sequence = store.open_sequence(folder)
+    return _contents(sequence, travelling(sequence, extras, with_motion=with_motion))
+
+
+def contents_of(packed: Packed) -> Contents:
+    """Return what a file that was packed holds."""
+    attached = packed.attached.values()
+    is_inside = packed.carrier == packed.sequence.clip
+    inside_bytes = sum(len(one.content) for one in attached) if is_inside else 0
+    return _contents(packed.sequence, attached, inside_bytes)
+
+
+def travelling(
+    sequence: store.Sequence, extras: Iterable[Attachment], *, with_motion: bool
+) -> tuple[Attachment, ...]:
+    """Return the description and the files of a sequence that travel with its clip."""
+    description = sequence.description
+    names = [
+        name
+        for name in description["files"]
+        if name != sequence.clip.name and (with_motion or name not in MOTION_FILES)
+    ]
+    small = [attachment_of(name, _content(sequence, name)) for name in names]
+    kept = {*names, sequence.clip.name}
+    listed = {k: one for k, one in description["files"].items() if k in kept}
+    text = files.json_text({**description, "files": listed})
+    made = (attachment_of(store.DESCRIPTION, text), *small, *extras)
+    if sum(len(one.content) for one in made) > MAX_ATTACHED_BYTES:
+        raise SequenceError(
+            "has more than {most_mb} MB of force and motion, which is too much for one "
+            "file",
+            where=str(sequence.folder),
+            remedy="share it without the motion, or copy its folder",
+            most_mb=MAX_ATTACHED_BYTES >> 20,
+        )
+    return made
+
+
+def _content(sequence: store.Sequence, name: str) -> bytes:
+    path = store.checked(sequence.folder, name, sequence.description["files"][name])
+    return read_regular(path, MAX_ATTACHED_BYTES, SequenceError)
+
+
+def attachment_of(name: str, content: bytes) -> Attachment:
+    """Return a file with the media type that the ending of its name stands for."""
+    return Attachment(name, _MEDIA_TYPES.get(Path(name).suffix, _OTHER_TYPE), content)
+
+
+def _contents(
+    sequence: store.Sequence, attached: Iterable[Attachment], inside_bytes: int = 0
+) -> Contents:
+    parts = tuple(
+        Part(one.name, _text_of(one.name), one.media_type, len(one.content))
+        for one in attached
+    )
+    clip = sequence.clip
+    video = Part(
+        clip.name, Message("video and sound"), "", clip.stat().st_size - inside_bytes
+    )
+    has_motion = any(part.name == store.MOTION for part in parts)
+    return Contents(
+        sequence.title, tuple(map(str, sequence.tracks)), video, parts, has_motion
+    )
+
+
+def _text_of(name: str) -> str:
+    if name.endswith(".hjif"):
+        return Message("force for other programs")
+    return next((text for begin, text in _TEXTS if name.startswith(begin)), "")

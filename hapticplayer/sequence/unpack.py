@@ -1,0 +1,83 @@
+"""Takes a sequence out of a file that was packed."""
+
+from pathlib import Path
+
+from hapticplayer.errors import Message, SequenceError
+from hapticplayer.media import remux
+from hapticplayer.outputs import FOLDER, refuse_existing
+from hapticplayer.sequence import files, store
+from hapticplayer.sequence.pack import CONTAINERS
+from hapticplayer.sequence.packed import Packed, read_packed
+
+
+def require_packed(video: Path) -> Packed:
+    """Return the sequence in a video or beside it; see `read_packed`.
+
+    Raises:
+        SequenceError: also when there is none.
+    """
+    packed = read_packed(video)
+    if packed is None:
+        raise SequenceError(
+            "holds no force and has none beside it",
+            where=str(video),
+            remedy="choose a file that was written by pack",
+        )
+    return packed
+
+
+def unpack(
+    video: Path,
+    target: Path,
+    *,
+    accepts_changed: bool = False,
+    progress: files.Progress = files.no_progress,
+) -> None:
+    """Write the folder of a sequence from a file that was packed; the force is as it was.
+
+    Args:
+        video: the file.
+        target: the new folder; must not exist.
+        accepts_changed: whether the video may be another one than the force was made for.
+        progress: called with each step; raises Cancelled to stop.
+
+    Raises:
+        InputError: when it holds no force, is damaged, or the folder exists or cannot be
+            written; nothing remains then.
+    """
+    refuse_existing(target, FOLDER, error=SequenceError)
+    packed = require_packed(video)
+    kind = CONTAINERS.get(video.suffix.lower(), remux.MATROSKA)
+    name = f"clip{video.suffix.lower() if kind == remux.MP4 else '.mkv'}"
+    description = dict(packed.sequence.description)
+    with files.written_aside(target) as folder:
+        payload = remux.remux(
+            video,
+            folder / name,
+            kind,
+            remux.Additions(with_motion=True),
+            lambda f: progress(0.8 * f, Message("copying the clip")),
+        )
+        if payload != packed.payload and not accepts_changed:
+            raise _another_video(video)
+        listed = dict(description["files"])
+        listed.pop(description["clip"]["file"], None)
+        for one, content in packed.small.items():
+            (folder / one).write_bytes(content)
+        listed[name] = {
+            "sha256": files.sha256_of(
+                folder / name, lambda f: progress(0.8 + 0.2 * f, Message("writing"))
+            ),
+            "size_bytes": (folder / name).stat().st_size,
+        }
+        description["clip"] = {**description["clip"], "file": name}
+        files.write_json(folder / store.DESCRIPTION, {**description, "files": listed})
+        progress(1.0, Message("done"))
+
+
+def _another_video(video: Path) -> SequenceError:
+    return SequenceError(
+        "its video is not the one that the force was made for (its checksum differs)",
+        where=str(video),
+        remedy="ask for the file again, or accept it with --accept-changed-video",
+    )

@@ -1,0 +1,309 @@
+"""A sequence in one file, or beside an MP4, comes back as it was."""
+
+import hashlib
+import io
+import json
+import shutil
+
+import numpy as np
+import pytest
+
+from hapticplayer import cli
+from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, UsageError
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.matroska import Attachment, read_attachments
+from hapticplayer.media.remux import MATROSKA, Additions, remux, video_payload
+from hapticplayer.sequence import editing, open_sequence, verify_sequence
+from hapticplayer.sequence.pack import pack
+from hapticplayer.sequence.packed import MANIFEST, read_packed
+from hapticplayer.sequence.travelling import contents, contents_of
+from hapticplayer.sequence.unpack import unpack
+
+FORCES = ("force_realistic.npz", "force_random.npz")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _own_cache(tmp_path_factory):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+@pytest.fixture(params=["ride.mkv", "ride.mp4"])
+def packed_file(request, sequence_folder, tmp_path):
+    target = tmp_path / request.param
+    pack(sequence_folder, target, with_motion=True)
+    return target
+
+
+def test_force_and_motion_are_read_without_unpacking(packed_file, sequence_folder):
+    whole, packed = open_sequence(sequence_folder), read_packed(packed_file)
+    assert packed.payload == video_payload(whole.clip) == video_payload(packed_file)
+    assert packed.sequence.title == "Ride"
+    assert list(packed.sequence.tracks) == ["realistic", "none", "random"]
+    for name, track in whole.tracks.items():
+        again = packed.sequence.tracks[name]
+        assert np.array_equal(again.force_n, track.force_n)
+        assert np.array_equal(again.time_s, track.time_s)
+        assert again.provenance == track.provenance
+    motion = packed.sequence.motion.acceleration_mps2
+    assert np.array_equal(motion, whole.motion.acceleration_mps2)
+
+
+def test_the_folder_comes_back_bit_for_bit(packed_file, sequence_folder, tmp_path):
+    unpack(packed_file, tmp_path / "again")
+    verify_sequence(tmp_path / "again")
+    for name in (*FORCES, "motion.npz", "imu.npz"):
+        before = (sequence_folder / name).read_bytes()
+        assert (tmp_path / "again" / name).read_bytes() == before
+    again = open_sequence(tmp_path / "again")
+    assert video_payload(again.clip) == video_payload(packed_file)
+    before = open_sequence(sequence_folder).description
+    kept = {k: v for k, v in again.description.items() if k not in ("clip", "files")}
+    assert kept == {k: v for k, v in before.items() if k not in ("clip", "files")}
+
+
+def test_motion_is_shared_only_when_asked_for(sequence_folder, tmp_path):
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    packed = read_packed(tmp_path / "ride.mkv")
+    assert packed.sequence.motion is None
+    assert set(packed.attached) == {MANIFEST, "sequence.json", *FORCES}
+    unpack(tmp_path / "ride.mkv", tmp_path / "again")
+    verify_sequence(tmp_path / "again")
+    with pytest.raises(HapticPlayerError, match="shared without its motion"):
+        editing.set_gain(tmp_path / "again", 0.2)
+
+
+def test_the_mp4_names_its_side_car_and_plays_alone(sequence_folder, tmp_path):
+    pack(sequence_folder, tmp_path / "ride.mp4")
+    assert probe(tmp_path / "ride.mp4").names_force
+    assert read_packed(tmp_path / "ride.mp4").carrier == tmp_path / "ride.haptics.mkv"
+    with pytest.raises(InputError, match="holds the force of a video, not the video"):
+        read_packed(tmp_path / "ride.haptics.mkv")
+    (tmp_path / "ride.haptics.mkv").unlink()
+    assert read_packed(tmp_path / "ride.mp4") is None
+
+
+def test_the_listing_says_what_is_written(sequence_folder, tmp_path):
+    note = Attachment("realistic.hjif", "haptics/hjif", b"{}")
+    before = contents(sequence_folder, with_motion=True, extras=[note])
+    assert not list(tmp_path.glob("*.mkv"))
+    target = tmp_path / "ride.mkv"
+    pack(sequence_folder, target, with_motion=True, extras=[note])
+    after = contents_of(read_packed(target))
+    assert {*after.attached} - {*before.attached} == {after.attached[0]}
+    assert after.attached[0].name == MANIFEST
+    assert before.attached[-1] == (*note[:1], "force for other programs", note[1], 2)
+    assert before.size_bytes == pytest.approx(target.stat().st_size, rel=0.05)
+
+
+def test_another_video_is_refused_unless_it_is_accepted(sequence_folder, tmp_path):
+    target, other = tmp_path / "ride.mkv", tmp_path / "other.mkv"
+    pack(sequence_folder, target)
+    attached = tuple(read_attachments(target, MANIFEST))
+    remux(changed_clip(sequence_folder, tmp_path), other, MATROSKA, Additions(attached))
+    with pytest.raises(InputError, match="not the one that the force was made for"):
+        unpack(other, tmp_path / "again")
+    assert not (tmp_path / "again").exists()
+    unpack(other, tmp_path / "again", accepts_changed=True)
+    verify_sequence(tmp_path / "again")
+
+
+def changed_clip(sequence_folder, tmp_path):
+    content = bytearray((sequence_folder / "clip.mp4").read_bytes())
+    content[content.index(b"mdat") + 900] ^= 1
+    (tmp_path / "changed.mp4").write_bytes(content)
+    return tmp_path / "changed.mp4"
+
+
+def test_a_clip_that_has_changed_is_not_shared(sequence_folder, tmp_path):
+    shutil.copy(changed_clip(sequence_folder, tmp_path), sequence_folder / "clip.mp4")
+    with pytest.raises(InputError, match=r"clip.mp4.*has changed"):
+        pack(sequence_folder, tmp_path / "ride.mkv")
+    assert not list(tmp_path.glob("*.mkv"))
+
+
+@pytest.mark.parametrize("name", ["ride.mkv", "ride.mp4"])
+def test_what_is_cancelled_leaves_nothing(sequence_folder, tmp_path, name):
+    def stop(fraction, _step):
+        if fraction > 0.8:
+            raise Cancelled
+
+    before = set(tmp_path.iterdir())
+    with pytest.raises(Cancelled):
+        pack(sequence_folder, tmp_path / name, progress=stop)
+    assert set(tmp_path.iterdir()) == before
+
+
+@pytest.mark.parametrize("name", ["ride", "ride.avi", "ride.haptics.mkv"])
+def test_other_endings_are_refused(sequence_folder, tmp_path, name):
+    with pytest.raises(UsageError, match=r"must end with .mkv .* or .mp4"):
+        pack(sequence_folder, tmp_path / name)
+
+
+# --- what others may have put in ---------------------------------------------------
+
+
+def with_attached(carrier, attached, tmp_path):
+    target = tmp_path / "made.mkv"
+    remux(carrier, target, MATROSKA, Additions(tuple(attached)))
+    return target
+
+
+def edited(one, change):
+    content = json.loads(one.content)
+    change(content)
+    return one._replace(content=json.dumps(content).encode())
+
+
+def signed(attached):
+    """Return the files with a manifest that agrees with them, as anybody can write."""
+    named = {one.name: one for one in attached}
+    manifest = json.loads(named[MANIFEST].content)
+    for name, entry in manifest["files"].items():
+        entry["size_bytes"] = len(named[name].content)
+        entry["sha256"] = hashlib.sha256(named[name].content).hexdigest()
+    named[MANIFEST] = named[MANIFEST]._replace(content=json.dumps(manifest).encode())
+    return list(named.values())
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "says"),
+    [
+        (MANIFEST, lambda c: c.update(version=9), "has version 9"),
+        (MANIFEST, lambda c: c.update(schema="x\x1b[2J"), "this program reads"),
+        (MANIFEST, lambda c: c.pop("video"), "an entry is missing"),
+        (MANIFEST, lambda c: c.update(files=3), "an entry is missing"),
+        (MANIFEST, lambda c: c["video"].update(packets="many"), "an entry is missing"),
+        (MANIFEST, lambda c: c["files"].pop("sequence.json"), "an entry is missing"),
+        ("sequence.json", lambda c: c.update(title="other"), "has changed"),
+    ],
+)
+def test_a_wrong_manifest_is_refused(sequence_folder, tmp_path, name, change, says):
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    attached = read_attachments(tmp_path / "ride.mkv", MANIFEST)
+    made = [edited(a, change) if a.name == name else a for a in attached]
+    with pytest.raises(InputError, match=says):
+        read_packed(with_attached(sequence_folder / "clip.mp4", made, tmp_path))
+
+
+def outside(content):
+    content["files"]["../../evil.txt"] = content["files"]["force_random.npz"]
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (outside, "not a plain file name"),
+        (lambda c: c.update(files=[]), "an entry is missing"),
+        (lambda c: c["clip"].update(duration_s="long"), "an entry is missing"),
+        (lambda c: c["feedbacks"]["random"].update(file="imu.npz"), "is missing"),
+    ],
+)
+def test_a_wrong_description_is_refused(sequence_folder, tmp_path, change, says):
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    made = [
+        edited(a, change) if a.name == "sequence.json" else a
+        for a in read_attachments(tmp_path / "ride.mkv", MANIFEST)
+    ]
+    evil = made[-1]._replace(name="../../evil.txt")
+    made = signed([*made, evil])
+    target = with_attached(sequence_folder / "clip.mp4", made, tmp_path)
+    with pytest.raises(InputError, match=says):
+        unpack(target, tmp_path / "again")
+    assert not (tmp_path / "again").exists()
+    assert not (tmp_path.parent / "evil.txt").exists()
+
+
+def test_pickled_forces_are_never_loaded(sequence_folder, tmp_path):
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    bad = io.BytesIO()
+    np.savez(bad, time_s=np.array([{"a": 1}], dtype=object))
+    attached = read_attachments(tmp_path / "ride.mkv", MANIFEST)
+    made = [
+        a._replace(content=bad.getvalue()) if a.name == FORCES[0] else a
+        for a in attached
+    ]
+    description = next(a for a in made if a.name == "sequence.json")
+
+    def agree(content):
+        content["files"][FORCES[0]] = {
+            "sha256": hashlib.sha256(bad.getvalue()).hexdigest(),
+            "size_bytes": len(bad.getvalue()),
+        }
+
+    made[made.index(description)] = edited(description, agree)
+    target = with_attached(sequence_folder / "clip.mp4", signed(made), tmp_path)
+    with pytest.raises(InputError, match="damaged"):
+        read_packed(target)
+
+
+def test_two_attachments_of_one_name_are_refused(sequence_folder, tmp_path):
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    attached = read_attachments(tmp_path / "ride.mkv", MANIFEST)
+    twice = with_attached(
+        sequence_folder / "clip.mp4", [*attached, attached[-1]], tmp_path
+    )
+    with pytest.raises(InputError, match="two attachments of one name"):
+        read_packed(twice)
+
+
+def test_damage_anywhere_gives_a_sequence_or_a_sentence(sequence_folder, tmp_path, rng):
+    """What is opened in spite of it holds the force as it was written."""
+    target = tmp_path / "ride.mkv"
+    pack(sequence_folder, target)
+    whole = target.read_bytes()
+    force = open_sequence(sequence_folder).tracks["realistic"].force_n
+    outcomes = set()
+    for _ in range(150):
+        damaged = bytearray(whole)
+        for _ in range(int(rng.integers(1, 3))):
+            damaged[int(rng.integers(len(whole)))] ^= 1 << int(rng.integers(8))
+        target.write_bytes(damaged)
+        try:
+            packed = read_packed(target)
+        except InputError:
+            outcomes.add("refused")
+            continue
+        outcomes.add("none" if packed is None else "read")
+        if packed is not None:
+            kept = packed.sequence.tracks["realistic"].force_n
+            assert np.array_equal(kept, force)
+    assert {"refused", "read"} <= outcomes
+
+
+# --- the commands -------------------------------------------------------------------
+
+
+def test_the_commands_report_what_they_do(sequence_folder, tmp_path, capsys):
+    target, again = str(tmp_path / "ride.mkv"), str(tmp_path / "again")
+    words = ["pack", str(sequence_folder), "-o", target]
+    assert cli.main([*words, "--dry-run", "--json"]) == 0
+    planned = json.loads(capsys.readouterr().out)
+    assert not (tmp_path / "ride.mkv").exists()
+    assert cli.main([*words, "--json"]) == 0
+    done = json.loads(capsys.readouterr().out)
+    assert done["attached"] == planned["attached"]
+    assert done["written_bytes"] == (tmp_path / "ride.mkv").stat().st_size
+    assert done["video"]["sha256"] == video_payload(target).sha256
+    assert cli.main(words) == 1
+    assert "already exists" in capsys.readouterr().err
+    assert cli.main([*words, "--overwrite"]) == 0
+    capsys.readouterr()
+    assert cli.main(["unpack", target, "--dry-run", "--json"]) == 0
+    held = json.loads(capsys.readouterr().out)
+    assert held["feedbacks"] == ["realistic", "none", "random"]
+    assert cli.main(["unpack", target, "-o", again]) == 0
+    assert "force, N, lossless" in capsys.readouterr().out
+    verify_sequence(again)
+    assert cli.main(["unpack", target]) == 2
+
+
+def test_a_video_of_another_program_is_not_overwritten(
+    sequence_folder, tmp_path, capsys
+):
+    target = tmp_path / "film.mkv"
+    remux(sequence_folder / "clip.mp4", target, MATROSKA)
+    words = ["pack", str(sequence_folder), "-o", str(target), "--overwrite"]
+    assert cli.main(words) == 1
+    assert "no such file of this program" in capsys.readouterr().err
