@@ -4676,8 +4676,48 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Washout braucht eine Spur aus geraden Linien, diese hält ihre Werte</translation>
     </message>
     <message>
+        <source>ask for a file that was packed with --with-motion</source>
+        <translation>verlangen Sie eine Datei, die mit --with-motion gepackt wurde</translation>
+    </message>
+    <message>
+        <source>ask for the file again</source>
+        <translation>verlangen Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>ask for the file again, or accept it with --accept-changed-video</source>
+        <translation>verlangen Sie die Datei noch einmal, oder lassen Sie sie mit --accept-changed-video zu</translation>
+    </message>
+    <message>
+        <source>cannot be copied into {kind} without changing its video</source>
+        <translation>kann nicht nach {kind} kopiert werden, ohne dass sich das Video ändert</translation>
+    </message>
+    <message>
+        <source>checking the clip</source>
+        <translation>Prüfe das Video</translation>
+    </message>
+    <message>
+        <source>choose a file that was written by pack</source>
+        <translation>wählen Sie eine Datei, die mit pack geschrieben wurde</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>wählen Sie eine andere Datei, oder ersetzen Sie sie mit --overwrite</translation>
+    </message>
+    <message>
+        <source>choose the other kind of file, or convert it to MP4 and import it again</source>
+        <translation>wählen Sie die andere Art von Datei, oder wandeln Sie es in MP4 um und importieren Sie es erneut</translation>
+    </message>
+    <message>
+        <source>choose the other kind of file, or convert the clip first</source>
+        <translation>wählen Sie die andere Art von Datei, oder wandeln Sie das Video zuerst um</translation>
+    </message>
+    <message>
+        <source>contents and checksums</source>
+        <translation>Inhalt und Prüfsummen</translation>
+    </message>
+    <message>
+        <source>convert it to MP4 (H.264 and AAC) and import it again</source>
+        <translation>wandeln Sie es in MP4 (H.264 und AAC) um und importieren Sie es erneut</translation>
     </message>
     <message>
         <source>copying the sequence</source>
@@ -4690,6 +4730,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>drop one video with its log; import further ones after it</source>
         <translation>legen Sie ein Video mit seinem Protokoll ab; importieren Sie weitere danach</translation>
+    </message>
+    <message>
+        <source>effects</source>
+        <translation>Effekte</translation>
     </message>
     <message>
         <source>export its accelerometer and gyroscope as CSV, with FitCSVTool</source>
@@ -4708,6 +4752,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>exportieren Sie die Aufnahme noch einmal, oder entpacken Sie sie und geben Sie den Ordner an</translation>
     </message>
     <message>
+        <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
+        <translation>zu diesem Video gehört Kraft, aber weder es selbst noch die Datei daneben (.haptics.mkv) enthält welche; verlangen Sie beide Dateien noch einmal</translation>
+    </message>
+    <message>
+        <source>force for other programs</source>
+        <translation>Kraft für andere Programme</translation>
+    </message>
+    <message>
+        <source>force, N, lossless</source>
+        <translation>Kraft, N, verlustfrei</translation>
+    </message>
+    <message>
         <source>give the folder of one of them instead</source>
         <translation>geben Sie stattdessen den Ordner einer davon an</translation>
     </message>
@@ -4720,12 +4776,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie das Protokoll mit --imu LOG an, und {option}, wo danach gefragt wird</translation>
     </message>
     <message>
+        <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
+        <translation>hat mehr als {most_mb} MB an Kraft und Bewegung, zu viel für eine Datei</translation>
+    </message>
+    <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
         <translation>hat Zahlen mit anderen Ziffern als 0 bis 9 ({found})</translation>
     </message>
     <message>
         <source>holds NUL bytes, as a logger leaves that loses its power</source>
         <translation>enthält NUL-Bytes, wie sie ein Logger hinterlässt, dem der Strom ausgeht</translation>
+    </message>
+    <message>
+        <source>holds no force and has none beside it</source>
+        <translation>enthält keine Kraft, und daneben liegt auch keine</translation>
+    </message>
+    <message>
+        <source>holds the force of a video, not the video</source>
+        <translation>enthält die Kraft eines Videos, nicht das Video</translation>
+    </message>
+    <message>
+        <source>holds two attachments of one name</source>
+        <translation>enthält zwei Anhänge mit demselben Namen</translation>
     </message>
     <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
@@ -4788,8 +4860,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es sieht nach Nanosekunden aus: Teilen Sie time_s durch 1000000000</translation>
     </message>
     <message>
+        <source>its attachments are too large (limit: {most_mb} MB in {files} files)</source>
+        <translation>seine Anhänge sind zu groß (Grenze: {most_mb} MB in {files} Dateien)</translation>
+    </message>
+    <message>
+        <source>its beginning is hidden by an edit list, which no copy keeps</source>
+        <translation>sein Anfang ist durch eine Schnittliste verborgen, die keine Kopie behält</translation>
+    </message>
+    <message>
+        <source>its streams cannot be copied into {kind}</source>
+        <translation>seine Spuren können nicht nach {kind} kopiert werden</translation>
+    </message>
+    <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>die Telemetrie hat keine brauchbaren Zeitstempel und zu wenige Blöcke ({count}), um die Rate der Sensoren zu bestimmen</translation>
+    </message>
+    <message>
+        <source>its video cannot be read</source>
+        <translation>sein Video kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its video is not the one that the force was made for (its checksum differs)</source>
+        <translation>sein Video ist nicht das, für das die Kraft gemacht wurde (die Prüfsumme weicht ab)</translation>
     </message>
     <message>
         <source>lacks what is to be exported</source>
@@ -4798,6 +4890,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
         <translation>die Achsen der Abbildung müssen eine Drehung sein (orthogonal, Determinante +1)</translation>
+    </message>
+    <message>
+        <source>motion without gravity</source>
+        <translation>Bewegung ohne Schwerkraft</translation>
     </message>
     <message>
         <source>names a part of {axes}</source>
@@ -4830,6 +4926,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>open its sequence first, then the log</source>
         <translation>öffnen Sie zuerst die zugehörige Sequenz, dann das Protokoll</translation>
+    </message>
+    <message>
+        <source>open the video of that name, which lies beside it</source>
+        <translation>öffnen Sie das Video dieses Namens, das daneben liegt</translation>
     </message>
     <message>
         <source>opened</source>
@@ -4870,6 +4970,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>read from</source>
         <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>reading the copy</source>
+        <translation>Lese die Kopie</translation>
     </message>
     <message>
         <source>ready</source>
@@ -4918,6 +5022,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>record with sound, or give --offset S</source>
         <translation>nehmen Sie mit Ton auf, oder geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>recorded samples</source>
+        <translation>aufgezeichnete Messwerte</translation>
     </message>
     <message>
         <source>relaxed</source>
@@ -4978,6 +5086,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>set up</source>
         <translation>eingerichtet</translation>
+    </message>
+    <message>
+        <source>share it without the motion, or copy its folder</source>
+        <translation>teilen Sie sie ohne die Bewegung, oder kopieren Sie ihren Ordner</translation>
     </message>
     <message>
         <source>share the time of another and were averaged with it</source>
@@ -6064,8 +6176,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>diese haptische Schleife nimmt keine eingespielten Fehler an</translation>
     </message>
     <message>
+        <source>this is not the video that the force was made for (its checksum differs): it plays without force</source>
+        <translation>dies ist nicht das Video, für das die Kraft gemacht wurde (die Prüfsumme weicht ab): Es läuft ohne Kraft</translation>
+    </message>
+    <message>
         <source>tidy CSV with a data dictionary</source>
         <translation>CSV-Tabellen mit einem Verzeichnis der Spalten</translation>
+    </message>
+    <message>
+        <source>title, mapping and provenance</source>
+        <translation>Titel, Abbildung und Herkunft</translation>
+    </message>
+    <message>
+        <source>true motion of a simulation</source>
+        <translation>wahre Bewegung einer Simulation</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -6096,6 +6220,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Datei verwenden, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
     </message>
     <message>
+        <source>video and sound</source>
+        <translation>Bild und Ton</translation>
+    </message>
+    <message>
         <source>wait until nothing writes to it, then start again</source>
         <translation>warten Sie, bis niemand mehr in die Datei schreibt, und beginnen Sie neu</translation>
     </message>
@@ -6106,6 +6234,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>was made by another process meanwhile</source>
         <translation>wurde inzwischen von einem anderen Prozess angelegt</translation>
+    </message>
+    <message>
+        <source>was shared without its motion, so its force cannot be rendered again</source>
+        <translation>wurde ohne ihre Bewegung geteilt, daher kann ihre Kraft nicht neu berechnet werden</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -6182,6 +6314,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name!r} is not a preset; choose one of {names}</source>
         <translation>{name!r} ist keine Voreinstellung; wählbar sind {names}</translation>
+    </message>
+    <message>
+        <source>{name!r} must end with .mkv (one file) or .mp4 (with a side-car)</source>
+        <translation>{name!r} muss mit .mkv enden (eine Datei) oder mit .mp4 (mit einer Datei daneben)</translation>
     </message>
     <message>
         <source>{name} does not hold numbers only ({reason})</source>

@@ -4676,8 +4676,48 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un washout demande une piste de lignes droites, celle-ci maintient ses valeurs</translation>
     </message>
     <message>
+        <source>ask for a file that was packed with --with-motion</source>
+        <translation>demandez un fichier empaqueté avec --with-motion</translation>
+    </message>
+    <message>
+        <source>ask for the file again</source>
+        <translation>redemandez le fichier</translation>
+    </message>
+    <message>
+        <source>ask for the file again, or accept it with --accept-changed-video</source>
+        <translation>redemandez le fichier, ou acceptez-le avec --accept-changed-video</translation>
+    </message>
+    <message>
+        <source>cannot be copied into {kind} without changing its video</source>
+        <translation>ne peut pas être copié en {kind} sans que sa vidéo change</translation>
+    </message>
+    <message>
+        <source>checking the clip</source>
+        <translation>vérification de la vidéo</translation>
+    </message>
+    <message>
+        <source>choose a file that was written by pack</source>
+        <translation>choisissez un fichier écrit par pack</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>choisissez un autre fichier, ou remplacez-le avec --overwrite</translation>
+    </message>
+    <message>
+        <source>choose the other kind of file, or convert it to MP4 and import it again</source>
+        <translation>choisissez l’autre type de fichier, ou convertissez-le en MP4 et réimportez-le</translation>
+    </message>
+    <message>
+        <source>choose the other kind of file, or convert the clip first</source>
+        <translation>choisissez l’autre type de fichier, ou convertissez d’abord la vidéo</translation>
+    </message>
+    <message>
+        <source>contents and checksums</source>
+        <translation>contenu et sommes de contrôle</translation>
+    </message>
+    <message>
+        <source>convert it to MP4 (H.264 and AAC) and import it again</source>
+        <translation>convertissez-la en MP4 (H.264 et AAC) et réimportez-la</translation>
     </message>
     <message>
         <source>copying the sequence</source>
@@ -4690,6 +4730,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>drop one video with its log; import further ones after it</source>
         <translation>déposez une vidéo avec son journal&#xa0;; importez les autres ensuite</translation>
+    </message>
+    <message>
+        <source>effects</source>
+        <translation>effets</translation>
     </message>
     <message>
         <source>export its accelerometer and gyroscope as CSV, with FitCSVTool</source>
@@ -4708,6 +4752,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>exportez de nouveau l&apos;enregistrement, ou décompressez-le et donnez le dossier</translation>
     </message>
     <message>
+        <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
+        <translation>une force va avec cette vidéo, mais ni elle ni le fichier voisin (.haptics.mkv) n’en contient&#xa0;; redemandez les deux fichiers</translation>
+    </message>
+    <message>
+        <source>force for other programs</source>
+        <translation>force pour d’autres programmes</translation>
+    </message>
+    <message>
+        <source>force, N, lossless</source>
+        <translation>force, N, sans perte</translation>
+    </message>
+    <message>
         <source>give the folder of one of them instead</source>
         <translation>donnez plutôt le dossier de l’un d’eux</translation>
     </message>
@@ -4720,12 +4776,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez le journal avec --imu LOG, et {option} là où c’est demandé</translation>
     </message>
     <message>
+        <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
+        <translation>a plus de {most_mb} Mo de force et de mouvement, trop pour un seul fichier</translation>
+    </message>
+    <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
         <translation>a des nombres en d&apos;autres chiffres que 0 à 9 ({found})</translation>
     </message>
     <message>
         <source>holds NUL bytes, as a logger leaves that loses its power</source>
         <translation>contient des octets NUL, comme en laisse un enregistreur privé de courant</translation>
+    </message>
+    <message>
+        <source>holds no force and has none beside it</source>
+        <translation>ne contient pas de force et n’en a pas à côté</translation>
+    </message>
+    <message>
+        <source>holds the force of a video, not the video</source>
+        <translation>contient la force d’une vidéo, pas la vidéo</translation>
+    </message>
+    <message>
+        <source>holds two attachments of one name</source>
+        <translation>contient deux pièces jointes du même nom</translation>
     </message>
     <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
@@ -4788,8 +4860,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cela ressemble à des nanosecondes&#xa0;: divisez time_s par 1000000000</translation>
     </message>
     <message>
+        <source>its attachments are too large (limit: {most_mb} MB in {files} files)</source>
+        <translation>ses pièces jointes sont trop grandes (limite&#xa0;: {most_mb} Mo en {files} fichiers)</translation>
+    </message>
+    <message>
+        <source>its beginning is hidden by an edit list, which no copy keeps</source>
+        <translation>son début est masqué par une liste de montage, qu’aucune copie ne garde</translation>
+    </message>
+    <message>
+        <source>its streams cannot be copied into {kind}</source>
+        <translation>ses flux ne peuvent pas être copiés en {kind}</translation>
+    </message>
+    <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>la télémétrie n&apos;a pas d&apos;horodatage utilisable et trop peu de blocs ({count}) pour déterminer la fréquence de ses capteurs</translation>
+    </message>
+    <message>
+        <source>its video cannot be read</source>
+        <translation>sa vidéo ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>its video is not the one that the force was made for (its checksum differs)</source>
+        <translation>sa vidéo n’est pas celle pour laquelle la force a été faite (la somme de contrôle diffère)</translation>
     </message>
     <message>
         <source>lacks what is to be exported</source>
@@ -4798,6 +4890,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
         <translation>les axes de la transformation doivent être une rotation (orthogonale, déterminant +1)</translation>
+    </message>
+    <message>
+        <source>motion without gravity</source>
+        <translation>mouvement sans gravité</translation>
     </message>
     <message>
         <source>names a part of {axes}</source>
@@ -4830,6 +4926,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>open its sequence first, then the log</source>
         <translation>ouvrez d’abord sa séquence, puis le journal</translation>
+    </message>
+    <message>
+        <source>open the video of that name, which lies beside it</source>
+        <translation>ouvrez la vidéo de ce nom, qui se trouve à côté</translation>
     </message>
     <message>
         <source>opened</source>
@@ -4870,6 +4970,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>read from</source>
         <translation>lu</translation>
+    </message>
+    <message>
+        <source>reading the copy</source>
+        <translation>lecture de la copie</translation>
     </message>
     <message>
         <source>ready</source>
@@ -4918,6 +5022,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>record with sound, or give --offset S</source>
         <translation>enregistrez avec du son, ou donnez --offset S</translation>
+    </message>
+    <message>
+        <source>recorded samples</source>
+        <translation>échantillons enregistrés</translation>
     </message>
     <message>
         <source>relaxed</source>
@@ -4978,6 +5086,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>set up</source>
         <translation>préparé</translation>
+    </message>
+    <message>
+        <source>share it without the motion, or copy its folder</source>
+        <translation>partagez-la sans le mouvement, ou copiez son dossier</translation>
     </message>
     <message>
         <source>share the time of another and were averaged with it</source>
@@ -6064,8 +6176,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cette boucle haptique n’accepte pas de pannes injectées</translation>
     </message>
     <message>
+        <source>this is not the video that the force was made for (its checksum differs): it plays without force</source>
+        <translation>ce n’est pas la vidéo pour laquelle la force a été faite (la somme de contrôle diffère)&#xa0;: elle est lue sans force</translation>
+    </message>
+    <message>
         <source>tidy CSV with a data dictionary</source>
         <translation>tableaux CSV avec un dictionnaire des données</translation>
+    </message>
+    <message>
+        <source>title, mapping and provenance</source>
+        <translation>titre, correspondance et provenance</translation>
+    </message>
+    <message>
+        <source>true motion of a simulation</source>
+        <translation>mouvement vrai d’une simulation</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -6096,6 +6220,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
     </message>
     <message>
+        <source>video and sound</source>
+        <translation>image et son</translation>
+    </message>
+    <message>
         <source>wait until nothing writes to it, then start again</source>
         <translation>attendez que plus rien n’y écrive, puis recommencez</translation>
     </message>
@@ -6106,6 +6234,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>was made by another process meanwhile</source>
         <translation>a été créé entre-temps par un autre processus</translation>
+    </message>
+    <message>
+        <source>was shared without its motion, so its force cannot be rendered again</source>
+        <translation>a été partagée sans son mouvement, donc sa force ne peut pas être recalculée</translation>
     </message>
     <message>
         <source>was written by another version of the program</source>
@@ -6182,6 +6314,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name!r} is not a preset; choose one of {names}</source>
         <translation>{name!r} n&apos;est pas un préréglage&#xa0;; choix possibles&#xa0;: {names}</translation>
+    </message>
+    <message>
+        <source>{name!r} must end with .mkv (one file) or .mp4 (with a side-car)</source>
+        <translation>{name!r} doit finir par .mkv (un seul fichier) ou .mp4 (avec un fichier à côté)</translation>
     </message>
     <message>
         <source>{name} does not hold numbers only ({reason})</source>
