@@ -29,10 +29,11 @@ from hapticplayer.devices import NO_DEVICE, installed_devices
 from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.scheduling import hasten_window, lock_memory
 from hapticplayer.media.memory import keep_freed_memory
+from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.force_output import is_hardware
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
-from hapticplayer.playback.source import Source, choose_feedback
+from hapticplayer.playback.source import Source
 
 # Python's own 5 ms, which the window's thread may have to wait many times in one round
 # of painting, added up to silences of 190 ms while a recording was imported.
@@ -48,7 +49,9 @@ def run(options: argparse.Namespace) -> int:
             window has been shown then.
     """
     source = opened(options) if options.source else None
-    feedback = choose_feedback(source, options.feedback) if source else None
+    feedback = None
+    if source:
+        source, feedback = with_feedback(source, options.feedback)
     end_s = until_s(options, source) if source else 0.0
     refuse_outputs(options)
     settings = Settings(default_path())

@@ -27,11 +27,12 @@ from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ranges
 from hapticplayer.outputs import FILE, make_way, refuse_existing
 from hapticplayer.playback import headless
+from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.latency import saved_latencies
 from hapticplayer.playback.log import PlaybackLog, is_log
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_process import SoundProcess
-from hapticplayer.playback.source import Source, choose_feedback, open_source
+from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict
 from hapticplayer.rendering import FEEDBACKS
 
@@ -49,7 +50,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--feedback",
         metavar="F",
-        help=f"{', '.join(one.name for one in FEEDBACKS)} or another of its tracks",
+        help=f"{_feedback_names()}, or another of its tracks",
     )
     parser.add_argument(
         "--force",
@@ -112,6 +113,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
 
 
+def _feedback_names() -> str:
+    """Return the conditions, with their parameters: `delayed[:delay_s=...]`."""
+    return ", ".join(
+        one.name
+        + (
+            f"[:{','.join(f'{p.name}=...' for p in one.parameters)}]"
+            * bool(one.parameters)
+        )
+        for one in FEEDBACKS
+    )
+
+
 def run(options: argparse.Namespace, open_window: OpenWindow | None) -> int:
     """Play in the window, or without one."""
     if open_window is not None and not options.headless:
@@ -129,8 +142,7 @@ ROUNDING_N = 1e-3  # tracks are stored as float32
 
 def play(options: argparse.Namespace) -> int:
     """Play in real time without a window, and print the summary."""
-    source = opened(options)
-    feedback = choose_feedback(source, options.feedback)
+    source, feedback = with_feedback(opened(options), options.feedback)
     end_s = until_s(options, source)
     refuse_outputs(options)
     advise(source, feedback)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     )
     from hapticplayer.model.force import ForceTrack, Reconstruction
     from hapticplayer.model.imu import ImuLog, Sampling
-    from hapticplayer.model.mapping import M_AD, Feedback, Mapping
+    from hapticplayer.model.mapping import M_AD, Feedback, Mapping, PresetName
     from hapticplayer.model.motion import MotionTrack
     from hapticplayer.model.timing import ClockMap, PlaybackClock
 
@@ -42,6 +42,7 @@ __all__ = [
     "Mapping",
     "MotionTrack",
     "PlaybackClock",
+    "PresetName",
     "Reconstruction",
     "Sampling",
     "SyncStats",

@@ -32,6 +32,14 @@ class Feedback(enum.StrEnum):
     RANDOM = "random"
 
 
+class PresetName(enum.StrEnum):
+    """How a realistic track is rendered; `sequence.presets` says what each does."""
+
+    FAITHFUL = "faithful"
+    BALANCED = "balanced"
+    EQUAL = "equal"
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Mapping:
     """Axes, gain and limit from acceleration (frame A) to force (frame D).

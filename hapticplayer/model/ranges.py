@@ -69,6 +69,12 @@ SKEW_S = Range(-2.0, 2.0, "s")
 GAIN_N_PER_MPS2 = Range(1e-4, 100.0, "N per m/s^2")
 """From nothing that is felt to the limit of any device at 0.1 m/s^2."""
 
+FORCE_DELAY_S = Range(-5.0, 5.0, "s")
+"""Of a force against its clip, in studies; early and late."""
+
+FORCE_GAIN = Range(0.0, 10.0)
+"""Of a force against the one that was rendered, in studies."""
+
 LEVER_ARM_M = Range(-10.0, 10.0, "m")
 """Within a vehicle; beyond it the noise of the angular rate outweighs the motion."""
 

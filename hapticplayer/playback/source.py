@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from hapticplayer.capture.si_csv import read_force_csv
-from hapticplayer.errors import MediaError, Message, UsageError
+from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack
 from hapticplayer.playback.video_check import VideoCheck
@@ -68,20 +68,6 @@ def open_source(path: str | Path, force: str | Path | None = None) -> Source:
     refuse_late(track, source.clip.duration_s, str(force))
     tracks = {FROM_FILE: track, **source.tracks}
     return replace(source, tracks=tracks, feedback=FROM_FILE)
-
-
-def choose_feedback(source: Source, name: str | None) -> str:
-    """Return the feedback to play; raises UsageError when there is no such one."""
-    if name is None:
-        return source.feedback
-    if name not in source.tracks:
-        raise UsageError(
-            "{title} has no feedback {name!r}; choose one of {known}",
-            title=source.title,
-            name=name,
-            known=", ".join(source.tracks),
-        )
-    return name
 
 
 def _from_sequence(folder: Path) -> Source:

@@ -3,11 +3,20 @@
 A pure room: no I/O, no threads, no clocks.
 """
 
+from hapticplayer.rendering.condition import (
+    ChosenFeedback,
+    FeedbackCondition,
+    Ingredients,
+    Parameter,
+    ParameterKind,
+)
 from hapticplayer.rendering.coverage import coverage_notice, refuse_late
 from hapticplayer.rendering.demonstration import circle, demonstration
+from hapticplayer.rendering.derived import shifted_and_scaled
 from hapticplayer.rendering.feedback import (
     FEEDBACKS,
-    FeedbackCondition,
+    chosen_feedback,
+    condition_named,
     no_feedback,
     random_feedback,
 )
@@ -17,10 +26,16 @@ from hapticplayer.rendering.lever_arm import LEVER_ARMS_M, at_point
 __all__ = [
     "FEEDBACKS",
     "LEVER_ARMS_M",
+    "ChosenFeedback",
     "FeedbackCondition",
+    "Ingredients",
+    "Parameter",
+    "ParameterKind",
     "adapted",
     "at_point",
+    "chosen_feedback",
     "circle",
+    "condition_named",
     "coverage_notice",
     "demonstration",
     "fit_gain",
@@ -28,4 +43,5 @@ __all__ = [
     "random_feedback",
     "refuse_late",
     "render_force",
+    "shifted_and_scaled",
 ]

@@ -1,16 +1,22 @@
-"""The feedback conditions of the study, one line each: realistic, none, random.
+"""The feedback conditions of the study, one entry each.
 
-Source: Danieau et al. 2012: the random feedback is white noise low-passed at
+Source: Danieau et al. 2012 for realistic, none and random: white noise low-passed at
 0.5 Hz; here with the same RMS per axis as the realistic track it stands beside.
 """
-
-from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
 from hapticplayer.errors import Message
-from hapticplayer.model import Feedback, ForceTrack, Reconstruction
+from hapticplayer.model import Feedback, ForceTrack, PresetName, Reconstruction, ranges
+from hapticplayer.rendering.condition import (
+    ChosenFeedback,
+    FeedbackCondition,
+    Ingredients,
+    Parameter,
+    ParameterKind,
+    pairs_of,
+)
+from hapticplayer.rendering.derived import inverted, shifted_and_scaled, shuffled
 
 CUTOFF_HZ = 0.5
 BUTTERWORTH_ORDER = 4
@@ -63,33 +69,120 @@ def no_feedback(realistic: ForceTrack) -> ForceTrack:
     )
 
 
-class FeedbackCondition(NamedTuple):
-    """What the hand gets while the clip plays.
+_PRESET = Parameter(
+    "preset",
+    Message("Rendering preset, as rendered if not given"),
+    ParameterKind.WORD,
+    "",
+    choices=tuple(PresetName),
+)
+_DELAY = Parameter(
+    "delay_s",
+    Message("Delay; negative for a force that comes early"),
+    ParameterKind.NUMBER,
+    0.3,
+    ranges.FORCE_DELAY_S,
+)
+_GAIN = Parameter("gain", Message("Gain"), ParameterKind.NUMBER, 0.5, ranges.FORCE_GAIN)
+_OF = Parameter("of", Message("Other sequence"), ParameterKind.CLIP, "")
+_TRACK = Parameter("track", Message("Track"), ParameterKind.TRACK, "edited")
 
-    Attributes:
-        name: in files and on the command line.
-        text: for people.
-        make: returns the track for the realistic one and a seed.
-        is_stored: whether a sequence keeps the track in a file of its own; else it is
-            made when the sequence is opened.
-    """
 
-    name: str
-    text: Message
-    make: Callable[[ForceTrack, int], ForceTrack]
-    is_stored: bool = True
+def _realistic(of: Ingredients, preset: str) -> ForceTrack:
+    return of.rendered(preset) if preset else of.realistic
+
+
+def _shuffled(ingredients: Ingredients, of: str) -> ForceTrack:
+    return shuffled(ingredients.realistic, ingredients.other(of))
 
 
 FEEDBACKS: tuple[FeedbackCondition, ...] = (
     FeedbackCondition(
-        Feedback.REALISTIC, Message("Realistic"), lambda realistic, _seed: realistic
+        Feedback.REALISTIC,
+        Message("Realistic"),
+        _realistic,
+        Message("the force of the recorded motion"),
+        (_PRESET,),
+        simulated_as=Feedback.REALISTIC,
     ),
     FeedbackCondition(
         Feedback.NONE,
         Message("None"),
-        lambda realistic, _seed: no_feedback(realistic),
+        lambda of: no_feedback(of.realistic),
+        Message("no force"),
         is_stored=False,
+        simulated_as=Feedback.NONE,
     ),
-    FeedbackCondition(Feedback.RANDOM, Message("Random"), random_feedback),
+    FeedbackCondition(
+        Feedback.RANDOM,
+        Message("Random"),
+        lambda of: random_feedback(of.realistic, of.seed),
+        Message("smooth noise below 0.5 Hz, with the RMS of the realistic force"),
+    ),
+    FeedbackCondition(
+        "shuffled",
+        Message("Shuffled"),
+        _shuffled,
+        Message("the realistic force of another clip, with the RMS of this one"),
+        (_OF,),
+        is_stored=False,
+        is_derived=True,
+    ),
+    FeedbackCondition(
+        "delayed",
+        Message("Delayed"),
+        lambda of, delay_s: shifted_and_scaled(of.realistic, delay_s, 1.0),
+        Message("the realistic force, later than the picture"),
+        (_DELAY,),
+        is_stored=False,
+        is_derived=True,
+    ),
+    FeedbackCondition(
+        "inverted",
+        Message("Inverted"),
+        lambda of: inverted(of.realistic),
+        Message("the realistic force in the opposite direction"),
+        is_stored=False,
+        is_derived=True,
+    ),
+    FeedbackCondition(
+        "scaled",
+        Message("Scaled"),
+        lambda of, gain: shifted_and_scaled(of.realistic, 0.0, gain),
+        Message("the realistic force, stronger or weaker"),
+        (_GAIN,),
+        is_stored=False,
+        is_derived=True,
+        simulated_as=Feedback.REALISTIC,
+    ),
+    FeedbackCondition(
+        "edited",
+        Message("Edited"),
+        lambda of, track: of.stored(track),
+        Message("a track that a person has edited"),
+        (_TRACK,),
+        is_stored=False,
+        is_derived=True,
+        simulated_as=Feedback.REALISTIC,
+    ),
 )
 """In the order in which people see them. A sequence may hold further tracks."""
+
+
+def condition_named(name: str) -> FeedbackCondition | None:
+    """Return the condition of a name; None for a further track of a sequence."""
+    return next((one for one in FEEDBACKS if one.name == name), None)
+
+
+def chosen_feedback(text: str) -> ChosenFeedback:
+    """Return what a text such as `delayed:delay_s=0.3` chooses.
+
+    Raises:
+        UsageError: for an unknown parameter, or a value out of range.
+    """
+    name, mark, rest = text.partition(":")
+    condition = condition_named(name)
+    if condition is None or not mark:
+        return ChosenFeedback(text, {})
+    given = {one: condition.parameter(one).read(value) for one, value in pairs_of(rest)}
+    return ChosenFeedback(name, given)

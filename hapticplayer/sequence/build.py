@@ -280,7 +280,7 @@ def _render(
         # the same clip gives the same random track, on every machine
         seed = int.from_bytes(hashlib.sha256(clip_hash.encode()).digest()[:4], "big")
     return mapping, {
-        condition.name: condition.make(realistic, seed)
+        condition.name: condition.track(rendering.Ingredients(realistic, seed), {})
         for condition in rendering.FEEDBACKS
         if condition.is_stored
     }
@@ -379,6 +379,6 @@ def _describe_tracks(
         for name, track in tracks.items()
     }
     for condition in rendering.FEEDBACKS:
-        if not condition.is_stored:
+        if condition.is_made_at_opening:
             described[condition.name] = {"provenance": {"feedback": condition.name}}
     return described

@@ -24,7 +24,9 @@ from hapticplayer.sequence.presets import preset_of, render_preset
 
 MAX_TITLE = 300
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
-_OWN = tuple(condition.name for condition in rendering.FEEDBACKS)
+_OWN = tuple(
+    condition.name for condition in rendering.FEEDBACKS if not condition.is_derived
+)
 
 
 def rename_sequence(folder: Path, title: str) -> None:
@@ -149,8 +151,8 @@ def set_mapping(
     name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
     realistic = render_preset(_motion(sequence), mapping, imu, name=name)
     tracks = {
-        condition.name: condition.make(
-            realistic, int(sequence.tracks[condition.name].provenance.get("seed", 0))
+        condition.name: condition.track(
+            rendering.Ingredients(realistic, _seed(sequence.tracks[condition.name])), {}
         )
         for condition in rendering.FEEDBACKS
         if condition.is_stored and condition.name in sequence.tracks
@@ -164,6 +166,26 @@ def set_mapping(
         },
     }
     _replace_tracks(folder, description, tracks, progress)
+
+
+def _seed(track: ForceTrack) -> int:
+    return int(track.provenance.get("seed", 0))
+
+
+def rendered_again(folder: Path, preset: str) -> ForceTrack:
+    """Return the realistic track of a sequence under a preset; nothing is written.
+
+    Raises:
+        UsageError: for an unknown preset.
+        SequenceError: when the sequence is damaged.
+    """
+    sequence = store.open_sequence(folder)
+    realistic = sequence.tracks[model.Feedback.REALISTIC]
+    if preset == preset_of(realistic):
+        return realistic
+    mapping = sequence.mapping
+    imu = _angular_rate(folder, sequence, mapping)
+    return render_preset(_motion(sequence), mapping, imu, name=preset)
 
 
 def copy_with_mapping(

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from hapticplayer import rendering
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.errors import UsageError
-from hapticplayer.model import ForceTrack, ImuLog, Mapping, MotionTrack
+from hapticplayer.model import ForceTrack, ImuLog, Mapping, MotionTrack, PresetName
 from hapticplayer.rendering.washout import DesignHand, Washout, washed_out
 from hapticplayer.sequence.excursion import felt
 
@@ -35,10 +35,10 @@ class Preset:
 
 
 PRESETS: tuple[Preset, ...] = (
-    Preset("faithful", "the rendering of the paper, unchanged"),
-    Preset("balanced", "a relaxed hand stays within 26 mm", (RELAXED,), 0.026),
+    Preset(PresetName.FAITHFUL, "the rendering of the paper, unchanged"),
+    Preset(PresetName.BALANCED, "a relaxed hand stays within 26 mm", (RELAXED,), 0.026),
     Preset(
-        "equal",
+        PresetName.EQUAL,
         "the same force for every participant: yielding and relaxed hands stay "
         "within 22 mm",
         (YIELDING, RELAXED),

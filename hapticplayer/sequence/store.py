@@ -18,7 +18,7 @@ from hapticplayer.model import (
     Reconstruction,
     Sampling,
 )
-from hapticplayer.rendering import FEEDBACKS
+from hapticplayer.rendering import FEEDBACKS, Ingredients
 from hapticplayer.sequence import files
 from hapticplayer.untrusted import HeldFile, without_controls
 
@@ -361,8 +361,8 @@ def _read_tracks(
         )
     realistic = tracks[Feedback.REALISTIC.value]
     for condition in FEEDBACKS:
-        if not condition.is_stored:
-            tracks[condition.name] = condition.make(realistic, 0)
+        if condition.is_made_at_opening:
+            tracks[condition.name] = condition.track(Ingredients(realistic), {})
     order = [condition.name for condition in FEEDBACKS]
     return dict(sorted(tracks.items(), key=lambda i: [*order, i[0]].index(i[0])))
 

@@ -165,7 +165,7 @@ def collect_answers(study: Study) -> Answers:
         participants=tuple(one.participant() for one in collected),
         ratings=tuple(r for one in collected for r in one.ratings()),
         sequences=tuple(s.key for s in definition.sequences),
-        feedbacks=definition.feedbacks,
+        feedbacks=definition.feedback_keys,
         factors=tuple(q.key for q in definition.factors) if is_rating else (),
         open_answers=tuple(a for one in collected for a in one.open_answers()),
         judgements=tuple(j for one in collected for j in one.judgements()),

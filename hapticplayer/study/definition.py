@@ -6,6 +6,9 @@ from typing import Annotated, Literal, TypeVar
 
 from msgspec import Meta, Struct
 
+from hapticplayer.model import ranges
+from hapticplayer.rendering import condition_named
+from hapticplayer.rendering.condition import described
 from hapticplayer.study.json_files import FILLED, KEY, MAX_ITEMS, MAX_TEXT
 
 SCHEMA = "hapticplayer.study"
@@ -26,6 +29,10 @@ Some = Annotated[tuple[Item, ...], Meta(min_length=1, max_length=MAX_ITEMS)]
 Share = Annotated[float, Meta(ge=0.0, le=1.0)]
 Amount = Annotated[float, Meta(ge=0.0, le=1e6)]
 Whole = Annotated[int, Meta(ge=-_MAX_NUMBER, le=_MAX_NUMBER)]
+Delay = Annotated[
+    float, Meta(ge=ranges.FORCE_DELAY_S.least, le=ranges.FORCE_DELAY_S.largest)
+]
+Gain = Annotated[float, Meta(ge=ranges.FORCE_GAIN.least, le=ranges.FORCE_GAIN.largest)]
 Seed = Annotated[int, Meta(ge=0, le=2**53)]
 
 
@@ -135,11 +142,39 @@ class Question(JsonObject, frozen=True):
         return MAX_ANSWER if self.most is None else self.most
 
 
+class StudyFeedback(JsonObject, frozen=True):
+    """A feedback condition with parameters.
+
+    Attributes:
+        condition: see `rendering.FEEDBACKS`, or the name of a track of each sequence.
+        parameters: of the condition.
+        key: in data and figures, the name of the condition if not given.
+    """
+
+    condition: Key
+    parameters: dict[str, float | str] = {}
+    key: Key | None = None
+
+    @property
+    def name(self) -> str:
+        """Name in records and tables."""
+        return self.key or self.condition
+
+    @property
+    def text(self) -> str:
+        """What it is, in English, for tables."""
+        found = condition_named(self.condition)
+        if found is None:
+            return f"track {self.condition} of each sequence"
+        given = described(self.parameters)
+        return f"{found.text.lower()}: {found.meaning}" + f" ({given})" * bool(given)
+
+
 class ForceLevel(JsonObject, frozen=True):
     """Delay and gain of the force in a consistency trial."""
 
-    delay_s: Annotated[float, Meta(ge=-5.0, le=5.0)] = 0.0
-    gain: Annotated[float, Meta(ge=0.0, le=10.0)] = 1.0
+    delay_s: Delay = 0.0
+    gain: Gain = 1.0
 
 
 class Condition(JsonObject, frozen=True):
@@ -147,8 +182,8 @@ class Condition(JsonObject, frozen=True):
 
     sequence: Key
     feedback: Key
-    delay_s: Annotated[float, Meta(ge=-5.0, le=5.0)] = 0.0
-    gain: Annotated[float, Meta(ge=0.0, le=10.0)] = 1.0
+    delay_s: Delay = 0.0
+    gain: Gain = 1.0
     repeat: Annotated[int, Meta(ge=1, le=MAX_CONDITIONS)] = 1
 
     @property
@@ -254,7 +289,8 @@ class Definition(JsonObject, frozen=True):
         template: name of the template.
         languages: of all texts; the first one is the default.
         trial: kind of the trials.
-        sequences, feedbacks: their combinations are the conditions, with `levels`.
+        sequences, feedbacks: their combinations are the conditions, with `levels`; a
+            feedback without parameters may be given by its name alone.
         levels: of consistency trials.
         repeats: how often each consistency trial is played.
         factors: LIKERT questions after a rating trial.
@@ -276,7 +312,7 @@ class Definition(JsonObject, frozen=True):
     languages: Some[Key]
     trial: TrialKind
     sequences: Some[StudySequence]
-    feedbacks: Some[Key]
+    feedbacks: Some[Key | StudyFeedback]
     factors: Several[Question]
     scale: Scale
     sheet: Several[Question]
@@ -296,15 +332,28 @@ class Definition(JsonObject, frozen=True):
     version: int = VERSION
 
     @property
+    def chosen_feedbacks(self) -> tuple[StudyFeedback, ...]:
+        """The feedbacks, those without parameters too."""
+        return tuple(
+            StudyFeedback(one) if isinstance(one, str) else one
+            for one in self.feedbacks
+        )
+
+    @property
+    def feedback_keys(self) -> tuple[str, ...]:
+        """Names of the feedbacks in records and tables."""
+        return tuple(one.name for one in self.chosen_feedbacks)
+
+    @property
     def conditions(self) -> tuple[Condition, ...]:
         """All conditions, in the order of the definition."""
         if self.trial is TrialKind.RATING:
-            pairs = product(self.sequences, self.feedbacks)
+            pairs = product(self.sequences, self.feedback_keys)
             return tuple(Condition(s.key, feedback) for s, feedback in pairs)
         return tuple(
             Condition(s.key, feedback, level.delay_s, level.gain, 1 + repeat)
             for s, feedback, level, repeat in product(
-                self.sequences, self.feedbacks, self.levels, range(self.repeats)
+                self.sequences, self.feedback_keys, self.levels, range(self.repeats)
             )
         )
 

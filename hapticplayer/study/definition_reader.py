@@ -6,7 +6,13 @@ from typing import Any
 
 from msgspec import Struct
 
-from hapticplayer.errors import Message
+from hapticplayer.errors import Message, UsageError, message_of
+from hapticplayer.rendering import (
+    FEEDBACKS,
+    Parameter,
+    ParameterKind,
+    condition_named,
+)
 from hapticplayer.study import json_files
 from hapticplayer.study.definition import (
     MAX_CONDITIONS,
@@ -15,6 +21,7 @@ from hapticplayer.study.definition import (
     Definition,
     OrderMethod,
     QuestionKind,
+    StudyFeedback,
     Text,
     TrialKind,
 )
@@ -53,6 +60,7 @@ def parse_definition(content: bytes, path: str) -> Definition:
     made = json_files.convert(value, Definition, path)
     _check_texts(made, path)
     _check_keys(made, path)
+    _check_feedbacks(made, path)
     _check_questions(made, path)
     if made.order.no_sequence_twice_in_a_row:
         _check_constraint(made, path)
@@ -76,7 +84,7 @@ def _texts(part: Any, field: str = "") -> Iterator[tuple[str, Text]]:
     elif isinstance(part, tuple):
         for number, one in enumerate(part):
             yield from _texts(one, f"{field}[{number}]")
-    elif isinstance(part, Struct):
+    elif isinstance(part, Struct) and not isinstance(part, StudyFeedback):
         for name in part.__struct_fields__:
             place = f"{field}.{name}" if field else name
             yield from _texts(getattr(part, name), place)
@@ -84,7 +92,7 @@ def _texts(part: Any, field: str = "") -> Iterator[tuple[str, Text]]:
 
 def _check_keys(made: Definition, path: str) -> None:
     _differ(path, "languages", made.languages)
-    _differ(path, "feedbacks", made.feedbacks)
+    _differ(path, "feedbacks", made.feedback_keys)
     for field in ("sequences", "factors", "sheet", "post_test"):
         _differ(path, field, (one.key for one in getattr(made, field)))
 
@@ -96,6 +104,45 @@ def _differ(path: str, field: str, keys: Iterable[str]) -> None:
             what = Message("duplicate key {key!r}", key=key)
             refuse(path, field, what, Message("rename one of them"))
         seen.add(key)
+
+
+def _check_feedbacks(made: Definition, path: str) -> None:
+    """Refuse parameters that a condition does not have, or values out of range."""
+    for number, one in enumerate(made.chosen_feedbacks):
+        field, found = f"feedbacks[{number}]", condition_named(one.condition)
+        if found is None:  # a track of each sequence, which is looked for there
+            if one.parameters:
+                what = Message("{name!r} has no parameters", name=one.condition)
+                known = ", ".join(c.name for c in FEEDBACKS if c.parameters)
+                remedy = Message("choose one of {known}", known=known)
+                refuse(path, f"{field}.condition", what, remedy)
+            continue
+        known_names = [parameter.name for parameter in found.parameters]
+        for name, value in one.parameters.items():
+            if name not in known_names:
+                refuse_unknown(path, f"{field}.parameters", name, known_names)
+            _check_parameter(
+                made, path, f"{field}.parameters.{name}", found.parameter(name), value
+            )
+        needs_other = any(p.kind is ParameterKind.CLIP for p in found.parameters)
+        if needs_other and len(made.sequences) < 2:
+            what = Message("needs a second sequence, whose force is felt")
+            refuse(path, field, what, Message("add a sequence"))
+
+
+def _check_parameter(
+    made: Definition, path: str, field: str, parameter: Parameter, value: object
+) -> None:
+    try:
+        parameter.check(value)
+    except UsageError as problem:
+        refuse(path, field, message_of(problem))
+    keys = [sequence.key for sequence in made.sequences]
+    if parameter.kind is ParameterKind.CLIP and value and value not in keys:
+        what = Message("{value!r} is not a sequence of this study", value=str(value))
+        refuse(
+            path, field, what, Message("choose one of {known}", known=", ".join(keys))
+        )
 
 
 def _check_questions(made: Definition, path: str) -> None:

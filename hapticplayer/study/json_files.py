@@ -8,7 +8,7 @@ from typing import Any, NoReturn, TypeVar
 import msgspec
 from msgspec import inspect
 
-from hapticplayer.errors import Message, StudyError
+from hapticplayer.errors import Message, StudyError, joined
 from hapticplayer.untrusted import parse_json, read_regular
 
 MAX_BYTES = 4 << 20
@@ -84,7 +84,7 @@ def _refuse_reworded(path: str, field: str, said: str, found: Any) -> NoReturn:
         remedy = Message("choose one of {known}", known=", ".join(known))
         refuse(path, field, Message("{value!r} is not allowed", value=named[0]), remedy)
     if what == "Expected " and ", got" in said:
-        is_, wanted = (_KINDS.get(name, name) for name in (named[2], named[0]))
+        is_, wanted = _kinds(named[2]), _kinds(named[0])
         what = Message("must be {wanted}, not {kind}", kind=is_, wanted=wanted)
         refuse(path, field, what)
     if KEY in said:
@@ -97,6 +97,12 @@ def _refuse_reworded(path: str, field: str, said: str, found: Any) -> NoReturn:
         what = Message("must be {kind} {limit}", kind=kind, limit=limit.strip())
         refuse(path, field, what)
     refuse(path, field, Message(said))
+
+
+def _kinds(names: str) -> Message:
+    """Return kinds as msgspec names them, such as `str | object`, in words."""
+    words = [_KINDS.get(name, Message(name)) for name in names.split(" | ")]
+    return words[0] if len(words) == 1 else joined(" / ", words)
 
 
 def refuse(
@@ -122,8 +128,8 @@ def _entry(value: Any, found: Any, place: str) -> tuple[str, Any]:
     """Return field and type of an entry; msgspec does not name keys of dicts."""
     field = ""
     for name, number in re.findall(r"\.(\w+)|\[([\d.]+)\]", place):
-        if isinstance(found, inspect.UnionType):  # optional
-            found = found.types[0]
+        if isinstance(found, inspect.UnionType):  # optional, or a name or object
+            found = _meant(found, value)
         if isinstance(found, inspect.DictType):
             key = next((k for k, v in value.items() if not _is_line(v)), "")
             field, found, value = f"{field}.{key}", found.value_type, value.get(key)
@@ -133,7 +139,15 @@ def _entry(value: Any, found: Any, place: str) -> tuple[str, Any]:
         else:
             field, value = f"{field}[{number}]", value[int(number)]
             found = found.item_type
+    if isinstance(found, inspect.UnionType):
+        found = _meant(found, value)
     return field.removeprefix("."), found
+
+
+def _meant(union: inspect.UnionType, value: Any) -> Any:
+    """Return the type of a union that a value is to have."""
+    objects = (one for one in union.types if isinstance(one, inspect.StructType))
+    return next(objects, union.types[0]) if isinstance(value, dict) else union.types[0]
 
 
 def _is_line(value: Any) -> bool:

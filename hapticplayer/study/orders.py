@@ -112,7 +112,7 @@ def labels_of(definition: Definition, code: str) -> tuple[str, ...]:
     """Return the feedbacks in the order of their numbers for this participant."""
     rng = np.random.default_rng([definition.order.seed, _LABELS, number_of(code)])
     return tuple(
-        definition.feedbacks[i] for i in rng.permutation(len(definition.feedbacks))
+        definition.feedback_keys[i] for i in rng.permutation(len(definition.feedbacks))
     )
 
 

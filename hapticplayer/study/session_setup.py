@@ -1,14 +1,17 @@
 """Loading the sequences of a study for a session."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from hapticplayer.clock import Clock
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import InputError, StudyError, UsageError, message_of
+from hapticplayer.model import Feedback, ForceTrack
+from hapticplayer.playback.conditions import feedback_track
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.study.creation import clip_checksums, sequence_folder
+from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.demonstration import demonstration_source
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.stage import PlayerStage
@@ -33,28 +36,50 @@ class Material:
 
 
 def load_material(study: Study) -> Material:
-    """Open the sequences of a study and check their feedbacks.
+    """Open the sequences of a study and make the tracks of their feedbacks.
 
     Raises:
-        StudyError: when a sequence or feedback is missing.
+        StudyError: when a sequence is missing, or a feedback cannot be made.
         InputError: when a sequence is damaged.
     """
     clips = clip_checksums(study)
-    sources = {}
-    for sequence in study.definition.sequences:
-        source = open_source(sequence_folder(study, sequence.key))
-        for feedback in study.definition.feedbacks:
-            if feedback not in source.tracks:
-                raise StudyError(
-                    "the sequence {key!r} has no feedback {feedback!r}",
-                    where=str(study.folder),
-                    remedy="it has {known}",
-                    key=sequence.key,
-                    feedback=feedback,
-                    known=", ".join(source.tracks),
-                )
-        sources[sequence.key] = source
+    opened = {
+        sequence.key: open_source(sequence_folder(study, sequence.key))
+        for sequence in study.definition.sequences
+    }
+    sources = {
+        key: replace(source, tracks=_tracks(study, key, opened))
+        for key, source in opened.items()
+    }
     return Material(sources, demonstration_source(), clips)
+
+
+def _tracks(
+    study: Study, key: str, opened: Mapping[str, Source]
+) -> dict[str, ForceTrack]:
+    """Return the tracks of a sequence by the names of the study's feedbacks."""
+
+    def other(wanted: str) -> ForceTrack:
+        """Return the force of a sequence; of itself or if none is wanted, the next."""
+        keys = [*opened, *opened]
+        after = keys[keys.index(key) + 1]
+        found = after if wanted in ("", key) else wanted
+        return opened[found].tracks[Feedback.REALISTIC]
+
+    made = {}
+    for number, one in enumerate(study.definition.chosen_feedbacks):
+        try:
+            made[one.name] = feedback_track(
+                opened[key], one.condition, one.parameters, other
+            )
+        except (InputError, UsageError) as problem:
+            raise StudyError(
+                "the sequence {key!r}: {reason}",
+                where=f"{study.folder / DEFINITION}, feedbacks[{number}]",
+                key=key,
+                reason=message_of(problem),
+            ) from problem
+    return made
 
 
 def check_unchanged(session: StoredSession, material: Material) -> None:

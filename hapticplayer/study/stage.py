@@ -11,12 +11,12 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
-from hapticplayer.model import ForceTrack
 from hapticplayer.playback.force_output import described
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Measurements, Snapshot
 from hapticplayer.playback.source import Source
+from hapticplayer.rendering import shifted_and_scaled
 from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
 
 # reasons of a normal playback from start to end
@@ -148,18 +148,6 @@ class PlayerStage:
             figures["record"] = self._record
         distinct = tuple(dict.fromkeys(found))
         return PlaybackResult(not distinct, distinct, figures)
-
-
-def shifted_and_scaled(track: ForceTrack, delay_s: float, gain: float) -> ForceTrack:
-    """Return a force track delayed by `delay_s` and scaled by `gain`."""
-    if delay_s == 0.0 and gain == 1.0:
-        return track
-    return ForceTrack(
-        track.time_s + delay_s,
-        track.force_n * np.float32(gain),
-        track.reconstruction,
-        {**track.provenance, "delay_s": delay_s, "gain": gain},
-    )
 
 
 class _PlaybackMonitor:

@@ -4336,10 +4336,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es gibt {duration_s:.0f} s als Dauer an</translation>
     </message>
     <message>
-        <source>it has {known}</source>
-        <translation>sie hat {known}</translation>
-    </message>
-    <message>
         <source>it holds no accelerations</source>
         <translation>sie enthält keine Beschleunigungen</translation>
     </message>
@@ -4664,6 +4660,46 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kann nicht überschrieben werden ({reason})</translation>
     </message>
     <message>
+        <source>Delay; negative for a force that comes early</source>
+        <translation>Verzögerung; negativ für eine Kraft, die zu früh kommt</translation>
+    </message>
+    <message>
+        <source>Delayed</source>
+        <translation>Verzögert</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Other sequence</source>
+        <translation>Andere Sequenz</translation>
+    </message>
+    <message>
+        <source>Rendering preset, as rendered if not given</source>
+        <translation>Voreinstellung der Umrechnung; ohne Angabe wie berechnet</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Skaliert</translation>
+    </message>
+    <message>
+        <source>Shuffled</source>
+        <translation>Vertauscht</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Spur</translation>
+    </message>
+    <message>
         <source>a calibration is for the method smoother, not for {method}</source>
         <translation>eine Kalibrierung gilt für das Verfahren smoother, nicht für {method}</translation>
     </message>
@@ -4672,8 +4708,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Hebelarm braucht die Drehrate der Aufnahme</translation>
     </message>
     <message>
+        <source>a track that a person has edited</source>
+        <translation>eine Spur, die jemand bearbeitet hat</translation>
+    </message>
+    <message>
         <source>a washout needs a track of straight lines, this one holds</source>
         <translation>ein Washout braucht eine Spur aus geraden Linien, diese hält ihre Werte</translation>
+    </message>
+    <message>
+        <source>add a sequence</source>
+        <translation>fügen Sie eine Sequenz hinzu</translation>
+    </message>
+    <message>
+        <source>another preset needs the folder of the sequence; unpack it</source>
+        <translation>eine andere Voreinstellung braucht den Ordner der Sequenz; entpacken Sie sie</translation>
     </message>
     <message>
         <source>ask for a file that was packed with --with-motion</source>
@@ -4750,6 +4798,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>export the recording again, or unpack it and give the folder</source>
         <translation>exportieren Sie die Aufnahme noch einmal, oder entpacken Sie sie und geben Sie den Ordner an</translation>
+    </message>
+    <message>
+        <source>feedback {feedback} has no parameter {name!r}; it has {known}</source>
+        <translation>das Feedback {feedback} hat keinen Parameter {name!r}; es hat {known}</translation>
+    </message>
+    <message>
+        <source>feedback {feedback} has no parameters</source>
+        <translation>das Feedback {feedback} hat keine Parameter</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -4898,6 +4954,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>names a part of {axes}</source>
         <translation>nennt nur einen Teil von {axes}</translation>
+    </message>
+    <message>
+        <source>needs a second sequence, whose force is felt</source>
+        <translation>braucht eine zweite Sequenz, deren Kraft gespürt wird</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>keine Kraft</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -5098,6 +5162,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>simulated camera</source>
         <translation>simulierte Kamera</translation>
+    </message>
+    <message>
+        <source>smooth noise below 0.5 Hz, with the RMS of the realistic force</source>
+        <translation>glattes Rauschen unter 0,5 Hz mit dem Effektivwert der realistischen Kraft</translation>
     </message>
     <message>
         <source>soft_knee_n must be below force_limit_n, got {knee_n} and {limit_n}</source>
@@ -5304,6 +5372,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kraft kommt {ms:.0f} ms nach dem Video: der Rechner ist möglicherweise überlastet; schließen Sie andere Programme</translation>
     </message>
     <message>
+        <source>the force of another clip needs its sequence: of=FOLDER</source>
+        <translation>die Kraft eines anderen Clips braucht dessen Sequenz: of=ORDNER</translation>
+    </message>
+    <message>
+        <source>the force of the recorded motion</source>
+        <translation>die Kraft der aufgezeichneten Bewegung</translation>
+    </message>
+    <message>
         <source>the force track goes from {first_s:.6g} s to {last_s:.6g} s, the clip to {duration_s:.6g} s</source>
         <translation>die Kraftspur reicht von {first_s:.6g} s bis {last_s:.6g} s, das Video bis {duration_s:.6g} s</translation>
     </message>
@@ -5404,12 +5480,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Zahl der Werte ist {count}; {least} bis {most} sind zu gebrauchen</translation>
     </message>
     <message>
+        <source>the other clip has a force track of a single row</source>
+        <translation>die Kraftspur des anderen Clips hat nur eine Zeile</translation>
+    </message>
+    <message>
+        <source>the other clip has no force along an axis that this one uses</source>
+        <translation>der andere Clip hat keine Kraft entlang einer Achse, die dieser nutzt</translation>
+    </message>
+    <message>
         <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
         <translation>Achsen des Telefons: x rechts, y oben, z aus dem Bildschirm</translation>
     </message>
     <message>
         <source>the rate</source>
         <translation>die Rate</translation>
+    </message>
+    <message>
+        <source>the realistic force in the opposite direction</source>
+        <translation>die realistische Kraft in Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>the realistic force of another clip, with the RMS of this one</source>
+        <translation>die realistische Kraft eines anderen Clips mit dem Effektivwert von diesem</translation>
+    </message>
+    <message>
+        <source>the realistic force, later than the picture</source>
+        <translation>die realistische Kraft, später als das Bild</translation>
+    </message>
+    <message>
+        <source>the realistic force, stronger or weaker</source>
+        <translation>die realistische Kraft, stärker oder schwächer</translation>
     </message>
     <message>
         <source>the record cannot be written ({reason})</source>
@@ -5470,10 +5570,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the sequence {key!r} has changed since this session began</source>
         <translation>die Sequenz {key!r} hat sich geändert, seit diese Sitzung begann</translation>
-    </message>
-    <message>
-        <source>the sequence {key!r} has no feedback {feedback!r}</source>
-        <translation>die Sequenz {key!r} hat kein Feedback {feedback!r}</translation>
     </message>
     <message>
         <source>the sequence {key!r} has no folder with a sequence</source>
@@ -6148,6 +6244,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der persönliche Ordner ist unbekannt; {variable} auf den Pfad der Firmware setzen</translation>
     </message>
     <message>
+        <source>the sequence {key!r}: {reason}</source>
+        <translation>die Sequenz {key!r}: {reason}</translation>
+    </message>
+    <message>
         <source>there are no frames to write</source>
         <translation>es gibt keine Bilder zu schreiben</translation>
     </message>
@@ -6170,6 +6270,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>these are two videos: {names}</source>
         <translation>das sind zwei Videos: {names}</translation>
+    </message>
+    <message>
+        <source>this condition needs the sequence of the clip</source>
+        <translation>diese Bedingung braucht die Sequenz des Clips</translation>
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>
@@ -6308,6 +6412,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl zwischen {least:g} und {largest:g} an</translation>
     </message>
     <message>
+        <source>{name!r} has no parameters</source>
+        <translation>{name!r} hat keine Parameter</translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} ist kein einfacher Dateiname</translation>
     </message>
@@ -6360,6 +6468,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} ist in {count} von {total} Zeilen null, nicht endlich oder jenseits jedes Sensors, zuerst in {place}</translation>
     </message>
     <message>
+        <source>{name} must be a number</source>
+        <translation>{name} muss eine Zahl sein</translation>
+    </message>
+    <message>
         <source>{name} must be a number between {least:g} and {largest:g}{unit}</source>
         <translation>{name} muss eine Zahl zwischen {least:g} und {largest:g}{unit} sein</translation>
     </message>
@@ -6372,6 +6484,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} muss ein Text von höchstens {most} Zeichen sein</translation>
     </message>
     <message>
+        <source>{name} must be a text, not {value}</source>
+        <translation>{name} muss ein Text sein, nicht {value}</translation>
+    </message>
+    <message>
         <source>{name} must be a whole number between {least} and {largest}{unit}, not {text}</source>
         <translation>{name} muss eine ganze Zahl zwischen {least} und {largest}{unit} sein, nicht {text}</translation>
     </message>
@@ -6382,6 +6498,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} must be between {least} and {largest}{unit}, not {text}</source>
         <translation>{name} muss zwischen {least} und {largest}{unit} liegen, nicht {text}</translation>
+    </message>
+    <message>
+        <source>{name} must be one of {known}, not {value}</source>
+        <translation>{name} muss eines von {known} sein, nicht {value}</translation>
     </message>
     <message>
         <source>{name} must be positive and finite, got {value}</source>
@@ -6446,6 +6566,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} von {count} Sitzungen sind simuliert: Niemand saß dort</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a parameter; write NAME=VALUE</source>
+        <translation>{text!r} ist kein Parameter; schreiben Sie NAME=WERT</translation>
+    </message>
+    <message>
+        <source>{title} has no realistic feedback to make {name!r} of; import it first</source>
+        <translation>{title} hat kein realistisches Feedback, aus dem {name!r} entstehen kann; importieren Sie den Clip zuerst</translation>
+    </message>
+    <message>
+        <source>{value!r} is not a sequence of this study</source>
+        <translation>{value!r} ist keine Sequenz dieser Studie</translation>
     </message>
     <message>
         <source>{value!r} is not allowed</source>

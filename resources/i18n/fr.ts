@@ -4336,10 +4336,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il indique {duration_s:.0f} s comme durée</translation>
     </message>
     <message>
-        <source>it has {known}</source>
-        <translation>elle a {known}</translation>
-    </message>
-    <message>
         <source>it holds no accelerations</source>
         <translation>il ne contient pas d’accélérations</translation>
     </message>
@@ -4664,6 +4660,46 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne peut pas être remplacé ({reason})</translation>
     </message>
     <message>
+        <source>Delay; negative for a force that comes early</source>
+        <translation>Retard&#xa0;; négatif pour une force en avance</translation>
+    </message>
+    <message>
+        <source>Delayed</source>
+        <translation>Retardée</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>Modifiée</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Inversée</translation>
+    </message>
+    <message>
+        <source>Other sequence</source>
+        <translation>Autre séquence</translation>
+    </message>
+    <message>
+        <source>Rendering preset, as rendered if not given</source>
+        <translation>Préréglage du rendu&#xa0;; sans indication, comme calculé</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Mise à l’échelle</translation>
+    </message>
+    <message>
+        <source>Shuffled</source>
+        <translation>Permutée</translation>
+    </message>
+    <message>
+        <source>Track</source>
+        <translation>Piste</translation>
+    </message>
+    <message>
         <source>a calibration is for the method smoother, not for {method}</source>
         <translation>un étalonnage vaut pour la méthode smoother, pas pour {method}</translation>
     </message>
@@ -4672,8 +4708,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un bras de levier nécessite la vitesse angulaire de l’enregistrement</translation>
     </message>
     <message>
+        <source>a track that a person has edited</source>
+        <translation>une piste qu’une personne a modifiée</translation>
+    </message>
+    <message>
         <source>a washout needs a track of straight lines, this one holds</source>
         <translation>un washout demande une piste de lignes droites, celle-ci maintient ses valeurs</translation>
+    </message>
+    <message>
+        <source>add a sequence</source>
+        <translation>ajoutez une séquence</translation>
+    </message>
+    <message>
+        <source>another preset needs the folder of the sequence; unpack it</source>
+        <translation>un autre préréglage demande le dossier de la séquence&#xa0;; dépaquetez-la</translation>
     </message>
     <message>
         <source>ask for a file that was packed with --with-motion</source>
@@ -4750,6 +4798,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>export the recording again, or unpack it and give the folder</source>
         <translation>exportez de nouveau l&apos;enregistrement, ou décompressez-le et donnez le dossier</translation>
+    </message>
+    <message>
+        <source>feedback {feedback} has no parameter {name!r}; it has {known}</source>
+        <translation>le retour {feedback} n’a pas de paramètre {name!r}&#xa0;; il a {known}</translation>
+    </message>
+    <message>
+        <source>feedback {feedback} has no parameters</source>
+        <translation>le retour {feedback} n’a pas de paramètres</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -4898,6 +4954,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>names a part of {axes}</source>
         <translation>ne nomme qu’une partie de {axes}</translation>
+    </message>
+    <message>
+        <source>needs a second sequence, whose force is felt</source>
+        <translation>demande une deuxième séquence, dont la force est ressentie</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>aucune force</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -5098,6 +5162,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>simulated camera</source>
         <translation>caméra simulée</translation>
+    </message>
+    <message>
+        <source>smooth noise below 0.5 Hz, with the RMS of the realistic force</source>
+        <translation>bruit lisse au-dessous de 0,5 Hz, de même valeur efficace que la force réaliste</translation>
     </message>
     <message>
         <source>soft_knee_n must be below force_limit_n, got {knee_n} and {limit_n}</source>
@@ -5304,6 +5372,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la force est en retard de {ms:.0f} ms sur la vidéo&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez d’autres programmes</translation>
     </message>
     <message>
+        <source>the force of another clip needs its sequence: of=FOLDER</source>
+        <translation>la force d’une autre vidéo demande sa séquence&#xa0;: of=DOSSIER</translation>
+    </message>
+    <message>
+        <source>the force of the recorded motion</source>
+        <translation>la force du mouvement enregistré</translation>
+    </message>
+    <message>
         <source>the force track goes from {first_s:.6g} s to {last_s:.6g} s, the clip to {duration_s:.6g} s</source>
         <translation>la piste de force va de {first_s:.6g} s à {last_s:.6g} s, la vidéo jusqu’à {duration_s:.6g} s</translation>
     </message>
@@ -5404,12 +5480,36 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le nombre de mesures est de {count}&#xa0;; de {least} à {most} sont utilisables</translation>
     </message>
     <message>
+        <source>the other clip has a force track of a single row</source>
+        <translation>la piste de force de l’autre vidéo n’a qu’une ligne</translation>
+    </message>
+    <message>
+        <source>the other clip has no force along an axis that this one uses</source>
+        <translation>l’autre vidéo n’a pas de force sur un axe que celle-ci utilise</translation>
+    </message>
+    <message>
         <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
         <translation>axes du téléphone&#xa0;: x à droite, y en haut, z hors de l’écran</translation>
     </message>
     <message>
         <source>the rate</source>
         <translation>la cadence</translation>
+    </message>
+    <message>
+        <source>the realistic force in the opposite direction</source>
+        <translation>la force réaliste en sens contraire</translation>
+    </message>
+    <message>
+        <source>the realistic force of another clip, with the RMS of this one</source>
+        <translation>la force réaliste d’une autre vidéo, de même valeur efficace que celle-ci</translation>
+    </message>
+    <message>
+        <source>the realistic force, later than the picture</source>
+        <translation>la force réaliste, en retard sur l’image</translation>
+    </message>
+    <message>
+        <source>the realistic force, stronger or weaker</source>
+        <translation>la force réaliste, plus forte ou plus faible</translation>
     </message>
     <message>
         <source>the record cannot be written ({reason})</source>
@@ -5470,10 +5570,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the sequence {key!r} has changed since this session began</source>
         <translation>la séquence {key!r} a changé depuis le début de cette séance</translation>
-    </message>
-    <message>
-        <source>the sequence {key!r} has no feedback {feedback!r}</source>
-        <translation>la séquence {key!r} n’a pas de retour {feedback!r}</translation>
     </message>
     <message>
         <source>the sequence {key!r} has no folder with a sequence</source>
@@ -6148,6 +6244,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le dossier personnel est inconnu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
     </message>
     <message>
+        <source>the sequence {key!r}: {reason}</source>
+        <translation>la séquence {key!r}&#xa0;: {reason}</translation>
+    </message>
+    <message>
         <source>there are no frames to write</source>
         <translation>il n’y a pas d’images à écrire</translation>
     </message>
@@ -6170,6 +6270,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>these are two videos: {names}</source>
         <translation>ce sont deux vidéos&#xa0;: {names}</translation>
+    </message>
+    <message>
+        <source>this condition needs the sequence of the clip</source>
+        <translation>cette condition demande la séquence de la vidéo</translation>
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>
@@ -6308,6 +6412,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre entre {least:g} et {largest:g}</translation>
     </message>
     <message>
+        <source>{name!r} has no parameters</source>
+        <translation>{name!r} n’a pas de paramètres</translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
     </message>
@@ -6360,6 +6468,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name} est nul, non fini ou au-delà de tout capteur dans {count} lignes sur {total}, d’abord à la {place}</translation>
     </message>
     <message>
+        <source>{name} must be a number</source>
+        <translation>{name} doit être un nombre</translation>
+    </message>
+    <message>
         <source>{name} must be a number between {least:g} and {largest:g}{unit}</source>
         <translation>{name} doit être un nombre entre {least:g} et {largest:g}{unit}</translation>
     </message>
@@ -6372,6 +6484,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name} doit être un texte d’au plus {most} caractères</translation>
     </message>
     <message>
+        <source>{name} must be a text, not {value}</source>
+        <translation>{name} doit être un texte, pas {value}</translation>
+    </message>
+    <message>
         <source>{name} must be a whole number between {least} and {largest}{unit}, not {text}</source>
         <translation>{name} doit être un nombre entier entre {least} et {largest}{unit}, et non {text}</translation>
     </message>
@@ -6382,6 +6498,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} must be between {least} and {largest}{unit}, not {text}</source>
         <translation>{name} doit être entre {least} et {largest}{unit}, et non {text}</translation>
+    </message>
+    <message>
+        <source>{name} must be one of {known}, not {value}</source>
+        <translation>{name} doit être l’un de {known}, pas {value}</translation>
     </message>
     <message>
         <source>{name} must be positive and finite, got {value}</source>
@@ -6446,6 +6566,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} séances sur {count} sont simulées&#xa0;: personne n’y était</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a parameter; write NAME=VALUE</source>
+        <translation>{text!r} n’est pas un paramètre&#xa0;; écrivez NOM=VALEUR</translation>
+    </message>
+    <message>
+        <source>{title} has no realistic feedback to make {name!r} of; import it first</source>
+        <translation>{title} n’a pas de retour réaliste dont faire {name!r}&#xa0;; importez d’abord la vidéo</translation>
+    </message>
+    <message>
+        <source>{value!r} is not a sequence of this study</source>
+        <translation>{value!r} n’est pas une séquence de cette étude</translation>
     </message>
     <message>
         <source>{value!r} is not allowed</source>

@@ -14,9 +14,21 @@ from hapticplayer.cli import play
 from hapticplayer.devices import installed_devices
 from hapticplayer.errors import Message
 from hapticplayer.interchange import exporters
-from hapticplayer.rendering import FeedbackCondition, feedback
+from hapticplayer.model.ranges import Range
+from hapticplayer.playback.conditions import with_feedback
+from hapticplayer.playback.source import open_source
+from hapticplayer.rendering import (
+    FeedbackCondition,
+    Parameter,
+    ParameterKind,
+    feedback,
+)
 from hapticplayer.sequence import editing, open_sequence, store
 from hapticplayer.sequence.build import write_sequence
+from hapticplayer.study.creation import change_definition, create_study
+from hapticplayer.study.session_setup import load_material
+
+KEYS, SHARE = ("bike", "horse", "car-turning", "car-braking"), Range(0.0, 1.0)
 
 SEAT = """
 from hapticplayer.devices import DeviceEntry
@@ -118,7 +130,7 @@ def test_a_new_feedback_condition_is_offered_everywhere(
     half = FeedbackCondition(
         "half",
         Message("Half"),
-        lambda whole, _seed: replace(whole, force_n=whole.force_n / 2),
+        lambda of: replace(of.realistic, force_n=of.realistic.force_n / 2),
     )
     for module in (feedback, rendering, store, editing, choices, play):
         if hasattr(module, "FEEDBACKS"):
@@ -131,6 +143,36 @@ def test_a_new_feedback_condition_is_offered_everywhere(
         tracks["half"].force_n, tracks["realistic"].force_n / 2
     )
     assert "Half" in [choice.text for choice in choices.feedbacks(tracks)]
+
+
+def test_a_new_derived_condition_is_previewed_and_in_studies(
+    monkeypatch, capsys, sequence_folder, tmp_path
+):
+    share = Parameter("share", Message("Share"), ParameterKind.NUMBER, 1.0, SHARE)
+    part = FeedbackCondition(
+        "part",
+        Message("Part"),
+        lambda of, share: replace(of.realistic, force_n=of.realistic.force_n * share),
+        parameters=(share,),
+        is_stored=False,
+        is_derived=True,
+    )
+    monkeypatch.setattr(feedback, "FEEDBACKS", (*feedback.FEEDBACKS, part))
+    monkeypatch.setattr(play, "FEEDBACKS", feedback.FEEDBACKS)
+    assert cli.main(["play", "--help"]) == 0
+    assert "part[:share=...]" in " ".join(capsys.readouterr().out.split())
+    source, name = with_feedback(open_source(sequence_folder), "part:share=0.25")
+    whole = source.tracks["realistic"].force_n
+    np.testing.assert_array_equal(source.tracks[name].force_n, whole * 0.25)
+    made = create_study(
+        tmp_path / "study", folders=dict.fromkeys(KEYS, sequence_folder)
+    )
+    chosen = {"key": "low", "condition": "part", "parameters": {"share": 0.5}}
+    content = {**json.loads(made.content), "feedbacks": ["realistic", chosen]}
+    material = load_material(change_definition(made, content))
+    np.testing.assert_array_equal(
+        material.sources["bike"].tracks["low"].force_n, whole * 0.5
+    )
 
 
 def test_a_new_exporter_is_offered_and_used(monkeypatch, capsys):

@@ -40,6 +40,23 @@ def test_the_built_in_study_is_the_protocol_of_the_paper(template):
     assert [q.key for q in study.post_test if q.for_each_feedback] == ["label"]
 
 
+def test_feedbacks_may_have_parameters_and_names_of_their_own(template):
+    late = {"key": "late", "condition": "delayed", "parameters": {"delay_s": 1}}
+    template["feedbacks"] = ["none", late, {"condition": "shuffled"}, "own-track"]
+    study = parse(template)
+    assert study.feedback_keys == ("none", "late", "shuffled", "own-track")
+    assert len(study.conditions) == 16
+    assert study.conditions[1].key == "bike/late"
+    assert study.chosen_feedbacks[1].parameters == {"delay_s": 1.0}
+    assert "(delay_s 1)" in study.chosen_feedbacks[1].text
+
+
+def test_shuffling_needs_a_second_sequence(template):
+    template.update(feedbacks=["none", "shuffled"], sequences=template["sequences"][:1])
+    with pytest.raises(StudyError, match=r"feedbacks\[1\]: needs a second sequence"):
+        parse(template)
+
+
 @pytest.mark.parametrize("name", template_names())
 def test_every_template_is_whole_in_every_language(tmp_path, name):
     study = create_study(tmp_path / name, name).definition
@@ -69,6 +86,11 @@ def test_the_published_wording_is_shown_only_on_demand(template):
     assert printed.wording(printed.factors[0], "fr") == printed.factors[0].text["fr"]
 
 
+def chosen(condition, **more):
+    """Return a change that adds a feedback with parameters."""
+    return lambda d: d["feedbacks"].append({"condition": condition, **more})
+
+
 SPOILT = [
     (lambda d: d.update(version=2), "version 2"),
     (lambda d: d.pop("title"), "'title'"),
@@ -83,6 +105,19 @@ SPOILT = [
     (lambda d: d["limits"].update(sync_ms=-1), "limits.sync_ms"),
     (lambda d: d["limits"].update(silence_s=10**400), "limits.silence_s"),
     (lambda d: d.update(feedbacks=[]), "feedbacks"),
+    (chosen("delayed", parameters={"delay_s": 9}), "feedbacks[3].parameters.delay_s"),
+    (chosen("delayed", parameters={"delay_s": "1"}), "must be a number"),
+    (chosen("delayed", parameters={"late": 1}), "feedbacks[3].parameters: unknown"),
+    (chosen("shuffled", parameters={"of": "boat"}), "feedbacks[3].parameters.of"),
+    (
+        chosen("realistic", key="r2", parameters={"preset": "x"}),
+        "one of faithful, balanced",
+    ),
+    (chosen("mine", parameters={"a": 1}), "feedbacks[3].condition: 'mine' has no"),
+    (chosen("delayed", key="A B"), "feedbacks[3].key"),
+    (chosen("none"), "duplicate key 'none'"),
+    (lambda d: d["feedbacks"].append(7), "feedbacks[3]: must be a text / an object"),
+    (lambda d: d["feedbacks"].append({}), "feedbacks[3]: missing entry 'condition'"),
     (lambda d: d.update(factors=[]), "factors"),
     (lambda d: d["texts"].update(consent="yes"), "texts.consent"),
     (lambda d: d["sheet"][0].pop("least"), "'least'"),

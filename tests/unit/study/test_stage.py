@@ -14,11 +14,12 @@ from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
+from hapticplayer.rendering import shifted_and_scaled
 from hapticplayer.study import demonstration
 from hapticplayer.study.analysis.conduct_report import COUNTED, SYNC
 from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
 from hapticplayer.study.preflight import run_checks
-from hapticplayer.study.stage import PlayerStage, shifted_and_scaled
+from hapticplayer.study.stage import PlayerStage
 
 SECONDS, RATE_HZ = 1.0, 25
 LOOSE = PlaybackLimits(1.0, 1e6, 1.0, 1e6)  # a busy machine is no fault here
