@@ -38,6 +38,7 @@ COMMANDS = (
     Command("import_recording", "&Import a recording\u2026", "file", 0, ("Ctrl+I",)),
     Command("library", "Li&brary\u2026", "file", 0, ("Ctrl+B",)),
     Command("open_demo", "Open the &demo", "file", 1, ("Ctrl+D",)),
+    Command("share", "S&hare\u2026", "file", 1, ("Ctrl+E",), needs_clip=True),
     Command("open_log", "Replay a &log\u2026", "file", 1, ("Ctrl+L",), needs_clip=True),
     Command("export_settings", "E&xport settings\u2026", "file", 2),
     Command("import_settings", "I&mport settings\u2026", "file", 2),

@@ -14,6 +14,7 @@ from app.bridge.settings import Settings, choose_library, library_folder
 from app.player.choices import PluggedFalcons
 from app.player.controls import OUTPUT
 from app.player.session import Session
+from app.player.video_question import video_question
 from app.player.video_surface import SurfaceSink
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog, folder_dialog, settings_filter, video_filter
@@ -25,10 +26,12 @@ from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
+from hapticplayer.playback.source import Source
 
 if TYPE_CHECKING:
     from app.experimenter.import_wizard import ImportWizard
     from app.experimenter.library_page import LibraryPage
+    from app.player.share_page import SharePage
 
 
 translate = QCoreApplication.translate
@@ -74,6 +77,7 @@ LATER = (
     "app.player.keys_dialog",
     "app.player.latency_page",
     "app.player.setup_page",
+    "app.player.share_page",
     "hapticplayer.study.creation",
     "hapticplayer.study.session_setup",
 )
@@ -92,7 +96,7 @@ class Dialogs(QObject):
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
         super().__init__(window)
-        self._working: list[ImportWizard | LibraryPage] = []
+        self._working: list[ImportWizard | LibraryPage | SharePage] = []
         self._window = window
         self._session = session
         self._settings = settings
@@ -149,13 +153,33 @@ class Dialogs(QObject):
         page.library_chosen.connect(self._keep_library)
         self._open_working(page)
 
+    def share(self) -> None:
+        """Write the sequence that is open as a file to send."""
+        source = self._session.player.snapshot().source
+        if source is None or not source.path.is_dir():
+            problem = self.tr(
+                "Only a sequence can be shared: import the video first. A file that was "
+                "shared with you can be sent on as it is."
+            )
+            self._session.gateway.report(HapticPlayerError(problem))
+            return
+        from app.player.share_page import SharePage
+
+        page = SharePage(source.path, self._folder(), source.title, self._window)
+        page.shared.connect(self._keep_folder)
+        self._open_working(page)
+
+    def ask_about_video(self, source: Source) -> None:
+        """Ask whether force may be felt with another video than it was made for."""
+        video_question(source, self._window).open()
+
     def close(self) -> None:
         """End what the dialogs still do."""
         for dialog in self._working:
             dialog.close_jobs()
         self._working.clear()
 
-    def _open_working(self, dialog: "ImportWizard | LibraryPage") -> None:
+    def _open_working(self, dialog: "ImportWizard | LibraryPage | SharePage") -> None:
         self._working.append(dialog)
         dialog.finished.connect(lambda _result: self._forget(dialog))
         dialog.open()
@@ -179,7 +203,7 @@ class Dialogs(QObject):
         page.finished.connect(go_on)
         page.open()
 
-    def _forget(self, dialog: "ImportWizard | LibraryPage") -> None:
+    def _forget(self, dialog: "ImportWizard | LibraryPage | SharePage") -> None:
         if dialog in self._working:
             self._working.remove(dialog)
         dialog.deleteLater()
@@ -269,8 +293,11 @@ class Dialogs(QObject):
         """Say what this program is."""
         self.show(about_dialog)
 
+    def _keep_folder(self, path: Path) -> None:
+        self._settings.keep(_FOLDER, str(path.parent))
+
     def _open(self, path: str) -> None:
-        self._settings.keep(_FOLDER, str(Path(path).parent))
+        self._keep_folder(Path(path))
         self._session.open_path(Path(path))
 
     def export(self, path: str) -> None:

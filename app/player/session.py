@@ -17,6 +17,7 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.replay import with_log
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.source import Source, open_source
+from hapticplayer.playback.video_check import Verdict, VideoCheck
 
 SKIP_S = 5.0
 _DEAD = (Health.FAILED, Health.GONE)
@@ -31,6 +32,7 @@ class Session(QObject):
         chosen: a person opened it; it is about to play.
         changed: the phase, the stop, the device or the feedback is another.
         ended: the clip has come to its end.
+        another_video: the clip is not the one that its force was made for.
     """
 
     opening = Signal(object)
@@ -38,6 +40,7 @@ class Session(QObject):
     chosen = Signal(object)
     changed = Signal()
     ended = Signal()
+    another_video = Signal(object)
 
     def __init__(self, player: Player, show: Callable[[str], None]) -> None:
         super().__init__()
@@ -46,6 +49,7 @@ class Session(QObject):
         self.jobs = Jobs(self.gateway.report)
         self.last_problem = ""
         self._state: tuple[object, ...] = ()
+        self._told_of: VideoCheck | None = None
 
     # --- opening -------------------------------------------------------------
 
@@ -188,6 +192,7 @@ class Session(QObject):
         self.jobs.poll()
         now, phase_before = self.player.snapshot(), self._state[:1]
         self._report_problem(now)
+        self._watch_video(now)
         state = (
             now.phase,
             now.mode is Mode.TRIPPED,
@@ -205,6 +210,13 @@ class Session(QObject):
         """Tell; the next time the clip plays to its own end."""
         self.player.set_end(self.player.snapshot().duration_s)
         self.ended.emit()
+
+    def _watch_video(self, now: Snapshot) -> None:
+        """Tell once that a clip is not the one that its force was made for."""
+        check = now.source.check if now.source else None
+        if check is not self._told_of and check and check.verdict is Verdict.ANOTHER:
+            self._told_of = check
+            self.another_video.emit(now.source)
 
     def _report_problem(self, now: Snapshot) -> None:
         """Report once what the player or the device complains about."""

@@ -143,6 +143,7 @@ class PlayerWindow(QMainWindow):
         session.opening.connect(self._on_opening)
         session.opened.connect(self._on_opened)
         session.changed.connect(self._on_changed)
+        session.another_video.connect(self._on_another_video)
         self.surface.double_clicked.connect(self.toggle_fullscreen)
         self.job_bar.cancelled.connect(session.jobs.cancel)
         transport.play_clicked.connect(self.player.toggle)
@@ -167,6 +168,7 @@ class PlayerWindow(QMainWindow):
             (commands.import_recording, self.dialogs.import_recording),
             (commands.library, self.dialogs.library),
             (commands.open_demo, session.open_demo),
+            (commands.share, self.dialogs.share),
             (commands.quit, self.close),
             (commands.play, self.player.toggle),
             (commands.back, lambda: session.skip(-SKIP_S)),
@@ -319,6 +321,10 @@ class PlayerWindow(QMainWindow):
         self.extras.show_force()
         self.desktop.follow()
         self._display.refresh_soon()
+
+    def _on_another_video(self, source: Source) -> None:
+        self.fullscreen.leave()
+        self.dialogs.ask_about_video(source)
 
     def _show_device(self, name: str) -> None:
         if not self.transport.offers_device(name):

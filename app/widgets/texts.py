@@ -21,6 +21,11 @@ def titled(title: str, text: str) -> str:
     return translate("Texts", "{title}: {text}").format(title=title, text=text)
 
 
+def capitalised(text: str) -> str:
+    """Return a text as it begins a line."""
+    return text[:1].upper() + text[1:]
+
+
 def quoted(text: str) -> str:
     """Return a text in the language's marks; the French ones with a space."""
     marked = QLocale().quoteString(text)

@@ -155,9 +155,14 @@ def _finite(value: Any) -> float:
     return number
 
 
+def name_from(title: str) -> str:
+    """Return a name for a file or folder from a title."""
+    return re.sub(r"[^\w.\- ]+", "_", title).strip(" ._")[:_MAX_NAME] or "sequence"
+
+
 def free_name(library: Path, title: str) -> Path:
     """Return a folder name in the library that is not taken, from a title."""
-    name = re.sub(r"[^\w.\- ]+", "_", title).strip(" ._")[:_MAX_NAME] or "sequence"
+    name = name_from(title)
     candidates = (
         library / f"{name}-{n}" if n > 1 else library / name
         for n in range(1, MAX_FOLDERS)

@@ -56,6 +56,10 @@
         <translation>&amp;Protokoll abspielen…</translation>
     </message>
     <message>
+        <source>S&amp;hare…</source>
+        <translation>&amp;Teilen…</translation>
+    </message>
+    <message>
         <source>E&amp;xport settings…</source>
         <translation>Einstellungen e&amp;xportieren…</translation>
     </message>
@@ -421,6 +425,10 @@
     <message>
         <source>Replay the forces of a log</source>
         <translation>Kräfte eines Protokolls abspielen</translation>
+    </message>
+    <message>
+        <source>Only a sequence can be shared: import the video first. A file that was shared with you can be sent on as it is.</source>
+        <translation>Nur eine Sequenz kann geteilt werden: Importieren Sie das Video zuerst. Eine Datei, die mit Ihnen geteilt wurde, können Sie weitergeben, wie sie ist.</translation>
     </message>
     <message>
         <source>Choose a device first, then try out its forces</source>
@@ -2504,6 +2512,101 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>SharePage</name>
+    <message>
+        <source>Share</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>&amp;One file (MKV)</source>
+        <translation>&amp;Eine Datei (MKV)</translation>
+    </message>
+    <message>
+        <source>M&amp;P4, with a second file for the force</source>
+        <translation>M&amp;P4, mit einer zweiten Datei für die Kraft</translation>
+    </message>
+    <message>
+        <source>&amp;Motion and recorded samples, too</source>
+        <translation>Auch &amp;Bewegung und aufgezeichnete Messwerte</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>A video file to send: every player shows it, hapticplayer makes it felt.</source>
+        <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie, mit hapticplayer wird sie spürbar.</translation>
+    </message>
+    <message>
+        <source>Others can then render another force from it</source>
+        <translation>Andere können daraus dann eine andere Kraft berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel; nothing is kept</source>
+        <translation type="unfinished">Abbrechen; nichts bleibt zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>Speiche&amp;rn…</translation>
+    </message>
+    <message>
+        <source>Choose a name, and write it</source>
+        <translation>Einen Namen wählen und die Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>What is shared</source>
+        <translation>Was geteilt wird</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Zusammen</translation>
+    </message>
+    <message>
+        <source>Matroska video (*.mkv)</source>
+        <translation>Matroska-Video (*.mkv)</translation>
+    </message>
+    <message>
+        <source>MP4 video (*.mp4)</source>
+        <translation>MP4-Video (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Share as</source>
+        <translation>Teilen als</translation>
+    </message>
+    <message>
+        <source>Sharing</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>Written: {names}, {size}</source>
+        <translation>Geschrieben: {names}, {size}</translation>
+    </message>
+    <message>
+        <source>{number} MB</source>
+        <translation>{number} MB</translation>
+    </message>
+</context>
+<context>
     <name>StartPanel</name>
     <message>
         <source>Participant</source>
@@ -3093,6 +3196,25 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>up</source>
         <translation>oben</translation>
+    </message>
+</context>
+<context>
+    <name>VideoQuestion</name>
+    <message>
+        <source>Another video</source>
+        <translation>Ein anderes Video</translation>
+    </message>
+    <message>
+        <source>What is felt may not be what is seen. Feel the force anyway?</source>
+        <translation>Was zu spüren ist, passt vielleicht nicht zu dem, was zu sehen ist. Die Kraft trotzdem spüren?</translation>
+    </message>
+    <message>
+        <source>&amp;Feel the force</source>
+        <translation>&amp;Kraft spüren</translation>
+    </message>
+    <message>
+        <source>Play &amp;without</source>
+        <translation>&amp;Ohne Kraft</translation>
     </message>
 </context>
 <context>

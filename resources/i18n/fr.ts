@@ -56,6 +56,10 @@
         <translation>Re&amp;jouer un journal…</translation>
     </message>
     <message>
+        <source>S&amp;hare…</source>
+        <translation>Parta&amp;ger…</translation>
+    </message>
+    <message>
         <source>E&amp;xport settings…</source>
         <translation>E&amp;xporter les réglages…</translation>
     </message>
@@ -421,6 +425,10 @@
     <message>
         <source>Replay the forces of a log</source>
         <translation>Rejouer les forces d’un journal</translation>
+    </message>
+    <message>
+        <source>Only a sequence can be shared: import the video first. A file that was shared with you can be sent on as it is.</source>
+        <translation>Seule une séquence peut être partagée&#xa0;: importez d’abord la vidéo. Un fichier qu’on a partagé avec vous peut être transmis tel quel.</translation>
     </message>
     <message>
         <source>Choose a device first, then try out its forces</source>
@@ -2504,6 +2512,101 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>SharePage</name>
+    <message>
+        <source>Share</source>
+        <translation>Partager</translation>
+    </message>
+    <message>
+        <source>&amp;One file (MKV)</source>
+        <translation>&amp;Un seul fichier (MKV)</translation>
+    </message>
+    <message>
+        <source>M&amp;P4, with a second file for the force</source>
+        <translation>M&amp;P4, avec un second fichier pour la force</translation>
+    </message>
+    <message>
+        <source>&amp;Motion and recorded samples, too</source>
+        <translation>Aussi le &amp;mouvement et les échantillons enregistrés</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>A video file to send: every player shows it, hapticplayer makes it felt.</source>
+        <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs le montrent, hapticplayer le fait ressentir.</translation>
+    </message>
+    <message>
+        <source>Others can then render another force from it</source>
+        <translation>D’autres peuvent alors en calculer une autre force</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Cancel; nothing is kept</source>
+        <translation type="unfinished">Annuler&#xa0;; rien n’est conservé</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Choose a name, and write it</source>
+        <translation>Choisir un nom et écrire le fichier</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Contenu</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>What is shared</source>
+        <translation>Ce qui est partagé</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Matroska video (*.mkv)</source>
+        <translation>Vidéo Matroska (*.mkv)</translation>
+    </message>
+    <message>
+        <source>MP4 video (*.mp4)</source>
+        <translation>Vidéo MP4 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Share as</source>
+        <translation>Partager sous</translation>
+    </message>
+    <message>
+        <source>Sharing</source>
+        <translation>Partage</translation>
+    </message>
+    <message>
+        <source>Written: {names}, {size}</source>
+        <translation>Écrit&#xa0;: {names}, {size}</translation>
+    </message>
+    <message>
+        <source>{number} MB</source>
+        <translation>{number} Mo</translation>
+    </message>
+</context>
+<context>
     <name>StartPanel</name>
     <message>
         <source>Participant</source>
@@ -3093,6 +3196,25 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>up</source>
         <translation>haut</translation>
+    </message>
+</context>
+<context>
+    <name>VideoQuestion</name>
+    <message>
+        <source>Another video</source>
+        <translation>Une autre vidéo</translation>
+    </message>
+    <message>
+        <source>What is felt may not be what is seen. Feel the force anyway?</source>
+        <translation>Ce qui est ressenti ne correspond peut-être pas à ce qui est vu. Ressentir la force quand même&#xa0;?</translation>
+    </message>
+    <message>
+        <source>&amp;Feel the force</source>
+        <translation>&amp;Ressentir la force</translation>
+    </message>
+    <message>
+        <source>Play &amp;without</source>
+        <translation>&amp;Sans la force</translation>
     </message>
 </context>
 <context>

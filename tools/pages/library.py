@@ -6,6 +6,8 @@ from pathlib import Path
 from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import FILES, MOUNTING, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
+from app.player.share_page import SharePage
+from app.player.video_question import video_question
 from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
@@ -20,6 +22,7 @@ def pictures(stage: Stage) -> Pictures:
     """Yield every page about recordings and their answers."""
     yield from _import(stage)
     yield from _library(stage)
+    yield from _share(stage)
     yield from _analysis(stage)
 
 
@@ -92,6 +95,25 @@ def _library(stage: Stage) -> Pictures:
         page.undo.show()
         page.search.setText("nothing is called so")
         yield "library-nothing-found", stage.picture(page)
+
+
+def _share(stage: Stage) -> Pictures:
+    page = SharePage(stage.source.path, SHOWN, stage.source.title)
+    with stage.shown(page):
+        stage.wait_until(page.save_button.isEnabled)
+        yield "share-ready", page.grab()
+        page.with_motion.setChecked(True)
+        page.write(stage.folder / f"ride-{stage.language}.mkv")
+        stage.wait_until(lambda: page.bar.value() > 0 or not page.jobs.is_busy)
+        yield "share-writing", page.grab()
+        stage.wait_until(lambda: not page.jobs.is_busy)
+        stage.wait()
+        yield "share-written", page.grab()
+        page.write(Path("/proc/nowhere/ride.mkv"))
+        stage.wait_until(lambda: not page.jobs.is_busy)
+        stage.wait()
+        yield "share-failed", page.grab()
+    yield "share-another-video", stage.picture(video_question(stage.source, page))
 
 
 def _no_export(*_: object) -> list[str]:

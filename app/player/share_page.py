@@ -1,0 +1,281 @@
+"""Shares a sequence: what a file for others would hold, how large it is, and writes it."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+from PySide6.QtCore import QCoreApplication, Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QFileDialog,
+    QHeaderView,
+    QProgressBar,
+    QRadioButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from app.bridge.jobs import Jobs, Progress, in_child
+from app.bridge.languages import translated
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.files import file_dialog
+from app.widgets.layout import (
+    BESIDE,
+    STRETCH,
+    fill_page,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
+from app.widgets.texts import PERCENT, capitalised, local
+from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.sequence.library import name_from
+from hapticplayer.sequence.pack import is_packed, outputs_of, pack
+from hapticplayer.sequence.travelling import MOTION_FILES, Contents, Part, contents
+
+translate = QCoreApplication.translate
+
+WIDTH_PX, HEIGHT_PX = 760, 560
+_POLL_MS = 40
+_PARTS = 1000
+_MEGABYTE = 1e6
+
+
+class Wanted(NamedTuple):
+    """What a person has chosen."""
+
+    ending: str
+    with_motion: bool
+
+
+class SharePage(QDialog):
+    """Lists what is shared of one sequence; `shared` has the file once it is there."""
+
+    shared = Signal(object)
+
+    def __init__(
+        self, folder: Path, where: str, title: str, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Share"))
+        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
+        self._folder, self._where, self._title = folder, where, title
+        self._contents: Contents | None = None
+        self.jobs = Jobs(self._on_failed)
+        self.one_file = QRadioButton(self.tr("&One file (MKV)"))
+        self.two_files = QRadioButton(self.tr("M&P4, with a second file for the force"))
+        self.with_motion = QCheckBox(self.tr("&Motion and recorded samples, too"))
+        self.table = QTableWidget(0, 3)
+        self.bar = QProgressBar()
+        self.status = paragraph("")
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._poll)
+        self._timer.start(_POLL_MS)
+        self.jobs.run(
+            self.tr("Reading"),
+            lambda _progress: contents(folder, with_motion=True),
+            self._take,
+        )
+
+    # --- building ------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        text = self.tr(
+            "A video file to send: every player shows it, hapticplayer makes it felt."
+        )
+        self.one_file.setChecked(True)
+        self.with_motion.setToolTip(
+            self.tr("Others can then render another force from it")
+        )
+        for button in (self.one_file, self.two_files, self.with_motion):
+            button.toggled.connect(self._show_contents)
+        self._make_table()
+        self.bar.setRange(0, _PARTS)
+        self.bar.setFormat(PERCENT)
+        self.bar.hide()
+        self.close_button = text_button(self.tr("&Close"), "")
+        self.close_button.clicked.connect(self.reject)
+        self.cancel_button = text_button(
+            self.tr("C&ancel"), self.tr("Cancel; nothing is kept")
+        )
+        self.cancel_button.clicked.connect(self.jobs.cancel)
+        self.cancel_button.hide()
+        self.save_button = text_button(
+            self.tr("&Save\u2026"), self.tr("Choose a name, and write it"), "primary"
+        )
+        self.save_button.clicked.connect(self._choose)
+        self.save_button.setEnabled(False)
+        buttons = (STRETCH, self.cancel_button, self.close_button, self.save_button)
+        fill_page(
+            self,
+            paragraph(text),
+            row_of(self.one_file, self.two_files, STRETCH, spacing=16),
+            self.with_motion,
+            (self.table, 1),
+            self.status,
+            self.bar,
+            row_of(*buttons),
+        )
+
+    def _make_table(self) -> None:
+        table, kind = self.table, QHeaderView.ResizeMode
+        table.setHorizontalHeaderLabels(
+            [self.tr("Content"), self.tr("File"), self.tr("Size")]
+        )
+        table.setAccessibleName(self.tr("What is shared"))
+        table.verticalHeader().hide()
+        table.setTabKeyNavigation(False)
+        table.setShowGrid(False)
+        table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
+        table.setSelectionMode(QTableWidget.SelectionMode.NoSelection)
+        header = table.horizontalHeader()
+        header.setDefaultAlignment(BESIDE)
+        header.setSectionResizeMode(0, kind.Stretch)
+        header.setSectionResizeMode(1, kind.ResizeToContents)
+        header.setSectionResizeMode(2, kind.ResizeToContents)
+
+    # --- what is shared ------------------------------------------------------
+
+    @property
+    def wanted(self) -> Wanted:
+        """What is chosen now."""
+        ending = ".mkv" if self.one_file.isChecked() else ".mp4"
+        return Wanted(ending, self.with_motion.isChecked())
+
+    def _take(self, found: Contents) -> None:
+        self._contents = found
+        self.with_motion.setEnabled(found.has_motion)
+        self.save_button.setEnabled(True)
+        self._show_contents()
+
+    def parts(self) -> list[Part]:
+        """Return what is shared as it is chosen now."""
+        if self._contents is None:
+            return []
+        kept = [
+            part
+            for part in self._contents.attached
+            if self.wanted.with_motion or part.name not in MOTION_FILES
+        ]
+        return [self._contents.video, *kept]
+
+    def _show_contents(self) -> None:
+        parts = self.parts()
+        rows = [
+            (capitalised(translated(part.text)), part.name, part.size_bytes)
+            for part in parts
+        ]
+        whole = sum(part.size_bytes for part in parts)
+        rows.append((self.tr("Together"), "", whole))
+        self.table.setRowCount(len(rows))
+        for row, (text, name, size_bytes) in enumerate(rows):
+            for column, shown in enumerate((text, name, size_text(size_bytes))):
+                item = QTableWidgetItem(shown)
+                item.setToolTip(shown)
+                if column == 2:
+                    right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+                    item.setTextAlignment(right)
+                self.table.setItem(row, column, item)
+
+    # --- writing -------------------------------------------------------------
+
+    def _choose(self) -> None:
+        ending = self.wanted.ending
+        name = f"{name_from(self._title)}{ending}"
+        kinds = self.tr("Matroska video (*.mkv)")
+        if ending == ".mp4":
+            kinds = self.tr("MP4 video (*.mp4)")
+        dialog = file_dialog(self, self.tr("Share as"), self._where, kinds)
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setFileMode(QFileDialog.FileMode.AnyFile)
+        dialog.selectFile(name)
+        dialog.setDefaultSuffix(ending[1:])
+        # an MP4 of another program must not be replaced, and it looks the same
+        no_question = QFileDialog.Option.DontConfirmOverwrite
+        dialog.setOption(no_question, ending == ".mp4")
+        dialog.fileSelected.connect(lambda path: self.write(Path(path)))
+        dialog.open()
+
+    def write(self, target: Path) -> None:
+        """Write the file, unless something runs."""
+        if self.jobs.is_busy:
+            return
+        folder, with_motion = self._folder, self.wanted.with_motion
+
+        def work(progress: Progress) -> Path:
+            in_child(
+                pack,
+                folder,
+                target,
+                with_motion=with_motion,
+                is_ours=is_packed,
+                progress=progress,
+            )
+            return target
+
+        self._show_status("")
+        self.jobs.run(self.tr("Sharing"), work, self._on_written)
+        self._show_busy()
+
+    def _on_written(self, target: Path) -> None:
+        names = ", ".join(path.name for path in outputs_of(target))
+        size_bytes = sum(path.stat().st_size for path in outputs_of(target))
+        text = self.tr("Written: {names}, {size}").format(
+            names=names, size=size_text(size_bytes)
+        )
+        self._show_status(text, theme.GOOD)
+        self.shared.emit(target)
+
+    def _on_failed(self, problem: BaseException) -> None:
+        if not isinstance(problem, HapticPlayerError):
+            raise problem
+        self._show_status(translated(message_of(problem)), theme.BAD)
+
+    def _show_status(self, text: str, colour: str = "") -> None:
+        self.status.setText(text)
+        self.status.setStyleSheet(f"color: {colour or theme.TEXT};")
+
+    def _show_busy(self) -> None:
+        is_busy = self.jobs.is_busy
+        self.bar.setVisible(is_busy)
+        self.cancel_button.setVisible(is_busy)
+        self.save_button.setEnabled(self._contents is not None and not is_busy)
+        for button in (self.one_file, self.two_files):
+            button.setEnabled(not is_busy)
+        has_motion = self._contents is not None and self._contents.has_motion
+        self.with_motion.setEnabled(has_motion and not is_busy)
+
+    def _poll(self) -> None:
+        was_busy, state = self.jobs.is_busy, self.jobs.state()
+        if state is not None and self.bar.isVisible():
+            self.bar.setValue(round(_PARTS * state.fraction))
+            self._show_status(capitalised(translated(state.step)))
+        self.jobs.poll()
+        if was_busy and not self.jobs.is_busy:
+            if state is not None and self.status.text() == capitalised(
+                translated(state.step)
+            ):
+                self._show_status("")  # cancelled
+            self._show_busy()
+
+    # --- the end -------------------------------------------------------------
+
+    def done(self, result: int) -> None:
+        """Let nothing run on."""
+        self.close_jobs()
+        super().done(result)
+
+    def close_jobs(self) -> None:
+        """Stop what runs and wait for it."""
+        self._timer.stop()
+        self.jobs.close()
+
+
+def size_text(size_bytes: int) -> str:
+    """Return a size in MB as the language writes it."""
+    digits = 3 if size_bytes < _MEGABYTE else 1
+    text = translate("SharePage", "{number} MB")
+    return text.format(number=local(f"{size_bytes / _MEGABYTE:.{digits}f}"))
