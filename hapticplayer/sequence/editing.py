@@ -143,13 +143,13 @@ def set_mapping(
         SequenceError: when the sequence is damaged or cannot be written.
     """
     sequence = store.open_sequence(folder)
-    imu = _angular_rate(folder, sequence, mapping)
+    imu = _angular_rate(sequence, mapping)
     if fits_gain:
         duration_s = _duration_s(sequence.description)
-        gain = rendering.fit_gain(_motion(sequence), mapping, duration_s, imu)
+        gain = rendering.fit_gain(store.motion_of(sequence), mapping, duration_s, imu)
         mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
     name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    realistic = render_preset(_motion(sequence), mapping, imu, name=name)
+    realistic = render_preset(store.motion_of(sequence), mapping, imu, name=name)
     tracks = {
         condition.name: condition.track(
             rendering.Ingredients(realistic, _seed(sequence.tracks[condition.name])), {}
@@ -184,8 +184,8 @@ def rendered_again(folder: Path, preset: str) -> ForceTrack:
     if preset == preset_of(realistic):
         return realistic
     mapping = sequence.mapping
-    imu = _angular_rate(folder, sequence, mapping)
-    return render_preset(_motion(sequence), mapping, imu, name=preset)
+    imu = _angular_rate(sequence, mapping)
+    return render_preset(store.motion_of(sequence), mapping, imu, name=preset)
 
 
 def copy_with_mapping(
@@ -225,10 +225,10 @@ def fitted_gain(folder: Path, mapping: model.Mapping) -> float:
     """
     sequence = store.open_sequence(folder)
     return rendering.fit_gain(
-        _motion(sequence),
+        store.motion_of(sequence),
         mapping,
         _duration_s(sequence.description),
-        _angular_rate(folder, sequence, mapping),
+        _angular_rate(sequence, mapping),
     )
 
 
@@ -241,34 +241,13 @@ def describe_rendering(*, fits_gain: bool) -> dict[str, Any]:
     }
 
 
-def _motion(sequence: store.Sequence) -> model.MotionTrack:
-    """Return the motion that force is rendered from."""
-    if sequence.motion is None:
-        raise SequenceError(
-            "was shared without its motion, so its force cannot be rendered again",
-            where=str(sequence.folder),
-            remedy="ask for a file that was packed with --with-motion",
-        )
-    return sequence.motion
-
-
 def _angular_rate(
-    folder: Path, sequence: store.Sequence, mapping: model.Mapping
+    sequence: store.Sequence, mapping: model.Mapping
 ) -> model.ImuLog | None:
     """Return the recorded samples in media time where the mapping needs them."""
     if not mapping.moves_point:
         return None
-    imu, _ = store.read_recorded(folder)
-    try:
-        clock = model.ClockMap(**sequence.description["clock_map"])
-        return store.in_media_time(imu, clock)
-    except (KeyError, TypeError, ValueError) as problem:
-        raise SequenceError(
-            "an entry is missing or of the wrong kind ({reason})",
-            where=str(folder / store.DESCRIPTION),
-            remedy="import it again",
-            reason=problem,
-        ) from problem
+    return store.recorded_log(sequence)
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -304,9 +283,9 @@ def preview_gain(
     """
     sequence = store.open_sequence(folder)
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
-    imu = _angular_rate(folder, sequence, mapping)
+    imu = _angular_rate(sequence, mapping)
     name = preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    track = render_preset(_motion(sequence), mapping, imu, name=name)
+    track = render_preset(store.motion_of(sequence), mapping, imu, name=name)
     report = _reporter(progress, 0, 1)
     hands = predict(track, _duration_s(sequence.description), report)["hands"]
     return GainPreview(

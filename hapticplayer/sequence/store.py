@@ -197,6 +197,39 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
     return imu, made_of
 
 
+def motion_of(sequence: Sequence) -> MotionTrack:
+    """Return the motion that force is rendered from.
+
+    Raises:
+        SequenceError: when the sequence was shared without it.
+    """
+    if sequence.motion is None:
+        raise SequenceError(
+            "was shared without its motion, so its force cannot be rendered again",
+            where=str(sequence.folder),
+            remedy="ask for a file that was packed with --with-motion",
+        )
+    return sequence.motion
+
+
+def recorded_log(sequence: Sequence) -> ImuLog:
+    """Return the recorded samples of a sequence in media time.
+
+    Raises:
+        SequenceError: when they are missing or damaged.
+    """
+    imu, _ = read_recorded(sequence.folder)
+    try:
+        return in_media_time(imu, ClockMap(**sequence.description["clock_map"]))
+    except (KeyError, TypeError, ValueError) as problem:
+        raise SequenceError(
+            "an entry is missing or of the wrong kind ({reason})",
+            where=str(sequence.folder / DESCRIPTION),
+            remedy="import it again",
+            reason=problem,
+        ) from problem
+
+
 def in_media_time(imu: ImuLog, clock: ClockMap) -> ImuLog:
     """Return a log with its times in media time."""
     return replace(imu, time_s=clock.rate * imu.time_s + clock.offset_s)

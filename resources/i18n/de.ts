@@ -4782,6 +4782,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kann nicht überschrieben werden ({reason})</translation>
     </message>
     <message>
+        <source>A second or more without motion</source>
+        <translation>Eine Sekunde oder länger ohne Bewegung</translation>
+    </message>
+    <message>
+        <source>A sensor at the end of its range</source>
+        <translation>Ein Sensor am Ende seines Messbereichs</translation>
+    </message>
+    <message>
+        <source>Bends with 0.15 g or more sideways</source>
+        <translation>Kurven mit mindestens 0,15 g zur Seite</translation>
+    </message>
+    <message>
+        <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
+        <translation>Bremsen mit bis zu {level_mps2:.1f} m/s², {change_mps:.0f} m/s langsamer</translation>
+    </message>
+    <message>
         <source>Delay; negative for a force that comes early</source>
         <translation>Verzögerung; negativ für eine Kraft, die zu früh kommt</translation>
     </message>
@@ -4798,8 +4814,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Verstärkung</translation>
     </message>
     <message>
+        <source>Impact of {peak_mps2:.1f} m/s²</source>
+        <translation>Stoß von {peak_mps2:.1f} m/s²</translation>
+    </message>
+    <message>
+        <source>Impact of {peak_mps2:.1f} m/s², heard too</source>
+        <translation>Stoß von {peak_mps2:.1f} m/s², auch zu hören</translation>
+    </message>
+    <message>
         <source>Inverted</source>
         <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Missing samples and isolated spikes</source>
+        <translation>Fehlende Messwerte und einzelne Ausreißer</translation>
+    </message>
+    <message>
+        <source>No motion for {length_s:.1f} s: force here is gravity that was not removed</source>
+        <translation>Keine Bewegung für {length_s:.1f} s: Kraft ist hier Schwerkraft, die nicht entfernt wurde</translation>
     </message>
     <message>
         <source>Other sequence</source>
@@ -4810,16 +4842,48 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Voreinstellung der Umrechnung; ohne Angabe wie berechnet</translation>
     </message>
     <message>
+        <source>Samples are missing</source>
+        <translation>Messwerte fehlen</translation>
+    </message>
+    <message>
         <source>Scaled</source>
         <translation>Skaliert</translation>
+    </message>
+    <message>
+        <source>Shocks that stand out of what surrounds them</source>
+        <translation>Stöße, die aus ihrer Umgebung herausragen</translation>
     </message>
     <message>
         <source>Shuffled</source>
         <translation>Vertauscht</translation>
     </message>
     <message>
+        <source>Speed is lost at 0.3 g or more</source>
+        <translation>Geschwindigkeit nimmt mit mindestens 0,3 g ab</translation>
+    </message>
+    <message>
+        <source>Spike of a single sample, as a faulty logger writes</source>
+        <translation>Ausreißer eines einzelnen Messwerts, wie ihn ein fehlerhafter Logger schreibt</translation>
+    </message>
+    <message>
+        <source>The accelerometer is at the end of its range</source>
+        <translation>Der Beschleunigungssensor ist am Ende seines Messbereichs</translation>
+    </message>
+    <message>
+        <source>The gyro is at the end of its range</source>
+        <translation>Der Drehratensensor ist am Ende seines Messbereichs</translation>
+    </message>
+    <message>
         <source>Track</source>
         <translation>Spur</translation>
+    </message>
+    <message>
+        <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
+        <translation>Linkskurve mit bis zu {level_mps2:.1f} m/s² für {length_s:.1f} s</translation>
+    </message>
+    <message>
+        <source>Turn to the right with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
+        <translation>Rechtskurve mit bis zu {level_mps2:.1f} m/s² für {length_s:.1f} s</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -6386,6 +6450,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
     </message>
     <message>
+        <source>there is no motion to find events in</source>
+        <translation>es gibt keine Bewegung, in der Ereignisse gesucht werden könnten</translation>
+    </message>
+    <message>
         <source>there is no valid motion in the clip to fit a gain to</source>
         <translation>im Clip gibt es keine gültige Bewegung, an die sich eine Verstärkung anpassen ließe</translation>
     </message>
@@ -6532,6 +6600,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number between {least:g} and {largest:g}</source>
         <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl zwischen {least:g} und {largest:g} an</translation>
+    </message>
+    <message>
+        <source>{kind!r} is not a kind of events; choose one of {names}</source>
+        <translation>{kind!r} ist keine Art von Ereignissen; wählbar sind {names}</translation>
     </message>
     <message>
         <source>{name!r} has no parameters</source>

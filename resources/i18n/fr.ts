@@ -4782,6 +4782,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne peut pas être remplacé ({reason})</translation>
     </message>
     <message>
+        <source>A second or more without motion</source>
+        <translation>Une seconde ou plus sans mouvement</translation>
+    </message>
+    <message>
+        <source>A sensor at the end of its range</source>
+        <translation>Un capteur au bout de sa plage de mesure</translation>
+    </message>
+    <message>
+        <source>Bends with 0.15 g or more sideways</source>
+        <translation>Virages d’au moins 0,15 g de côté</translation>
+    </message>
+    <message>
+        <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
+        <translation>Freinage jusqu’à {level_mps2:.1f} m/s², {change_mps:.0f} m/s de moins</translation>
+    </message>
+    <message>
         <source>Delay; negative for a force that comes early</source>
         <translation>Retard&#xa0;; négatif pour une force en avance</translation>
     </message>
@@ -4798,8 +4814,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Gain</translation>
     </message>
     <message>
+        <source>Impact of {peak_mps2:.1f} m/s²</source>
+        <translation>Choc de {peak_mps2:.1f} m/s²</translation>
+    </message>
+    <message>
+        <source>Impact of {peak_mps2:.1f} m/s², heard too</source>
+        <translation>Choc de {peak_mps2:.1f} m/s², entendu aussi</translation>
+    </message>
+    <message>
         <source>Inverted</source>
         <translation>Inversée</translation>
+    </message>
+    <message>
+        <source>Missing samples and isolated spikes</source>
+        <translation>Échantillons manquants et pics isolés</translation>
+    </message>
+    <message>
+        <source>No motion for {length_s:.1f} s: force here is gravity that was not removed</source>
+        <translation>Pas de mouvement pendant {length_s:.1f} s&#xa0;: ici, la force est de la gravité qui n’a pas été retirée</translation>
     </message>
     <message>
         <source>Other sequence</source>
@@ -4810,16 +4842,48 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Préréglage du rendu&#xa0;; sans indication, comme calculé</translation>
     </message>
     <message>
+        <source>Samples are missing</source>
+        <translation>Des échantillons manquent</translation>
+    </message>
+    <message>
         <source>Scaled</source>
         <translation>Mise à l’échelle</translation>
+    </message>
+    <message>
+        <source>Shocks that stand out of what surrounds them</source>
+        <translation>Chocs qui ressortent de ce qui les entoure</translation>
     </message>
     <message>
         <source>Shuffled</source>
         <translation>Permutée</translation>
     </message>
     <message>
+        <source>Speed is lost at 0.3 g or more</source>
+        <translation>La vitesse baisse à 0,3 g ou plus</translation>
+    </message>
+    <message>
+        <source>Spike of a single sample, as a faulty logger writes</source>
+        <translation>Pic d’un seul échantillon, comme en écrit un enregistreur défaillant</translation>
+    </message>
+    <message>
+        <source>The accelerometer is at the end of its range</source>
+        <translation>L’accéléromètre est au bout de sa plage de mesure</translation>
+    </message>
+    <message>
+        <source>The gyro is at the end of its range</source>
+        <translation>Le gyroscope est au bout de sa plage de mesure</translation>
+    </message>
+    <message>
         <source>Track</source>
         <translation>Piste</translation>
+    </message>
+    <message>
+        <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
+        <translation>Virage à gauche jusqu’à {level_mps2:.1f} m/s² pendant {length_s:.1f} s</translation>
+    </message>
+    <message>
+        <source>Turn to the right with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
+        <translation>Virage à droite jusqu’à {level_mps2:.1f} m/s² pendant {length_s:.1f} s</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -6386,6 +6450,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il n’y a pas de jugement à analyser</translation>
     </message>
     <message>
+        <source>there is no motion to find events in</source>
+        <translation>il n’y a pas de mouvement où chercher des événements</translation>
+    </message>
+    <message>
         <source>there is no valid motion in the clip to fit a gain to</source>
         <translation>le clip ne contient aucun mouvement valide auquel ajuster un gain</translation>
     </message>
@@ -6532,6 +6600,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number between {least:g} and {largest:g}</source>
         <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre entre {least:g} et {largest:g}</translation>
+    </message>
+    <message>
+        <source>{kind!r} is not a kind of events; choose one of {names}</source>
+        <translation>{kind!r} n’est pas un type d’événement&#xa0;; au choix&#xa0;: {names}</translation>
     </message>
     <message>
         <source>{name!r} has no parameters</source>

@@ -180,9 +180,14 @@ def _car_braking(rng: np.random.Generator, start_s: float, length_s: float) -> _
     return _car(drive, rng, length_s)
 
 
-def _standing(position_m: Floats, angles_rad: Floats, length_s: float) -> _Ridden:
+def _standing(
+    position_m: Floats,
+    angles_rad: Floats,
+    length_s: float,
+    impacts_s: tuple[tuple[float, float], ...] = (),
+) -> _Ridden:
     path = Drive().path(length_s)
-    return _Ridden(Trajectory(path.time_s, position_m, angles_rad), path)
+    return _Ridden(Trajectory(path.time_s, position_m, angles_rad, impacts_s), path)
 
 
 def _still(_rng: np.random.Generator, _start_s: float, length_s: float) -> _Ridden:
@@ -204,6 +209,7 @@ def _free_fall(rng: np.random.Generator, start_s: float, length_s: float) -> _Ri
     """
     time_s = knot_times(length_s)
     push, raised = Channel(), Channel()
+    catches_s = []
     for after_s in _DROPS_S:
         edge_s, air_s = 0.03, snapped(0.42)
         catch_s = snapped(_CUSHION_SHARE * air_s)
@@ -212,6 +218,7 @@ def _free_fall(rng: np.random.Generator, start_s: float, length_s: float) -> _Ri
         push.pulse(at_s, edge_s, air_s, -STANDARD_GRAVITY_MPS2)
         at_s += 2.0 * edge_s + air_s
         push.pulse(at_s, edge_s, catch_s, fall / (catch_s + edge_s))
+        catches_s.append((at_s, at_s + 2.0 * edge_s + catch_s))
         # the centres of the two pulses lie so far apart
         apart_s = 0.5 * (air_s + catch_s) + 2.0 * edge_s
         raised.step(snapped(at_s + 1.2), 1.5, fall * apart_s)
@@ -220,7 +227,7 @@ def _free_fall(rng: np.random.Generator, start_s: float, length_s: float) -> _Ri
     position[:, 2] += 1.7 + integral(integral(push.at(time_s))) + raised.at(time_s)
     angles = np.stack([shaker.wander(0.4, np.radians(0.7)) for _ in range(3)], axis=1)
     angles[:, 1] += np.radians(-8.0)
-    return _standing(position, angles, length_s)
+    return _standing(position, angles, length_s, tuple(catches_s))
 
 
 _TREAD_M, _RISER_M = 0.30, 0.165

@@ -266,7 +266,7 @@ def _sound(
     """Return the sound, limited softly, (n,) float32."""
     count = round(duration_s * AUDIO_RATE_HZ)
     snr_db = rng.uniform(8.0, 20.0) if hard else rng.uniform(15.0, 35.0)
-    background = _wind(rng, count) + rng.uniform(0.3, 1.2) * _speech(rng, count)
+    background = wind(rng, count) + rng.uniform(0.3, 1.2) * speech(rng, count)
     background /= np.sqrt(np.mean(background**2))
     signal = np.zeros(count)
     for tap in taps:
@@ -292,15 +292,15 @@ def _add_thump(
     part += size * np.exp(-since_s / decay_s) * np.sin(2 * np.pi * hz * since_s)
 
 
-def _wind(rng: np.random.Generator, count: int) -> Floats:
-    """Low noise that swells and ebbs, over a quieter hiss."""
+def wind(rng: np.random.Generator, count: int) -> Floats:
+    """Return low noise that swells and ebbs, over a quieter hiss, at AUDIO_RATE_HZ."""
     rumble = lfilter([0.06], [1.0, -0.94], rng.standard_normal(count))
     hiss = 0.1 * rng.standard_normal(count)
     return np.asarray(rumble * _swell(rng, count, 6.0, 1.0) + hiss)
 
 
-def _speech(rng: np.random.Generator, count: int) -> Floats:
-    """Syllables: a buzz with a formant, in phrases."""
+def speech(rng: np.random.Generator, count: int) -> Floats:
+    """Return syllables, a buzz with a formant, in phrases, at AUDIO_RATE_HZ."""
     time_s = np.arange(count) / AUDIO_RATE_HZ
     pitch_hz = rng.uniform(100.0, 220.0) * _swell(rng, count, 2.0, 0.08)
     phase = 2 * np.pi * np.cumsum(pitch_hz) / AUDIO_RATE_HZ

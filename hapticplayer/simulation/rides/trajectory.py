@@ -46,13 +46,21 @@ class Motion:
 class Trajectory:
     """Splines through sampled coordinates."""
 
-    def __init__(self, time_s: Floats, position_m: Floats, angles_rad: Floats) -> None:
+    def __init__(
+        self,
+        time_s: Floats,
+        position_m: Floats,
+        angles_rad: Floats,
+        impacts_s: tuple[tuple[float, float], ...] = (),
+    ) -> None:
         """Lay splines through samples (N, 3): position in earth, and yaw, pitch, roll.
 
         The times are equally spaced and reach a little beyond what will be asked for,
-        because splines are loose at their ends.
+        because splines are loose at their ends. `impacts_s` are the spans of single
+        impacts that the samples hold, for what has to find them.
         """
         self.time_s = time_s
+        self.impacts_s = impacts_s
         self._samples = (position_m, angles_rad)
         self._position = make_interp_spline(time_s, position_m, k=_DEGREE)
         self._angles = make_interp_spline(time_s, angles_rad, k=_DEGREE)
@@ -83,7 +91,10 @@ class Trajectory:
         """Return this motion at a later time, with a displacement (N, 3) added."""
         position_m, angles_rad = self._samples
         return Trajectory(
-            self.time_s + later_s, position_m + displacement_m, angles_rad
+            self.time_s + later_s,
+            position_m + displacement_m,
+            angles_rad,
+            tuple((begin + later_s, end + later_s) for begin, end in self.impacts_s),
         )
 
     def mean_rate_radps(self, time_s: Floats, step_s: float) -> Floats:

@@ -84,6 +84,9 @@ def _engine(path: Path, amplitude_mps2: float) -> Floats:
     return np.asarray(path.engine * amplitude_m * np.sin(phase))
 
 
+_KERB_S = 0.11  # in which the camera is lifted
+
+
 @dataclass(frozen=True, slots=True)
 class Bike:
     """A bicycle, its rider and its ground."""
@@ -151,8 +154,10 @@ def ride_bike(
     position = path.position_m + _held(bike, balance, path.yaw_rad)
     position[:, :2] += going[:, None] * _ground(shaker, bike, 0.35, 2)
     position[:, 2] += going * _ground(shaker, bike, 1.0, 1)[:, 0]
-    position[:, 2] += _edges(path, bike, rng) + _drops(path, bike, rng)
-    return Trajectory(path.time_s, position, angles)
+    edges_m, kerbs_s = _edges(path, bike, rng)
+    drops_m, landings_s = _drops(path, bike, rng)
+    position[:, 2] += edges_m + drops_m
+    return Trajectory(path.time_s, position, angles, (*kerbs_s, *landings_s))
 
 
 def _held(bike: Bike, balance_rad: Floats, yaw_rad: Floats) -> Floats:
@@ -175,26 +180,35 @@ def _ground(shaker: Shaker, bike: Bike, share: float, columns: int) -> Floats:
     return np.stack(shakes, axis=1)
 
 
-def _edges(path: Path, bike: Bike, rng: np.random.Generator) -> Floats:
-    """Return the height of kerbs, up and down in turn, met at speed."""
-    height = Channel()
+def _edges(
+    path: Path, bike: Bike, rng: np.random.Generator
+) -> tuple[Floats, list[tuple[float, float]]]:
+    """Return the height of kerbs, up and down in turn, met at speed; and their spans."""
+    height, kerbs_s = Channel(), []
     rise_m = 0.035
     for hit_s in _events(path, bike.edges_s, rng):
-        height.step(hit_s, 0.11, rise_m)
+        height.step(hit_s, _KERB_S, rise_m)
+        kerbs_s.append((hit_s, hit_s + _KERB_S))
         rise_m = -rise_m
-    return height.at(path.time_s)
+    return height.at(path.time_s), kerbs_s
 
 
-def _drops(path: Path, bike: Bike, rng: np.random.Generator) -> Floats:
-    """Return the height lost in drops: almost free fall, then twice as hard a landing."""
-    fall = Channel()
+def _drops(
+    path: Path, bike: Bike, rng: np.random.Generator
+) -> tuple[Floats, list[tuple[float, float]]]:
+    """Return the height lost in drops: almost free fall, then twice as hard a landing.
+
+    And the spans of the landings.
+    """
+    fall, landings_s = Channel(), []
     for hit_s in _events(path, bike.drops_s, rng):
         air_s, edge_s = float(rng.uniform(0.2, 0.45)), 0.08
         landing_s = 0.5 * (air_s + edge_s) - edge_s
         fall.pulse(hit_s, edge_s, air_s, -0.95 * STANDARD_GRAVITY_MPS2)
         after_s = hit_s + 2.0 * edge_s + air_s
         fall.pulse(after_s, edge_s, landing_s, 1.9 * STANDARD_GRAVITY_MPS2)
-    return integral(integral(fall.at(path.time_s)))
+        landings_s.append((after_s, after_s + 2.0 * edge_s + landing_s))
+    return integral(integral(fall.at(path.time_s))), landings_s
 
 
 def _events(path: Path, every_s: float, rng: np.random.Generator) -> list[float]:

@@ -1,0 +1,57 @@
+"""The command `events`: what happens in a sequence, and what to make of it."""
+
+import argparse
+import dataclasses
+import json
+
+from hapticplayer.cli.common import interruptible, say
+from hapticplayer.rendering.event import Event
+from hapticplayer.rendering.events import DETECTORS
+from hapticplayer.sequence.events import events_of
+
+_LISTED = "; ".join(f"{one.name}: {one.text.lower()}" for one in DETECTORS)
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument("sequence", metavar="SEQUENCE", help="nothing in it changes")
+    command.add_argument(
+        "--kind",
+        action="append",
+        choices=[detector.name for detector in DETECTORS],
+        help=f"one kind, or several by repeating it (default: all). {_LISTED}",
+    )
+    command.add_argument(
+        "--sound",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="let the sound of the clip confirm impacts (default: yes)",
+    )
+    command.add_argument("--json", action="store_true", help="print them as JSON")
+
+
+def run(options: argparse.Namespace, _open_window: object) -> int:
+    """Print the events of a sequence."""
+    with interruptible():
+        events = events_of(
+            options.sequence, kinds=options.kind, with_sound=options.sound
+        )
+    if options.json:
+        listed = [dataclasses.asdict(event) for event in events]
+        content = {"sequence": options.sequence, "events": listed}
+        say(json.dumps(content, ensure_ascii=False))
+        return 0
+    for event in events:
+        say(_line(event))
+    say(f"{len(events)} events")
+    return 0
+
+
+def _line(event: Event) -> str:
+    numbers = [f"{name} {value:g}" for name, value in event.effect.parameters.items()]
+    return (
+        f"{event.start_s:8.2f} to {event.end_s:8.2f} s  {event.kind:<10}  "
+        f"{event.confidence:4.0%}  {event.text} "
+        f"(effect: {', '.join([event.effect.kind, *numbers])})"
+    )
