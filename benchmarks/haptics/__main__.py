@@ -12,5 +12,6 @@ PLACES = {
     "kinematics": "haptics.falcon:kinematics",
     "centring": "campaigns:centring",
     "washout": "haptics.washout",
+    "events": "haptics.events",
 }
 sys.exit(command("haptics", __doc__, PLACES))
