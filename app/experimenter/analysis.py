@@ -37,7 +37,7 @@ from hapticplayer.study.study_folder import Study, open_study
 
 SCHEME = "figure:"
 """Of the addresses of the figures in the text."""
-_ANALYSED = 0.7  # of the work
+_READ, _ANALYSED = 0.3, 0.7  # of the work
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +64,11 @@ def made_report(answers: Answers, *, progress: Progress) -> Report:
     figures = {name: image(figure) for name, figure in parts.draw().items()}
     html = body(parts.blocks, lambda name: SCHEME + name)
     return Report(answers, html, figures, DPI)
+
+
+def answers_with_force(folder: Path, *, progress: Progress) -> Answers:
+    """Return the answers of a study, with what hands got: its records are large."""
+    return read_answers(folder, lambda fraction, step: progress(_READ * fraction, step))
 
 
 def written_report(
@@ -115,7 +120,7 @@ class AnalysisPage(QWidget):
     def __init__(
         self,
         title: str,
-        read: Callable[[], Answers],
+        read: Callable[[Progress], Answers],
         export: Export,
         say: Callable[[str], None],
         clock: Clock,
@@ -218,8 +223,14 @@ class AnalysisPage(QWidget):
 
     def _work(self, progress: Progress) -> Report:
         progress(0.0, Message("reading the answers"))
-        answers = self._read()
-        return in_child(made_report, answers, progress=progress)
+        answers = self._read(progress)
+        return in_child(
+            made_report,
+            answers,
+            progress=lambda fraction, step: progress(
+                _READ + (1.0 - _READ) * fraction, step
+            ),
+        )
 
     def _show(self, report: Report) -> None:
         """Show it in steps: a figure is decoded in 12 ms, a part laid out in 10."""
@@ -305,7 +316,7 @@ class AnalysisWindow(QMainWindow):
         self.messages = MessageBar()
         self.page = AnalysisPage(
             title,
-            lambda: read_answers(folder),
+            lambda progress: in_child(answers_with_force, folder, progress=progress),
             lambda target, form, progress: in_child(
                 exported, folder, target, form, progress=progress
             ),

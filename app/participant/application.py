@@ -43,9 +43,9 @@ from hapticplayer.study.session_setup import (
     check_unchanged,
     load_material,
     make_stage,
-    next_record,
 )
 from hapticplayer.study.study_folder import Study, begin_session, open_study
+from hapticplayer.study.ticks import next_record
 
 PRIVATE = 0o077  # umask: the records of the device belong to the participant too
 WATCH_HZ, SLOW_HZ = 30.0, 2.0

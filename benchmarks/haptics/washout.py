@@ -24,6 +24,7 @@ from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 from hapticplayer.rendering import render_force
 from hapticplayer.rendering.washout import Washout, washed_out
+from hapticplayer.rendering.weighting import weighted
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import PRESETS, washout_of
 from hapticplayer.simulation.rides.catalogue import SCENES
@@ -136,13 +137,9 @@ class Judge:
 
     def __init__(self, wanted: Floats, washout: Washout) -> None:
         frequency_hz = fft.rfftfreq(wanted.shape[1], 1.0 / RATE_HZ)
-        self._weight = washout.weight(frequency_hz)
         self._reaches = washout.reaches(frequency_hz)
         self._size = wanted.shape[1]
-        self._wanted = self._weighted(wanted)
-
-    def _weighted(self, force: Floats) -> Any:
-        return self._weight * fft.rfft(force)
+        self._wanted = weighted(wanted, RATE_HZ)
 
     def reach(self, force: Floats) -> float:
         """Return the furthest of any hand, in limits."""
@@ -151,16 +148,16 @@ class Judge:
 
     def error(self, force: Floats) -> float:
         """Return rms(W(force - wanted)) / rms(W wanted)."""
-        return self._error(self._weighted(force))
+        return self._error(weighted(force, RATE_HZ))
 
     def best_error(self, force: Floats, limit: float) -> float:
         """Return the error at the best gain that keeps the hands within a limit."""
-        made = self._weighted(force)
-        gain = np.vdot(made, self._wanted).real / max(np.vdot(made, made).real, 1e-12)
+        made = weighted(force, RATE_HZ)
+        gain = np.vdot(made, self._wanted) / max(np.vdot(made, made), 1e-12)
         most = limit / max(self.reach(force), 1e-12)
         return self._error(min(gain, most) * made)
 
-    def _error(self, made: Any) -> float:
+    def _error(self, made: Floats) -> float:
         off = np.linalg.norm(made - self._wanted)
         return float(off / np.linalg.norm(self._wanted))
 

@@ -12,7 +12,12 @@ from hapticplayer.cli.common import add_device_name, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.interchange.study_export import EXPORTERS, export_study
-from hapticplayer.study.answers import collect_answers, save_reviewed, text_digest
+from hapticplayer.study.answers import (
+    collect_answers,
+    is_simulated,
+    save_reviewed,
+    text_digest,
+)
 from hapticplayer.study.creation import create_study, sequence_folder
 from hapticplayer.study.merging import merge_sessions
 from hapticplayer.study.session_folder import SessionState, StoredSession
@@ -211,6 +216,7 @@ def _session(session: StoredSession) -> dict[str, Any]:
         "code": session.code,
         "created_utc": session.plan.created_utc,
         "state": session.state.value,
+        "simulated": is_simulated(session),
         "answered": len(last),
         "planned": len(session.plan.order),
         "not_sound": sum(not trial.sound for trial in last.values()),
@@ -235,8 +241,13 @@ def _status_text(report: dict[str, Any]) -> str:
     lines += [
         f"  {one['code']}  {one['state']:<11}{one['answered']}/{one['planned']}"
         f" answered, {one['not_sound']} not sound  {one['created_utc'][:16]}"
+        + "  simulated"
+        * one["simulated"]
         for one in report["sessions"]
     ]
+    if simulated := sum(one["simulated"] for one in report["sessions"]):
+        count = len(report["sessions"])
+        lines.append(f"  {simulated} of {count} sessions are simulated")
     lines.append(f"  {report['deleted']} deleted")
     place, pairs = report["balance"].values()
     lines.append(

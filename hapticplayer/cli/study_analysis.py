@@ -156,16 +156,16 @@ def analyse(options: argparse.Namespace) -> int:
     )
     with interruptible(), shown_progress() as progress:
         found = analyse_study(
-            read_answers(options.study),
+            read_answers(options.study, lambda f, step: progress(0.3 * f, step)),
             choices,
-            lambda f, step: progress(0.5 * f, step),
+            lambda f, step: progress(0.3 + 0.3 * f, step),
         )
         if options.output is not None:
             write_report(
                 found,
                 options.output,
                 found.answers.conduct.title,
-                lambda f, step: progress(0.5 + 0.5 * f, step),
+                lambda f, step: progress(0.6 + 0.4 * f, step),
             )
     numbers = parts_of(found).numbers
     say(_json(numbers) if options.json else _analysis_text(found, numbers))

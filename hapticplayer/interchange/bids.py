@@ -14,22 +14,25 @@ import numpy as np
 from hapticplayer import __version__
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.interchange.study_csv import (
+    FELT,
     DataColumn,
     DataTable,
+    felt_cells,
     participants,
     separated,
 )
 from hapticplayer.interchange.study_data import (
     StudyData,
     markers_of,
-    tick_files,
 )
 from hapticplayer.sequence.files import json_text
 from hapticplayer.study import private
-from hapticplayer.study.answers import Answers
+from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.definition import Definition
+from hapticplayer.study.felt import Felt
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials
+from hapticplayer.study.ticks import tick_files
 
 VERSION = "1.10.0"
 TASK, SYSTEM, RATE_HZ = "qoe", "falcon", 1000
@@ -41,6 +44,7 @@ _BEH = (
     DataColumn("delay_s", "delay of the force"),
     DataColumn("gain", "of the force, 1 as recorded"),
     DataColumn("sound", "whether the playback was valid"),
+    *FELT,
     DataColumn("response_time", "from the questions to the answer"),
 )
 _CHANNELS = (
@@ -81,7 +85,7 @@ def write_bids(data: StudyData, folder: Path) -> None:
         _subject(session, data, folder / f"sub-{session.code}")
     if any(folder.rglob("*_events.tsv")):  # a sidecar without data is an error
         _json(folder / f"task-{TASK}_events.json", _events_sidecar())
-    private.write_new(folder / "README", _readme(definition, folder))
+    private.write_new(folder / "README", _readme(data, folder))
 
 
 def _dataset(definition: Definition) -> dict[str, Any]:
@@ -93,8 +97,11 @@ def _dataset(definition: Definition) -> dict[str, Any]:
     }
 
 
-def _readme(definition: Definition, folder: Path) -> bytes:
+def _readme(data: StudyData, folder: Path) -> bytes:
     """Return a description of the tables that are in the folder."""
+    definition = data.definition
+    mark = simulated_mark(data.answers.participants)
+    mark = mark and f"{mark.capitalize()}: no person gave these answers.\n\n"
     tables = [
         f"- {pattern}: {text}\n"
         for pattern, text in _TABLES.items()
@@ -102,6 +109,7 @@ def _readme(definition: Definition, folder: Path) -> bytes:
     ]
     text = (
         f"{definition.title}\n\n"
+        f"{mark}"
         "Participants watched clips and answered questions after each. Codes were made "
         "by the program.\n\n"
         f"{''.join(tables)}\n"
@@ -158,6 +166,12 @@ def _beh_sidecar(definition: Definition) -> dict[str, Any]:
         made[column.name] = {"Description": column.meaning}
     for name in ("delay_s", "response_time"):
         made[name]["Units"] = "s"
+    for column in FELT:
+        if column.levels in ("N", "m", "s"):
+            made[column.name]["Units"] = column.levels
+    made["feedback"]["Levels"] = {
+        one.name: one.text for one in definition.chosen_feedbacks
+    }
     for question in definition.trial_questions:
         made[question.key] = {
             "LongName": question.key,
@@ -173,7 +187,11 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     behaviour.mkdir(mode=private.FOLDER_MODE)
     keys = [question.key for question in data.definition.trial_questions]
     columns = [*_BEH, *(DataColumn(key, "") for key in keys)]
-    rows = [_beh_row(trial, keys) for trial in answered_trials(session.records)]
+    felt = data.felt(session)
+    rows = [
+        _beh_row(trial, felt.get((trial.position, trial.attempt)), keys)
+        for trial in answered_trials(session.records)
+    ]
     table = DataTable(f"{name}_task-{TASK}_beh.tsv", columns, rows)
     _table(behaviour / table.name, table)
     scans: list[tuple[str, str]] = []
@@ -187,7 +205,9 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
         _rows(folder / f"{name}_scans.tsv", ("filename", "acq_time"), scans)
 
 
-def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
+def _beh_row(
+    trial: AnsweredTrial, felt: Felt | None, keys: list[str]
+) -> tuple[Any, ...]:
     condition = trial.condition
     return (
         trial.position,
@@ -197,6 +217,7 @@ def _beh_row(trial: AnsweredTrial, keys: list[str]) -> tuple[Any, ...]:
         condition.delay_s,
         condition.gain,
         trial.sound,
+        *felt_cells(felt),
         trial.response_s,
         *(trial.values.get(key) for key in keys),
     )

@@ -3,14 +3,14 @@
 import csv
 import io
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from hapticplayer.interchange.study_data import StudyData
 from hapticplayer.study import private
 from hapticplayer.study.answers import Answers
-from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.felt import LEAST_FORCE_N, MOST_ERROR, Felt
 from hapticplayer.study.steps import answered_trials
 
 
@@ -33,7 +33,7 @@ class DataTable(NamedTuple):
 _WHO = DataColumn("participant", "code of the participant")
 _WHERE = (
     DataColumn("sequence", "key of the sequence"),
-    DataColumn("feedback", "force condition"),
+    DataColumn("feedback", "key of the force condition"),
 )
 _SOUND = DataColumn("sound", "whether the playback was valid", "true|false")
 _PLAYED = (
@@ -44,6 +44,46 @@ _PLAYED = (
     DataColumn("missed", "missed periods of the 1 kHz haptic loop"),
     DataColumn("ticks", "exchanges with the device"),
 )
+FELT = (
+    DataColumn(
+        "force_error",
+        "force sent less planned, RMS weighted by frequency, as a share of the planned force; empty where none was planned",
+        "1",
+    ),
+    DataColumn("force_error_n", "the same difference in newtons", "N"),
+    DataColumn("force_planned_n", "planned force, RMS weighted by frequency", "N"),
+    DataColumn("reach_m", "largest distance of the grip from the centre", "m"),
+    DataColumn(
+        "faded_s",
+        "time with less force than planned: entry, ramps, stops, fade at the edge of the workspace",
+        "s",
+    ),
+    DataColumn(
+        "saturated_share",
+        "share of the time in which the force cap took something",
+        "0 to 1",
+    ),
+    DataColumn(
+        "force_is_off",
+        f"force_error_n is above {LEAST_FORCE_N} N and above {MOST_ERROR} of force_planned_n",
+        "true|false",
+    ),
+)
+"""What the hand got in a trial, from the record of the device; empty without one."""
+
+
+def felt_cells(felt: Felt | None) -> tuple[Any, ...]:
+    """Return the values of FELT."""
+    if felt is None:
+        return (None,) * len(FELT)
+    numbers = (
+        *(felt.error, felt.error_n, felt.planned_n),
+        *(felt.reach_m, felt.faded_s, felt.saturated_share),
+    )
+    cells = (None if one is None else float(f"{one:.4g}") for one in numbers)
+    return (*cells, felt.is_off)
+
+
 _TRIAL_COLUMNS = (
     _WHO,
     DataColumn("position", "place in this participant's order, from 1"),
@@ -55,6 +95,7 @@ _TRIAL_COLUMNS = (
     _SOUND,
     DataColumn("reasons", "why the playback was not valid, separated by semicolons"),
     *_PLAYED,
+    *FELT,
     DataColumn("response_s", "from the questions to the answer", "s"),
     DataColumn("answers", "all answers as JSON"),
 )
@@ -70,11 +111,11 @@ def write_csv(data: StudyData, folder: Path) -> None:
         participants(answers),
         _ratings(answers),
         _judgements(answers),
-        DataTable("trials.csv", _TRIAL_COLUMNS, list(_trial_rows(data.sessions))),
+        DataTable("trials.csv", _TRIAL_COLUMNS, list(_trial_rows(data))),
         _texts(answers),
     ]
     tables = [table for table in made if table.rows]
-    for table in [*tables, _dictionary(tables)]:
+    for table in [*tables, _dictionary(tables, answers.conduct.feedbacks)]:
         private.write_new(folder / table.name, separated(table))
 
 
@@ -147,9 +188,10 @@ def _texts(answers: Answers) -> DataTable:
     return DataTable("texts.csv", columns, rows)
 
 
-def _trial_rows(sessions: Iterable[StoredSession]) -> Iterator[Sequence[Any]]:
+def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
     """Yield a row for each answered attempt, including repeated ones."""
-    for session in sessions:
+    for session in data.sessions:
+        felt = data.felt(session)
         for trial in answered_trials(session.records):
             condition = trial.condition
             yield (
@@ -164,20 +206,26 @@ def _trial_rows(sessions: Iterable[StoredSession]) -> Iterator[Sequence[Any]]:
                 trial.sound,
                 ";".join(trial.reasons),
                 *(trial.playback.get(column.name) for column in _PLAYED),
+                *felt_cells(felt.get((trial.position, trial.attempt))),
                 trial.response_s,
                 json.dumps(dict(trial.values), sort_keys=True),
             )
 
 
-def _dictionary(tables: Iterable[DataTable]) -> DataTable:
+def _dictionary(tables: Iterable[DataTable], feedbacks: Mapping[str, str]) -> DataTable:
     """Return the data dictionary: the meaning of each column."""
+    meant = {"feedback": "|".join(f"{key}: {text}" for key, text in feedbacks.items())}
     columns = (
         DataColumn("file", "name of the table"),
         DataColumn("column", "name of the column"),
         DataColumn("meaning", "meaning of the column"),
         DataColumn("unit_or_levels", "SI unit, or the possible values"),
     )
-    rows = [(t.name, c.name, c.meaning, c.levels) for t in tables for c in t.columns]
+    rows = [
+        (t.name, c.name, c.meaning, c.levels or meant.get(c.name, ""))
+        for t in tables
+        for c in t.columns
+    ]
     return DataTable("data_dictionary.csv", columns, rows)
 
 

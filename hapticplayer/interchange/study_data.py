@@ -7,14 +7,15 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError, Message, joined
-from hapticplayer.haptics.record_reader import RecordReader
+from hapticplayer.errors import Message
 from hapticplayer.sequence.files import Progress
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
+from hapticplayer.study.felt import Felt
+from hapticplayer.study.felt_trials import TrialKey, felt_trials
 from hapticplayer.study.session_folder import StoredSession
-from hapticplayer.study.session_setup import RECORD
 from hapticplayer.study.steps import position_of
+from hapticplayer.study.ticks import tick_chunks
 
 _MARKED = {
     "trial-begin": "begin",
@@ -26,7 +27,6 @@ _MARKED = {
     "resume": "resume",
     "end": "session end",
 }
-_WANTED = ("monotonic_s", "media_s", "force_n", "position_m")
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +53,13 @@ class StudyData:
         for ticks in tick_chunks(path, self.remarks):
             self.progress(fraction, Message("writing {code}", code=session.code))
             yield ticks
+
+    def felt(self, session: StoredSession) -> dict[TrialKey, Felt]:
+        """Return what the hand got in each trial of a session that has a record."""
+        fraction = self.sessions.index(session) / len(self.sessions)
+        step = Message("reading records of {code}", code=session.code)
+        self.progress(fraction, step)
+        return felt_trials(session, self.remarks)
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,26 +92,3 @@ def _condition_key(session: StoredSession, step: str) -> str:
     """Return the condition of a trial; empty for other steps."""
     position = position_of(step)
     return session.plan.order[position - 1].key if position else ""
-
-
-def tick_files(session: StoredSession) -> list[Path]:
-    """Return the records of the device, one for each run of the session."""
-    pattern = RECORD.format(0).replace("00", "*")
-    return sorted(session.folder.glob(pattern))
-
-
-def tick_chunks(path: Path, remarks: list[str]) -> Iterator[NDArray[Any]]:
-    """Yield the intact ticks of a record; damage is added to the remarks."""
-    name = f"{path.parent.name}/{path.name}"
-    try:
-        with RecordReader(path) as reader:
-            if not set(_WANTED) <= set(reader.dtype.names or ()):
-                what = Message("lacks what is to be exported")
-                remarks.append(joined(": ", (name, what)))
-                return
-            for frame in reader.frames():
-                yield frame.ticks
-            if reader.notice:
-                remarks.append(joined(": ", (name, reader.notice)))
-    except InputError as problem:
-        remarks.append(joined(": ", (name, problem.what)))

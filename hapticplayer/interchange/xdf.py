@@ -19,10 +19,10 @@ from hapticplayer.interchange.study_data import (
     Marker,
     StudyData,
     markers_of,
-    tick_files,
 )
 from hapticplayer.study import private
 from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.ticks import tick_files
 
 _FILE_HEADER, _STREAM_HEADER, _SAMPLES, _OFFSET, _FOOTER = 1, 2, 3, 4, 6
 _WIDE = b"\x08"  # a length in eight bytes, a time stamp follows

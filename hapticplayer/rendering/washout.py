@@ -8,9 +8,8 @@ Over a piece of the track, three axes together,
         |(1 + a s) X_h(s) u| <= R for each design hand h
         X_h = 1 / (m s^2 + b s + k (1 - Y)),  Y = (1/t_y) / (s + 1/t_y + 1/t_r)
 
-    |W(f)|^2 = (w^2 + (f/f_1)^2) / (1 + (f/f_1)^2) / (1 + (f/f_2)^4)
-
-X_h is the way of grip and hand under a force, Y the rest point of a hand that gives way.
+X_h is the way of grip and hand under a force, Y the rest point of a hand that gives way,
+W the weight of an error by its frequency, see `weighting`.
 W and X_h do not change with time, so the alternating direction method of multipliers
 (Boyd et al. 2011, section 3; over-relaxation 3.4.3, varying penalty 3.4.1) solves for u
 with one division per frequency; its other steps clip and shorten vectors. The solution
@@ -29,6 +28,7 @@ from hapticplayer.errors import InputError
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
+from hapticplayer.rendering.weighting import CONSTANT_WEIGHT, weight
 
 SOLVE_HZ = 50.0
 PIECE_S, BLEND_S = 30.0, 2.0
@@ -42,7 +42,6 @@ _OVERLAP_S = RUN_UP_S + BLEND_S + LOOK_AHEAD_S
 _PAD_S = 8.0  # zeros in which the slowest hand comes back
 _TAPER_S = 1.0  # a piece begins and ends without a step that the track does not have
 _OVERSAMPLING = 8  # before the low-pass that comes before 50 Hz
-_CORNERS_HZ = 0.5, 15.0
 _RELAXATION, _FIRST_PENALTY, _PENALTY_STEP, _APART = 1.7, 2.0, 1.6, 5.0
 _CHECK_EVERY, _LEAST_ITERATIONS, _MOST_ITERATIONS = 10, 40, 400
 _EXCESS_SHARE, _ERROR_STEP = 0.005, 0.0005
@@ -93,14 +92,12 @@ class Washout:
     reach_m: float
     ahead_s: float = 0.010
     false_force_n: float = 0.15
-    constant_weight: float = 0.3
+    constant_weight: float = CONSTANT_WEIGHT
     force_limit_n: float = DEFAULT_FORCE_LIMIT_N
 
     def weight(self, frequency_hz: Floats) -> Floats:
         """Return |W|, (M,), at frequencies (M,)."""
-        low, high = (np.square(frequency_hz / corner) for corner in _CORNERS_HZ)
-        square = (self.constant_weight**2 + low) / (1.0 + low) / (1.0 + high * high)
-        return np.asarray(np.sqrt(square))
+        return weight(frequency_hz, self.constant_weight)
 
     def reaches(self, frequency_hz: Floats) -> NDArray[np.complex128]:
         """Return (1 + a s) X_h / R, (hands, 3, M), at frequencies (M,)."""

@@ -2,12 +2,13 @@
 
 import hashlib
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.sequence.files import Progress
 from hapticplayer.study import json_files, private
 from hapticplayer.study.conduct import Conduct, conduct_of
 from hapticplayer.study.definition import (
@@ -17,6 +18,7 @@ from hapticplayer.study.definition import (
     QuestionKind,
     TrialKind,
 )
+from hapticplayer.study.felt_trials import felt_trials
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials, page_values
 from hapticplayer.study.study_folder import Study, open_study
@@ -141,19 +143,34 @@ class Answers:
     conduct: Conduct = field(default_factory=Conduct)
 
 
-def read_answers(study_folder: str | Path) -> Answers:
+def simulated_mark(participants: Sequence[Participant]) -> str:
+    """Return what marks each page and figure; empty if nobody is simulated."""
+    simulated = sum(one.simulated for one in participants)
+    if not simulated:
+        return ""
+    if simulated == len(participants):
+        return "simulated data"
+    return f"partly simulated data: {simulated} of {len(participants)} participants"
+
+
+def read_answers(study_folder: str | Path, progress: Progress | None = None) -> Answers:
     """Return all answers of the study in a folder.
 
     The last answers to a repeated trial count. Trials that are damaged or not part of
     the definition are left out and listed in `remarks`.
 
+    Args:
+        study_folder: with its definition.
+        progress: called while the records of the device are read, for what hands got;
+            they are large, and not read for None.
+
     Raises:
         StudyError: when the folder is not a study.
     """
-    return collect_answers(open_study(study_folder))
+    return collect_answers(open_study(study_folder), progress)
 
 
-def collect_answers(study: Study) -> Answers:
+def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
     """Return all answers of an opened study, see `read_answers`."""
     sessions, remarks = study.sessions()
     remarks += _session_remarks(sessions)
@@ -161,6 +178,12 @@ def collect_answers(study: Study) -> Answers:
     definition = study.definition
     collected = [_SessionAnswers(session, definition, remarks) for session in sessions]
     is_rating = definition.trial is TrialKind.RATING
+    felt = {}
+    for number, session in enumerate(sessions if progress else ()):
+        assert progress is not None
+        step = Message("reading records of {code}", code=session.code)
+        progress(number / len(sessions), step)
+        felt[session.code] = felt_trials(session, remarks)
     return Answers(
         participants=tuple(one.participant() for one in collected),
         ratings=tuple(r for one in collected for r in one.ratings()),
@@ -171,7 +194,7 @@ def collect_answers(study: Study) -> Answers:
         judgements=tuple(j for one in collected for j in one.judgements()),
         repeated=sum(one.repeated for one in collected) * len(definition.factors),
         remarks=tuple(remarks),
-        conduct=conduct_of(definition, sessions),
+        conduct=conduct_of(definition, sessions, felt),
     )
 
 
@@ -190,7 +213,7 @@ def _session_remarks(sessions: list[StoredSession]) -> Iterator[str]:
             early=early,
             count=len(sessions),
         )
-    if scripted := sum(map(_is_simulated, sessions)):
+    if scripted := sum(map(is_simulated, sessions)):
         yield Message(
             "{scripted} of {count} sessions are simulated",
             scripted=scripted,
@@ -198,7 +221,8 @@ def _session_remarks(sessions: list[StoredSession]) -> Iterator[str]:
         )
 
 
-def _is_simulated(session: StoredSession) -> bool:
+def is_simulated(session: StoredSession) -> bool:
+    """Whether no person took part in a session."""
     begun = [r for r in session.records.intact if r.kind == "begin"]
     return any("scripted" in record.content for record in begun)
 
@@ -246,7 +270,7 @@ class _SessionAnswers:
             handedness=_of_type(sheet.get("handedness"), str),
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
             complete=self._session.state is SessionState.COMPLETE,
-            simulated=_is_simulated(self._session),
+            simulated=is_simulated(self._session),
         )
 
     def ratings(self) -> Iterator[Rating]:

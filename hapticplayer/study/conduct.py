@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from hapticplayer.study.definition import Definition
+from hapticplayer.study.felt import Felt
+from hapticplayer.study.felt_trials import TrialKey
 from hapticplayer.study.orders import balance_of
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import answered_trials
@@ -20,6 +22,8 @@ class AnsweredPlayback:
         sound: whether the playback was without a fault.
         response_s: from page to answer, s; None if not measured.
         figures: of the playback, see `stage`; empty if there are none.
+        trial: code of the participant, position and condition, for people.
+        felt: what the hand got; None without a record, or if it was not read.
     """
 
     feedback: str
@@ -27,6 +31,8 @@ class AnsweredPlayback:
     sound: bool
     response_s: float | None = None
     figures: Mapping[str, Any] = field(default_factory=dict)
+    trial: str = ""
+    felt: Felt | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +50,7 @@ class Conduct:
         at_position: smallest and largest count of a condition at a position.
         followed: smallest and largest count of a condition after another one.
         playbacks: of all trials with answers.
+        feedbacks: what each is, by key.
     """
 
     title: str = ""
@@ -56,15 +63,22 @@ class Conduct:
     at_position: tuple[int, int] = (0, 0)
     followed: tuple[int, int] = (0, 0)
     playbacks: tuple[AnsweredPlayback, ...] = ()
+    feedbacks: Mapping[str, str] = field(default_factory=dict)
 
 
-def conduct_of(definition: Definition, sessions: Iterable[StoredSession]) -> Conduct:
+def conduct_of(
+    definition: Definition,
+    sessions: Iterable[StoredSession],
+    felt: Mapping[str, Mapping[TrialKey, Felt]] | None = None,
+) -> Conduct:
     """Return how a study was conducted.
 
     Args:
         definition: of the study.
         sessions: with answers.
+        felt: what hands got in their trials, by code.
     """
+    by_code = felt or {}
     sessions = list(sessions)
     dates = sorted(one.plan.created_utc[:10] for one in sessions)
     balance = balance_of(definition, [one.plan.order for one in sessions])
@@ -85,8 +99,11 @@ def conduct_of(definition: Definition, sessions: Iterable[StoredSession]) -> Con
                 trial.sound,
                 trial.response_s,
                 trial.playback if isinstance(trial.playback, dict) else {},
+                f"{one.code} {trial.position} ({trial.condition.key})",
+                by_code.get(one.code, {}).get((trial.position, trial.attempt)),
             )
             for one in sessions
             for trial in answered_trials(one.records)
         ),
+        feedbacks={one.name: one.text for one in definition.chosen_feedbacks},
     )

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, StudyError, UsageError, message_of
@@ -16,8 +15,6 @@ from hapticplayer.study.demonstration import demonstration_source
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.stage import PlayerStage
 from hapticplayer.study.study_folder import Study
-
-RECORD = "ticks-{:02d}.hprec"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,14 +93,6 @@ def check_unchanged(session: StoredSession, material: Material) -> None:
                 remedy="restore the old sequence, or stop this session",
                 key=key,
             )
-
-
-def next_record(session_folder: Path) -> Path:
-    """Return the path for the ticks of the next run of a session."""
-    number = 1
-    while (path := session_folder / RECORD.format(number)).exists():
-        number += 1
-    return path
 
 
 def make_stage(

@@ -5222,6 +5222,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>gelesen</translation>
     </message>
     <message>
+        <source>reading records of {code}</source>
+        <translation>Aufzeichnungen von {code} werden gelesen</translation>
+    </message>
+    <message>
         <source>reading the copy</source>
         <translation>Lese die Kopie</translation>
     </message>

@@ -5222,6 +5222,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>lu</translation>
     </message>
     <message>
+        <source>reading records of {code}</source>
+        <translation>lecture des enregistrements de {code}</translation>
+    </message>
+    <message>
         <source>reading the copy</source>
         <translation>lecture de la copie</translation>
     </message>

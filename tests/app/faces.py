@@ -99,7 +99,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         ),
         "study": lambda: StudyEditor(study, window),
         "analysis": lambda: AnalysisPage(
-            "Rides", list, _no_export, print, window.clock
+            "Rides", lambda _progress: [], _no_export, print, window.clock
         ),
         "session": lambda: _operator(window.surface),
     }

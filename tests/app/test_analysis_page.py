@@ -25,7 +25,7 @@ def failures() -> list[str]:
 def make_page(application, qtbot, failures):
     made = []
 
-    def make(read=lambda: simulated_answers(6, seed=1)) -> AnalysisPage:
+    def make(read=lambda _progress: simulated_answers(6, seed=1)) -> AnalysisPage:
         export, say = (lambda *_: []), failures.append
         page = AnalysisPage("Rides", read, export, say, SystemClock())
         qtbot.addWidget(page)
@@ -92,7 +92,7 @@ def test_a_study_that_nobody_took_part_in_says_so_in_its_window(
 
 
 def test_what_cannot_be_analysed_is_told(make_page, wait_for, failures):
-    def read():
+    def read(_progress):
         raise InputError("there is no participant")
 
     page = make_page(read)
@@ -106,7 +106,7 @@ def test_what_cannot_be_analysed_is_told(make_page, wait_for, failures):
 def test_the_work_can_be_stopped(make_page, wait_for, failures):
     may_go_on = threading.Event()
 
-    def read():
+    def read(_progress):
         may_go_on.wait(20.0)
         return simulated_answers(6, seed=1)
 

@@ -7,8 +7,8 @@ from sitting import KEYS, Person
 
 from hapticplayer.errors import StudyError
 from hapticplayer.interchange.lsl import FORCE, MARKERS, LslStreams
-from hapticplayer.interchange.study_data import tick_chunks, tick_files
 from hapticplayer.study.pages import PageKind
+from hapticplayer.study.ticks import tick_chunks, tick_files
 
 WAIT_S, NOW_S = 20.0, 0.5  # what has been sent may still be on its way
 ANSWERS = (3, 2, 5, 1)

@@ -117,6 +117,13 @@ def check_bids(out, ticks, code):
     assert [
         {factor: int(row[factor]) for factor in FACTORS} for row in answered
     ] == list(TRIALS.values())
+    for row in answered:
+        assert 0.0 < float(row["reach_m"]) < 0.04
+        assert float(row["faded_s"]) > 0.19  # the entry, which a busy machine repeats
+        if row["feedback"] == "none":
+            assert row["force_error"] == "n/a"
+        else:  # a tenth of the clip is the entry
+            assert 0.0 < float(row["force_error"]) < 1.0
     (person,) = table(out / "participants.tsv")
     assert person["participant_id"] == f"sub-{code}"
     assert (person["age"], person["handedness"]) == ("28", "left")

@@ -11,6 +11,7 @@ from hapticplayer import __version__
 from hapticplayer.errors import Message
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
+from hapticplayer.study.analysis.felt_report import felt_summary
 from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
 from hapticplayer.study.analysis.rank_sum import MANN_WHITNEY
 from hapticplayer.study.analysis.rank_tests import SHAPIRO, WILCOXON
@@ -165,7 +166,7 @@ def _described(
 def summary(analysis: Analysis) -> dict[str, Any]:
     """Return the analysis as JSON, in the stable layout for other programs.
 
-    `qoe` has the feedbacks, `factors` the same for each factor; each statistic and
+    `qoe` and `felt` have the feedbacks, `factors` the same for each factor; each statistic and
     `conditions` have the measures ("qoe" and the factors) first. A pair is called
     "first-second". What is not defined is None.
     """
@@ -190,6 +191,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         },
         "conditions": conditions,
         "missing": missing(analysis),
+        "felt": felt_summary(analysis.answers),
         "warnings": warnings_of(analysis),
         "provenance": analysis.options.provenance(),
     }

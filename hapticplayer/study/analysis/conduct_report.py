@@ -15,7 +15,7 @@ from hapticplayer.study.analysis.blocks import (
     ReportTable,
 )
 from hapticplayer.study.analysis.statistic import listed, number
-from hapticplayer.study.answers import Answers, Participant
+from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.conduct import AnsweredPlayback
 
 ALL = "all"
@@ -31,16 +31,6 @@ SYNC = {
     "force_minus_picture_ms": "force - video, ms",
     "force_minus_sound_ms": "force - sound, ms",
 }
-
-
-def simulated_mark(participants: Sequence[Participant]) -> str:
-    """Return what marks each page and figure; empty if nobody is simulated."""
-    simulated = sum(one.simulated for one in participants)
-    if not simulated:
-        return ""
-    if simulated == len(participants):
-        return "simulated data"
-    return f"partly simulated data: {simulated} of {len(participants)} participants"
 
 
 def identity(answers: Answers) -> Iterator[ReportBlock]:
@@ -89,6 +79,14 @@ def _ages(ages: Any, everyone: int) -> str:
 def _counted(values: Sequence[str | None]) -> str:
     counts = Counter(value or "unknown" for value in values)
     return ", ".join(f"{count} {name}" for name, count in counts.most_common())
+
+
+def feedback_conditions(answers: Answers) -> Iterator[ReportBlock]:
+    """Yield what each feedback is."""
+    rows = tuple(answers.conduct.feedbacks.items())
+    if rows:
+        yield Heading("Feedbacks")
+        yield ReportTable("Feedback conditions", ("feedback", "force"), rows)
 
 
 def order_balance(answers: Answers) -> Iterator[ReportBlock]:

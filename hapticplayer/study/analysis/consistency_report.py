@@ -15,6 +15,7 @@ from hapticplayer.study.analysis.blocks import (
     numbered,
 )
 from hapticplayer.study.analysis.conduct_report import (
+    feedback_conditions,
     identity,
     order_balance,
     people,
@@ -30,6 +31,7 @@ from hapticplayer.study.analysis.consistency import (
 )
 from hapticplayer.study.analysis.consistency_figures import LABELS, NAMES
 from hapticplayer.study.analysis.contents import reproducibility
+from hapticplayer.study.analysis.felt_report import felt_forces, felt_summary
 from hapticplayer.study.analysis.methods import computed_with, references, unsound
 from hapticplayer.study.analysis.psychometric import MOST_LAPSES
 from hapticplayer.study.analysis.references import (
@@ -82,6 +84,7 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
             "answers_missing": analysis.missing,
             "of_these_not_sound": analysis.unsound,
         },
+        "felt": felt_summary(analysis.answers),
         "warnings": warnings_of(analysis),
         "provenance": analysis.options.provenance(),
     }
@@ -95,6 +98,7 @@ def contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
 def _contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
     yield from identity(analysis.answers)
     yield from people(analysis.answers)
+    yield from feedback_conditions(analysis.answers)
     yield from order_balance(analysis.answers)
     yield Heading("Answers")
     yield Paragraph(
@@ -112,6 +116,7 @@ def _contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
     if analysis.mixed:
         yield _share_table("Delay and gain changed together", analysis.mixed)
     yield from playback(analysis.answers, analysis.answers.feedbacks)
+    yield from felt_forces(analysis.answers, analysis.answers.feedbacks)
     yield Heading("Assumptions")
     for text in ASSUMPTIONS:
         yield Paragraph(text)

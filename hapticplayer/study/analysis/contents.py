@@ -18,12 +18,14 @@ from hapticplayer.study.analysis.blocks import (
     numbered,
 )
 from hapticplayer.study.analysis.conduct_report import (
+    feedback_conditions,
     identity,
     order_balance,
     people,
     playback,
 )
 from hapticplayer.study.analysis.describing import Summary
+from hapticplayer.study.analysis.felt_report import felt_forces
 from hapticplayer.study.analysis.methods import (
     computed_with,
     methods,
@@ -57,6 +59,7 @@ def contents(analysis: Analysis) -> Iterator[ReportBlock]:
 def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
     yield from identity(analysis.answers)
     yield from people(analysis.answers)
+    yield from feedback_conditions(analysis.answers)
     yield from order_balance(analysis.answers)
     yield from _answers(analysis)
     yield Heading("Warnings")
@@ -72,6 +75,7 @@ def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
     tables = [_table(one, analysis.found[name]) for name, one in STATISTICS.items()]
     yield from (table for table in tables if table.rows)
     yield from playback(analysis.answers, analysis.scores.feedbacks)
+    yield from felt_forces(analysis.answers, analysis.scores.feedbacks)
     yield Heading("Assumptions of the tests")
     yield Paragraph(_MEANS)
     for statistic in STATISTICS.values():

@@ -25,7 +25,6 @@ from hapticplayer.study.analysis.analysis import (
     summary,
 )
 from hapticplayer.study.analysis.blocks import ReportBlock
-from hapticplayer.study.analysis.conduct_report import simulated_mark
 from hapticplayer.study.analysis.consistency import (
     ConsistencyAnalysis,
     analyse_consistency,
@@ -34,7 +33,7 @@ from hapticplayer.study.analysis.describing import Summary
 from hapticplayer.study.analysis.pdf import write_pdf
 from hapticplayer.study.analysis.statistic import rounded
 from hapticplayer.study.analysis.typesetting import page
-from hapticplayer.study.answers import Answers
+from hapticplayer.study.answers import Answers, simulated_mark
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -92,6 +92,19 @@ def test_dropping_and_deleting(run, folder, code):
     assert [s["state"] for s in report["sessions"]] == ["stopped"]
 
 
+def test_status_says_which_sessions_are_simulated(run, folder, code):
+    begin_session(open_study(folder), "en", {}, SystemClock())
+    _, report, _ = run("status", folder, "--json")
+    marked = {one["code"]: one["simulated"] for one in report["sessions"]}
+    assert marked.pop(code) is True
+    assert list(marked.values()) == [False]
+    _, text, _ = run("status", folder)
+    lines = text.splitlines()
+    assert "  1 of 2 sessions are simulated" in lines
+    (line,) = (line for line in lines if code in line)
+    assert line.endswith("  simulated")
+
+
 def test_texts_are_reviewed_before_export(run, folder, code, tmp_path):
     path = open_study(folder).session_folder(code) / "answers.jsonl"
     journal = Journal(path, SystemClock())

@@ -21,11 +21,12 @@ from hapticplayer.interchange.study_export import EXPORTERS, Exporter, export_st
 from hapticplayer.interchange.xdf import XdfWriter
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.answers import save_reviewed, text_digest
-from hapticplayer.study.creation import create_study
+from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.plan import describe
 from hapticplayer.study.study_folder import begin_session, open_study
 from tests.bids import errors_in, validated
+from tests.recorded_session import recorded_session
 
 VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
 SHEET = {"age": 31, "gender": "female", "handedness": "left"}
@@ -186,6 +187,61 @@ def test_bids_has_what_the_specification_requires(study, tmp_path):
     assert sidecar["TaskName"] == "qoe"
     assert sidecar["SamplingFrequencyEffective"] == pytest.approx(1000.0, abs=0.01)
     assert sidecar["MotionChannelCount"] == len(channels)
+
+
+@pytest.mark.parametrize("form", ["csv", "bids"])
+def test_what_hands_got_is_a_column_of_each_trial(tmp_path, manual_clock, form):
+    made = create_study(tmp_path / "study")
+    session = recorded_session(made, manual_clock)
+    export_study(open_study(made.folder), tmp_path / "out", form)
+    name, mark = ("trials.csv", ",") if form == "csv" else ("sub-*/beh/*.tsv", "\t")
+    (path,) = (tmp_path / "out").glob(name)
+    same, half, unknown = table(path, mark)
+    assert float(same["force_error"]) < 1e-5
+    assert float(half["force_error"]) == pytest.approx(0.5, rel=1e-3)
+    # half of the RMS of a sine of 2 N; 1 Hz counts 0.9
+    assert float(half["force_error_n"]) == pytest.approx(0.64, abs=0.01)
+    assert (same["reach_m"], same["faded_s"], same["force_is_off"]) == (
+        *("0.02", "0.0", "false"),
+    )
+    # short by more than 0.05 N of a sine of 1 N
+    short_s = 20.0 * (1.0 - 2.0 / np.pi * np.arcsin(0.05))
+    assert float(half["faded_s"]) == pytest.approx(short_s, abs=0.1)
+    assert half["force_is_off"] == "true"
+    left = "" if form == "csv" else "n/a"
+    assert {unknown[n] for n in ("force_error", "reach_m", "force_is_off")} == {left}
+    assert session.plan.order[1].feedback == half["feedback"]
+
+
+def test_the_dictionary_says_what_each_feedback_is(tmp_path, manual_clock):
+    late = {"key": "late", "condition": "delayed", "parameters": {"delay_s": 0.2}}
+    made = create_study(tmp_path / "study")
+    content = {**json.loads(made.content), "feedbacks": ["none", late]}
+    recorded_session(change_definition(made, content), manual_clock)
+    made = open_study(made.folder)
+    export_study(made, tmp_path / "csv", "csv")
+    rows = table(tmp_path / "csv" / "data_dictionary.csv")
+    (found,) = (
+        row["unit_or_levels"]
+        for row in rows
+        if (row["file"], row["column"]) == ("trials.csv", "feedback")
+    )
+    assert "late: delayed: the realistic force, later" in found
+    assert "(delay_s 0.2)" in found
+    assert {r["feedback"] for r in table(tmp_path / "csv" / "ratings.csv")} == {
+        *("none", "late"),
+    }
+    export_study(made, tmp_path / "bids", "bids")
+    sidecar = json.loads((tmp_path / "bids" / "task-qoe_beh.json").read_text())
+    assert "delay_s 0.2" in sidecar["feedback"]["Levels"]["late"]
+    assert sidecar["force_error_n"]["Units"] == "N"
+
+
+def test_a_dataset_says_who_is_simulated(study, tmp_path, manual_clock):
+    recorded_session(study, manual_clock)
+    export_study(open_study(study.folder), tmp_path / "out", "bids")
+    readme = (tmp_path / "out" / "README").read_text()
+    assert "Partly simulated data: 2 of 3 participants" in readme
 
 
 @pytest.mark.parametrize("has_record", [True, False])

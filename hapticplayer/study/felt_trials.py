@@ -1,0 +1,86 @@
+"""What hands got in the trials of a session, from its records."""
+
+from collections.abc import Iterator, Mapping
+from itertools import chain
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.devices import find_device
+from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.limiter import Limits, limits_of
+from hapticplayer.study.felt import FIELDS, Felt, felt
+from hapticplayer.study.session_folder import StoredSession
+from hapticplayer.study.steps import AnsweredTrial, answered_trials
+from hapticplayer.study.ticks import tick_chunks, tick_files
+
+TrialKey = tuple[int, int]
+"""Position and attempt."""
+
+_LONGEST_TRIAL_S = 4.0 * 3600.0
+
+
+def felt_trials(session: StoredSession, remarks: list[str]) -> dict[TrialKey, Felt]:
+    """Return what the hand got in each answered trial that has a record.
+
+    Args:
+        session: with its records; sessions without any have no entries.
+        remarks: list to which damaged records are added.
+    """
+    found: dict[TrialKey, Felt] = {}
+    trials = list(answered_trials(session.records))
+    for path in tick_files(session):
+        mine = [one for one in trials if one.playback.get("record") == path.name]
+        for trial, ticks in _trial_ticks(path, mine, remarks):
+            limits = _limits(trial.playback)
+            made = felt(ticks, float(trial.playback["duration_s"]), limits)
+            if made is not None:
+                found[trial.position, trial.attempt] = made
+    return found
+
+
+def _trial_ticks(
+    path: Path, trials: list[AnsweredTrial], remarks: list[str]
+) -> Iterator[tuple[AnsweredTrial, NDArray[Any]]]:
+    """Yield each trial with its ticks, holding those of one trial at a time."""
+    spans = sorted(
+        (span, number)
+        for number, one in enumerate(trials)
+        if (span := _span_s(one.playback)) is not None
+    )
+    if not spans:
+        return
+    parts: list[NDArray[Any]] = []
+    chunks: Iterator[NDArray[Any] | None] = tick_chunks(path, remarks)
+    for chunk in chain(chunks, [None]):
+        while spans:
+            (begun_s, ended_s), number = spans[0]
+            if chunk is not None:
+                if not len(chunk) or not set(FIELDS) <= set(chunk.dtype.names or ()):
+                    break
+                time_s = chunk["monotonic_s"]
+                parts.append(chunk[(time_s >= begun_s) & (time_s <= ended_s)])
+                if time_s[-1] <= ended_s:
+                    break
+            spans.pop(0)
+            if parts:
+                yield trials[number], np.concatenate(parts)
+            parts = []
+
+
+def _span_s(playback: Mapping[str, Any]) -> tuple[float, float] | None:
+    """Return begin and end, monotonic; None where records were edited."""
+    values = [playback.get(n) for n in ("begun_mono_s", "ended_mono_s", "duration_s")]
+    if not all(isinstance(one, int | float) for one in values):
+        return None
+    begun_s, ended_s, _ = map(float, values)  # type: ignore[arg-type]
+    return (begun_s, ended_s) if 0.0 < ended_s - begun_s < _LONGEST_TRIAL_S else None
+
+
+def _limits(playback: Mapping[str, Any]) -> Limits:
+    try:
+        return limits_of(find_device(str(playback.get("device"))).capabilities)
+    except DeviceError:  # of a package that this machine lacks
+        return Limits()
