@@ -18,7 +18,7 @@ from hapticplayer.study.answers import (
     save_reviewed,
     text_digest,
 )
-from hapticplayer.study.creation import create_study, sequence_folder
+from hapticplayer.study.creation import create_study, sequence_folder, template_names
 from hapticplayer.study.merging import merge_sessions
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import answered_trials
@@ -58,7 +58,12 @@ def add_action(actions: Any, name: str, summary: str, run: Run | None = None) ->
 
 def _add_new(actions: Any) -> None:
     action = add_action(actions, "new", "make a study of a template", new)
-    action.add_argument("--template", default="qoe2012", metavar="T")
+    action.add_argument(
+        "--template",
+        default="qoe2012",
+        metavar="T",
+        help=f"{', '.join(template_names())} (default: qoe2012)",
+    )
     action.add_argument(
         "--sequence",
         action="append",
@@ -66,6 +71,7 @@ def _add_new(actions: Any) -> None:
         metavar="KEY=FOLDER",
         help="folder of a sequence of the study; may be repeated",
     )
+    study_analysis.add_feedback(action, "in place of the template's")
     _add_json(action)
 
 
@@ -171,7 +177,7 @@ def new(options: argparse.Namespace) -> int:
         if not is_there or not folder:
             raise UsageError(f"--sequence {text!r} has to be KEY=FOLDER")
         folders[key] = Path(folder)
-    study = create_study(options.study, options.template, folders)
+    study = create_study(options.study, options.template, folders, options.feedback)
     missing = _missing(study)
     report = {
         "study": str(options.study),

@@ -2,18 +2,26 @@
 
 import argparse
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
+from hapticplayer.cli.common import (
+    add_number,
+    interruptible,
+    say,
+    say_aside,
+    shown_progress,
+)
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
-from hapticplayer.model import ranges
+from hapticplayer.model import Feedback, ranges
 from hapticplayer.outputs import FOLDER, refuse_existing
+from hapticplayer.rendering import condition_named
 from hapticplayer.simulation.participants import (
     draw_effect,
     effect_named,
+    for_feedbacks,
     paper_effect,
     simulated_answers,
 )
@@ -43,7 +51,8 @@ from hapticplayer.study.analysis.report import (
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 from hapticplayer.study.analysis.statistic import number, p_value
 from hapticplayer.study.answers import collect_answers, read_answers
-from hapticplayer.study.creation import create_study
+from hapticplayer.study.creation import chosen_text, create_study
+from hapticplayer.study.definition import StudyFeedback
 from hapticplayer.study.study_folder import Study, open_study
 
 _SEED = 2012
@@ -96,6 +105,7 @@ def _add_simulate(actions: Any) -> None:
     most = ranges.SIMULATED_PARTICIPANTS
     add_number(action, "--participants", most, default=15, metavar="N")
     _add_effect(action)
+    _add_like(action)
 
 
 def _add_power(actions: Any) -> None:
@@ -109,6 +119,8 @@ def _add_power(actions: Any) -> None:
         "population of --effect)",
     )
     _add_effect(action)
+    add_feedback(action, "of the design (default: none, random, realistic)")
+    _add_like(action)
     action.add_argument(
         "--measure", default="qoe", help="qoe (default) or the key of a factor"
     )
@@ -129,6 +141,28 @@ def _add_effect(action: argparse.ArgumentParser) -> None:
         default="paper",
         metavar="E",
         help="paper (default), none, or a share of the paper's effect such as 0.5",
+    )
+
+
+def add_feedback(action: argparse.ArgumentParser, text: str) -> None:
+    """Add the option that names feedback conditions."""
+    action.add_argument(
+        "--feedback",
+        action="append",
+        default=[],
+        metavar="[KEY=]F",
+        help=f"feedback {text}, such as late=delayed:delay_s=0.3; may be repeated",
+    )
+
+
+def _add_like(action: argparse.ArgumentParser) -> None:
+    action.add_argument(
+        "--like",
+        action="append",
+        default=[],
+        metavar="KEY=F",
+        help="the paper's condition (none, random, realistic) that a feedback is rated "
+        "like; an assumption",
     )
 
 
@@ -179,26 +213,58 @@ def simulate(options: argparse.Namespace) -> int:
     effect_named(options.effect)
     study, paper = _design(options.study), paper_effect()
     design = collect_answers(study)
-    if set(design.feedbacks) != set(paper.feedbacks) or set(design.factors) != set(
-        paper.factors
-    ):
+    if set(design.factors) != set(paper.factors):
         raise UsageError(
-            "only studies with the paper's feedbacks and factors can be simulated "
-            f"({', '.join(paper.feedbacks)}; {', '.join(paper.factors)})"
+            "only studies with the paper's factors can be simulated "
+            f"({', '.join(paper.factors)})"
         )
+    like = _rated_like(study.definition.chosen_feedbacks, options.like)
     answers = simulated_answers(
         options.participants,
         options.effect,
         seed=options.seed,
         sequences=design.sequences,
+        like=None if set(like) == set(paper.feedbacks) == set(like.values()) else like,
     )
     origin = {"simulated": True, "effect": options.effect, "seed": options.seed}
+    origin |= {"rated_like": like}
     with interruptible():
         codes = write_answers(study, answers, SystemClock(), origin=origin)
     report = {"study": str(options.study), **origin, "participants": codes}
     text = f"{options.study}: {len(codes)} simulated participants, marked as such"
     say(_json(report) if options.json else text)
+    if not options.json:
+        _say_assumed(like)
     return 0
+
+
+def _rated_like(
+    feedbacks: Iterable[StudyFeedback], given: Iterable[str]
+) -> dict[str, str]:
+    """Return the paper's condition that each feedback is rated like, by key.
+
+    Raises:
+        UsageError: for one that the study does not have.
+    """
+    like = {}
+    for one in feedbacks:
+        found = condition_named(one.condition)
+        # a track of which nothing is known is some force
+        like[one.name] = str(found.simulated_as if found else Feedback.RANDOM)
+    for text in given:
+        key, mark, name = text.partition("=")
+        if not mark or key not in like:
+            raise UsageError(
+                f"--like {text!r} has to be KEY=NAME; the keys are {', '.join(like)}"
+            )
+        like[key] = name
+    return like
+
+
+def _say_assumed(like: Mapping[str, str]) -> None:
+    assumed = [f"{key} like {name}" for key, name in like.items() if key != name]
+    if assumed:
+        say_aside(f"assumed, not measured: {', '.join(assumed)} (--like changes it)")
 
 
 def power(options: argparse.Namespace) -> int:
@@ -219,6 +285,11 @@ def _population(options: argparse.Namespace) -> tuple[Draw, tuple[str, ...], str
         if not 1 <= options.sequences <= _MOST_SEQUENCES:
             raise UsageError(f"--sequences: 1 to {_MOST_SEQUENCES} can be simulated")
         effect = effect_named(options.effect)
+        if options.feedback:
+            feedbacks = [chosen_text(text) for text in options.feedback]
+            like = _rated_like(feedbacks, options.like)
+            effect = for_feedbacks(effect, like)
+            _say_assumed(like)
         draw = draw_effect(effect, options.measure, options.sequences)
         return draw, effect.feedbacks, f"effect {effect.name}"
     scores = scores_of(read_answers(options.study))

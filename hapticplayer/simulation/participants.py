@@ -15,7 +15,8 @@ sensory, comfort and satisfaction (printed: 24.71, 24.03, 26.68, 8.79, 23.05).
 """
 
 import functools
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import optimize, special
@@ -39,13 +40,17 @@ _MOST = 3.0
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """What a population says of each of F feedbacks in K factors."""
+    """What a population says of each of F feedbacks in K factors.
+
+    `rows` are the paper's conditions that they are rated like.
+    """
 
     name: str
     feedbacks: tuple[str, ...]
     factors: tuple[str, ...]
     factor_means: Floats  # (F, K)
     qoe_sds: Floats  # (F,), over participants, of their mean over the sequences
+    rows: tuple[int, ...] = (0, 1, 2)
 
 
 def paper_effect() -> Effect:
@@ -104,12 +109,40 @@ def effect_named(name: str) -> Effect:
     return Effect(name, paper.feedbacks, paper.factors, means, paper.qoe_sds)
 
 
+def for_feedbacks(effect: Effect, like: Mapping[str, str]) -> Effect:
+    """Return the effect for other feedbacks, each rated like one of the effect's.
+
+    Nobody has measured them: this is an assumption for planning and for trying out.
+
+    Args:
+        effect: of the paper's feedbacks.
+        like: name in the effect, by name of the feedback.
+
+    Raises:
+        UsageError: for a name that the effect does not have.
+    """
+    if unknown := set(like.values()) - set(effect.feedbacks):
+        raise UsageError(
+            "a feedback cannot be rated like {name!r}; there is {known}",
+            name=min(unknown),
+            known=", ".join(effect.feedbacks),
+        )
+    rows = tuple(effect.feedbacks.index(name) for name in like.values())
+    return replace(
+        effect,
+        feedbacks=tuple(like),
+        factor_means=effect.factor_means[list(rows)],
+        qoe_sds=effect.qoe_sds[list(rows)],
+        rows=rows,
+    )
+
+
 def drawn_ratings(
     effect: Effect, shape: tuple[int, int, int], rng: np.random.Generator
 ) -> Floats:
     """Return ratings (studies, participants, sequences, F, K); `shape` holds three."""
     studies, people, sequences = shape
-    means, sds = _latent(effect.name)
+    means, sds = (values[list(effect.rows)] for values in _latent(effect.name))
     feedbacks, factors = effect.factor_means.shape
     common = rng.standard_normal((studies, people, 1))
     own = rng.standard_normal((studies, people, feedbacks))
@@ -211,6 +244,7 @@ def simulated_answers(
     *,
     seed: int,
     sequences: tuple[str, ...] = SEQUENCES,
+    like: Mapping[str, str] | None = None,
 ) -> Answers:
     """Return the answers of simulated participants.
 
@@ -219,16 +253,19 @@ def simulated_answers(
     population that are nearest to the paper's W and SDs are taken, single ratings are
     moved by one until means and SDs fit, and the one that is then nearest to the W is
     kept. Any other effect (see `effect_named`) is one draw from its population,
-    whose sample scatters as samples do. The same seed gives the same answers.
+    whose sample scatters as samples do, and so is one with other feedbacks, `like`
+    (see `for_feedbacks`). The same seed gives the same answers.
 
     Raises:
         UsageError: for an unknown effect or a number of participants out of range.
     """
     SIMULATED_PARTICIPANTS.parse("participants", str(participants))
     population = effect_named(effect)
+    if like is not None:
+        population = for_feedbacks(population, like)
     rng = np.random.default_rng([seed, participants])
     shape = (participants, len(sequences))
-    if effect == "paper":
+    if effect == "paper" and like is None:
         drawn = drawn_ratings(population, (_draws(shape, population), *shape), rng)
         order = np.argsort(_distance(drawn, population.qoe_sds))[:_MATCHED]
         matched = np.stack([_matched(drawn[i], population, rng) for i in order])

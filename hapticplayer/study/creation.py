@@ -1,14 +1,19 @@
 """New studies from templates, and changes of their definition."""
 
 import json
+import re
 import secrets
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.rendering import chosen_feedback
 from hapticplayer.sequence.files import json_text
 from hapticplayer.study import private
+from hapticplayer.study.definition import StudyFeedback
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.json_files import read_file
 from hapticplayer.study.plan import LETTERS
@@ -17,6 +22,7 @@ from hapticplayer.study.study_folder import Study, open_study
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "studies"
 _ID_LETTERS = 10
+_KEY_OF = re.compile(r"(?:([a-z0-9_-]+)=)?(.*)", re.DOTALL)
 
 
 def template_names() -> list[str]:
@@ -24,8 +30,22 @@ def template_names() -> list[str]:
     return sorted(path.stem for path in TEMPLATES.glob("*.json"))
 
 
+def chosen_text(text: str) -> StudyFeedback:
+    """Return the feedback in a text such as `late=delayed:delay_s=0.3`.
+
+    Raises:
+        UsageError: for an unknown parameter or a value out of range.
+    """
+    key, name = _KEY_OF.fullmatch(text).groups()  # type: ignore[union-attr]
+    chosen = chosen_feedback(name)
+    return StudyFeedback(chosen.name, dict(chosen.parameters), key)
+
+
 def create_study(
-    folder: Path, template: str = "qoe2012", folders: Mapping[str, Path] | None = None
+    folder: Path,
+    template: str = "qoe2012",
+    folders: Mapping[str, Path] | None = None,
+    feedbacks: Sequence[str] = (),
 ) -> Study:
     """Make a study's folder from a template.
 
@@ -33,9 +53,10 @@ def create_study(
         folder: must not exist yet.
         template: one of `template_names()`.
         folders: of the sequences, by key; others stay empty.
+        feedbacks: in place of the template's, see `chosen_text`.
 
     Raises:
-        UsageError: for an unknown template or sequence.
+        UsageError: for an unknown template, sequence or parameter.
         StudyError: when the folder exists or cannot be written.
     """
     content = _template(template)
@@ -50,11 +71,21 @@ def create_study(
                 known=", ".join(known),
             )
         known[key]["folder"] = str(path.resolve())
+    if feedbacks:
+        content["feedbacks"] = [_described(chosen_text(text)) for text in feedbacks]
     text = definition_text(content)
     parse_definition(text, template)
     with private.folder_written_aside(folder) as aside:
         private.write_new(aside / DEFINITION, text)
     return open_study(folder)
+
+
+def _described(feedback: StudyFeedback) -> str | dict[str, Any]:
+    """Return a feedback as the definition holds it, without what is not needed."""
+    if not feedback.parameters and feedback.key in (None, feedback.condition):
+        return feedback.condition
+    described: dict[str, Any] = msgspec.to_builtins(feedback)
+    return {name: value for name, value in described.items() if value}
 
 
 def change_definition(study: Study, content: Mapping[str, Any]) -> Study:

@@ -4890,6 +4890,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Kalibrierung gilt für das Verfahren smoother, nicht für {method}</translation>
     </message>
     <message>
+        <source>a feedback cannot be rated like {name!r}; there is {known}</source>
+        <translation>ein Feedback kann nicht wie {name!r} bewertet werden; es gibt {known}</translation>
+    </message>
+    <message>
         <source>a lever arm needs the angular rate of the recording</source>
         <translation>ein Hebelarm braucht die Drehrate der Aufnahme</translation>
     </message>

@@ -4890,6 +4890,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un étalonnage vaut pour la méthode smoother, pas pour {method}</translation>
     </message>
     <message>
+        <source>a feedback cannot be rated like {name!r}; there is {known}</source>
+        <translation>un retour ne peut pas être noté comme {name!r}&#xa0;; il y a {known}</translation>
+    </message>
+    <message>
         <source>a lever arm needs the angular rate of the recording</source>
         <translation>un bras de levier nécessite la vitesse angulaire de l’enregistrement</translation>
     </message>

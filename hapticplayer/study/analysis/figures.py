@@ -166,12 +166,8 @@ def _draw_group(panel: "Axes", place: int, values: Floats, floor: float) -> None
         if not len(known):
             continue
         mean = known.mean()
-        look: dict[str, Any] = {
-            "facecolor": _COLOURS[column % 6],
-            "hatch": _HATCHES[column % 6],
-        }
         panel.bar(
-            at[column], mean - floor, 0.92 * width, floor, ec=_INK, lw=0.6, **look
+            *(at[column], mean - floor, 0.92 * width, floor), lw=0.6, **_look(column)
         )
         if len(known) > 1:
             bar: dict[str, Any] = {
@@ -186,6 +182,13 @@ def _draw_group(panel: "Axes", place: int, values: Floats, floor: float) -> None
     spots, _ = np.broadcast_arrays(at - aside, values)
     known = ~np.isnan(values)
     panel.plot(spots[known], values[known], "o", markersize=2.0, mew=0.0, **style)
+
+
+def _look(number: int) -> dict[str, Any]:
+    """Return colour and hatch, together different for 36 feedbacks."""
+    hatch = (number + number // len(_COLOURS)) % len(_HATCHES)
+    colour = _COLOURS[number % len(_COLOURS)]
+    return {"facecolor": colour, "hatch": _HATCHES[hatch], "ec": _INK}
 
 
 def draw_lines(panel: "Axes", at: Floats, values: Floats, **style: Any) -> None:
@@ -204,8 +207,7 @@ def _draw_legend(figure: "Figure", feedbacks: tuple[str, ...]) -> None:
     from matplotlib.patches import Patch
 
     marks: list[Patch | Line2D] = [
-        Patch(facecolor=_COLOURS[i % 6], hatch=_HATCHES[i % 6], ec=_INK, label=name)
-        for i, name in enumerate(feedbacks)
+        Patch(label=name, **_look(i)) for i, name in enumerate(feedbacks)
     ]
     marks.append(Line2D([], [], color=_INK, marker="_", label="mean ± SD"))
     one = "one participant"

@@ -38,6 +38,28 @@ def folder(run, tmp_path):
     return tmp_path / "s"
 
 
+def test_new_takes_other_feedbacks(run, tmp_path):
+    chosen = ("none", "late=delayed:delay_s=0.4", "shuffled:of=horse", "own=mine")
+    words = [word for text in chosen for word in ("--feedback", text)]
+    assert run("new", tmp_path / "t", *words)[0] == 0
+    study = open_study(tmp_path / "t").definition
+    assert [
+        (one.name, one.condition, one.parameters) for one in study.chosen_feedbacks
+    ] == [
+        ("none", "none", {}),
+        ("late", "delayed", {"delay_s": 0.4}),
+        ("shuffled", "shuffled", {"of": "horse"}),
+        ("own", "mine", {}),
+    ]
+    assert study.feedbacks[0] == "none"
+    status, _, said = run("new", tmp_path / "u", "--feedback", "delayed:delay=1")
+    assert (status, (tmp_path / "u").exists()) == (2, False)
+    assert "it has delay_s" in said
+    status, _, said = run("new", tmp_path / "u", "--feedback", "shuffled:of=boat")
+    assert (status, (tmp_path / "u").exists()) == (1, False)
+    assert "feedbacks[0].parameters.of" in said
+
+
 @pytest.fixture
 def code(folder):
     return write_scripted_session(

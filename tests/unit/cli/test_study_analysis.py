@@ -83,8 +83,60 @@ def test_only_the_papers_design_can_be_simulated(run, tmp_path):
     study = create_study(tmp_path / "s", "consistency")
     status, _, said = run("simulate", study.folder)
     assert status == 2
-    assert "paper's feedbacks" in said
+    assert "paper's factors" in said
     assert study.codes() == []
+
+
+def test_other_feedbacks_are_rated_like_those_of_the_paper(run, tmp_path):
+    study = tmp_path / "s"
+    create_study(study, "controls")
+    words = ("--participants", "40", "--seed", "3", "--like", "late=none")
+    status, report, _ = run("simulate", study, *words, "--json")
+    assert status == 0
+    assert report["rated_like"] == {
+        "realistic": "realistic",
+        "none": "none",
+        "shuffled": "random",
+        "late": "none",
+    }
+    _, found, _ = run("analyse", study, "--json")
+    # a draw of 40: three standard errors of their means
+    for feedback, like in report["rated_like"].items():
+        mean, sd = PAPER[like]
+        assert found["qoe"][feedback]["mean"] == pytest.approx(mean, abs=0.5 * sd)
+    _, _, said = run("simulate", study, "--participants", "1")
+    assert "shuffled like random, late like random" in said
+
+
+@pytest.mark.parametrize(
+    ("like", "what"),
+    [
+        ("late", "KEY=NAME"),
+        ("strong=none", "the keys are realistic, none, shuffled, late"),
+        ("late=strong", "rated like 'strong'; there is none, random, realistic"),
+    ],
+)
+def test_a_wrong_likeness_adds_nobody(run, tmp_path, like, what):
+    study = create_study(tmp_path / "s", "controls")
+    status, _, said = run("simulate", study.folder, "--like", like)
+    assert status == 2
+    assert what in said
+    assert study.codes() == []
+
+
+def test_power_of_other_feedbacks_is_that_of_their_likeness(run):
+    words = ("--studies", "200", "--largest", "20", "--json")
+    _, paper, _ = run("power", *words)
+    feedbacks = ("none", "x=random", "late=delayed:delay_s=0.2")
+    named = [word for text in feedbacks for word in ("--feedback", text)]
+    status, found, said = run("power", *words, *named, "--like", "late=realistic")
+    assert status == 0
+    assert "late like realistic" in said
+    assert list(found["needed"].values()) == list(paper["needed"].values())
+    assert "x-late" in found["needed"]
+    status, _, said = run("power", "--feedback", "delayed:delay_s=99")
+    assert status == 2
+    assert "between -5 and 5" in said
 
 
 def test_an_empty_folder_becomes_a_study_and_a_full_one_stays(run, tmp_path):
