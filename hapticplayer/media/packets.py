@@ -65,17 +65,18 @@ class Lookahead:
         for packet in itertools.islice(packets, MAX_AHEAD_PACKETS):
             self._read.append(packet)
             pts, dts = packet.pts, packet.dts
+            size_bytes += packet.size
             if packet.size == 0 and dts is None:
                 return True  # the end of the file
-            if pts is None or dts is None or pts < dts:
+            if pts is None or size_bytes > MAX_AHEAD_BYTES:
                 return False
-            if last_dts is not None and dts <= last_dts:
+            if dts is None and last_dts is None:
+                continue  # FFmpeg knows it only from the third in Matroska
+            if dts is None or pts < dts or (last_dts is not None and dts <= last_dts):
                 return False
             if dts > until:
                 return True
-            last_dts, size_bytes = dts, size_bytes + packet.size
-            if size_bytes > MAX_AHEAD_BYTES:
-                break
+            last_dts = dts
         return False
 
     def pop(self) -> AnyPacket | None:
