@@ -92,11 +92,18 @@ def read_packed(video: Path) -> Packed | None:
         )
     carrier = video
     attached = read_attachments(video, MANIFEST)
-    if not attached and (beside := side_car_of(video)).is_file():
+    if not attached and _is_there(beside := side_car_of(video)):
         carrier, attached = beside, read_attachments(beside, MANIFEST)
     if not attached:
         return None
     return _packed(video, carrier, _by_name(carrier, attached))
+
+
+def _is_there(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # the name is too long for a file
+        return False
 
 
 def _by_name(carrier: Path, attached: list[Attachment]) -> dict[str, Attachment]:

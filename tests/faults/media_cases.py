@@ -1,4 +1,5 @@
-"""Clips in five containers, eight ways to damage them, and a child that plays one.
+"""Clips in five containers, one of them with force, eight ways to damage them, and a
+child that plays one.
 
 A child has 512 MB more than the process it was forked from, and five seconds.
 """
@@ -17,11 +18,15 @@ import av
 import numpy as np
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import InputError
 from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.remux import video_payload
 from hapticplayer.media.video import VideoDecoder
+from hapticplayer.sequence.pack import pack
+from hapticplayer.sequence.packed import read_packed
+from hapticplayer.simulation.rides.shaken import write_shaken_sequence
 
 EXTREMES = (b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\0\0\0")
 LONGEST_S = 5.0
@@ -35,6 +40,7 @@ CONTAINERS = {
     "webm": (200, "libvpx", "libopus"),
     "mov": (200, "libx264", "aac"),
     "avi": (200, "mpeg4", "pcm_s16le"),
+    "packed": (2000, "", ""),
 }
 
 
@@ -61,6 +67,8 @@ class Outcome:
 
 def make_clip(folder: Path, container: str) -> Path:
     """Write 2 s of pictures that do not compress, so that damage meets them."""
+    if container == "packed":
+        return _packed(folder)
     _, picture_codec, sound_codec = CONTAINERS[container]
     path = folder / f"clip.{container}"
     rng = np.random.default_rng(8)
@@ -80,6 +88,14 @@ def make_clip(folder: Path, container: str) -> Path:
         for stream in (video, audio):
             file.mux(stream.encode(None))
     return path
+
+
+def _packed(folder: Path) -> Path:
+    """Write a clip with its force attached."""
+    clip = make_clip(folder, "mp4")
+    sequence = write_shaken_sequence(clip, folder / "sequence", title="Shaken")
+    pack(sequence, folder / "packed.mkv", with_motion=True)
+    return folder / "packed.mkv"
 
 
 def _tone(number: int) -> av.AudioFrame:
@@ -128,12 +144,17 @@ def mutation(content: bytes, container: str, number: int, seed: int = 0) -> byte
 def play(path: Path) -> tuple[int, bool]:
     """Play pictures and sound to the end and seek back, as the player does.
 
+    Before that, force in the file is read, and the checksum of its video taken.
+
     Returns:
         How many pictures came, and whether the file is marked as damaged.
 
     Raises:
-        MediaError: with the sentence for people.
+        InputError: with the sentence for people.
     """
+    if (packed := read_packed(path)) is not None:
+        assert set(packed.sequence.tracks) == {"realistic", "none", "random"}
+        video_payload(path)
     pictures, info = 0, probe(path)
     with VideoDecoder(path) as video:
         for frame in video.frames():
@@ -187,7 +208,7 @@ def _be_the_child(path: Path, writer: int) -> None:
         try:
             pictures, is_marked = play(path)
             said = ("played", "", pictures, is_marked)
-        except MediaError as problem:
+        except InputError as problem:
             said = ("refused", str(problem), 0, True)
         except BaseException as problem:  # noqa: BLE001 - what must never happen
             said = ("crashed", repr(problem), 0, False)

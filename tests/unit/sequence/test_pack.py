@@ -4,6 +4,7 @@ import hashlib
 import io
 import json
 import shutil
+import subprocess
 
 import numpy as np
 import pytest
@@ -270,6 +271,29 @@ def test_damage_anywhere_gives_a_sequence_or_a_sentence(sequence_folder, tmp_pat
             kept = packed.sequence.tracks["realistic"].force_n
             assert np.array_equal(kept, force)
     assert {"refused", "read"} <= outcomes
+
+
+# --- other programs -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "words", [["mkvmerge", "-J"], ["mediainfo"], ["ffprobe", "-show_streams"]]
+)
+@pytest.mark.parametrize("name", ["ride.mkv", "ride.haptics.mkv"])
+def test_other_programs_name_what_is_attached(sequence_folder, tmp_path, words, name):
+    if shutil.which(words[0]) is None:
+        pytest.skip(f"needs {words[0]}")
+    if words[0] == "ffprobe" and name != "ride.mkv":
+        pytest.skip("FFmpeg refuses a file without streams")
+    pack(sequence_folder, tmp_path / name.replace(".haptics.mkv", ".mp4"))
+    done = subprocess.run(
+        [*words, str(tmp_path / name)], capture_output=True, text=True, check=True
+    )
+    for one in (MANIFEST, "sequence.json", *FORCES):
+        assert one in done.stdout
+    if words[0] == "mkvmerge":
+        found = json.loads(done.stdout)
+        assert found["errors"] + found["warnings"] == []
 
 
 # --- the commands -------------------------------------------------------------------

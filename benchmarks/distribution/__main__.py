@@ -1,0 +1,8 @@
+"""Files that carry force: who accepts them, and what they cost."""
+
+import sys
+
+from benchmarks.common import command
+
+PLACES = {"one_file": "distribution.one_file"}
+sys.exit(command("distribution", __doc__, PLACES))

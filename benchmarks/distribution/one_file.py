@@ -1,0 +1,264 @@
+"""A sequence in one file: other programs, frames, time to the first force, seeks.
+
+A 720p30 clip with force from its first second is packed as MKV and as MP4 with a side-car.
+mpv, FFmpeg, mkvtoolnix, mediainfo and VLC (where installed) read the files; FFmpeg's
+checksums of the decoded frames are compared with those of the source. Then folder and MKV are
+opened in turn, once with the checksum of the video known from before and once without, up to
+the first tick with a force on the simulated device, which is ready all the time; and the same
+seeks are timed in both, paused.
+"""
+
+import argparse
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable, Iterable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks.common import Report, interleaved
+from benchmarks.playback.plots_and_seeks import PausedPlayer, shaken_sequence
+from benchmarks.stage import need
+from hapticplayer.clock import SystemClock
+from hapticplayer.media.remux import video_payload
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import open_source
+from hapticplayer.sequence.pack import pack
+from hapticplayer.sequence.packed import MANIFEST, read_packed
+from hapticplayer.sequence.travelling import contents_of
+
+MOST_LATER_MS, MOST_SEEK_RATIO = 20.0, 1.1
+_PATIENCE_S = 20.0
+_TOOLS = {  # how each reads a file, and what it has to say
+    "mpv": (["mpv", "--no-config", "--vo=null", "--ao=null", "--untimed"], ""),
+    "ffmpeg": (["ffmpeg", "-v", "error", "-nostdin"], ""),
+    "mkvtoolnix": (["mkvmerge", "-J"], MANIFEST),
+    "mediainfo": (["mediainfo"], MANIFEST),
+    "VLC": (["cvlc", "-I", "dummy", "--vout=dummy", "--aout=dummy"], ""),
+}
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Add the options."""
+    parser.add_argument("--rounds", type=int, help="(15)")
+    parser.add_argument("--seconds", type=float, help="of the clip (40)")
+    parser.add_argument("--seeks", type=int, help="(40)")
+
+
+def run(options: argparse.Namespace, report: Report) -> None:
+    """Pack a ride, have it read by others, and compare it with its folder."""
+    need("ffmpeg")
+    seconds = options.seconds or (6.0 if options.quick else 40.0)
+    with tempfile.TemporaryDirectory(prefix="hp-distribution-") as name:
+        place = Path(name)
+        os.environ["XDG_CACHE_HOME"] = str(place / "cache")
+        folder = shaken_sequence(place, seconds)
+        mkv, mp4 = place / "ride.mkv", place / "ride.mp4"
+        begin_s = time.monotonic()
+        payload = pack(folder, mkv)
+        report.figures["pack_s"] = time.monotonic() - begin_s
+        pack(folder, mp4)
+        report.figures |= _sizes(mkv, payload.size_bytes, seconds)
+        _accepted(mkv, mp4, report)
+        _frames(folder / "clip.mp4", mkv, mp4, report)
+        _first_force(
+            folder, mkv, options.rounds or (3 if options.quick else 15), report
+        )
+        _seeks(folder, mkv, options.seeks or (8 if options.quick else 40), report)
+
+
+def _sizes(mkv: Path, payload_bytes: int, seconds: float) -> dict[str, Any]:
+    """Return what the force takes, beside the video."""
+    packed = read_packed(mkv)
+    assert packed is not None
+    what = contents_of(packed)
+    attached = sum(part.size_bytes for part in what.attached)
+    return {
+        "payload_mb": 1e-6 * payload_bytes,
+        "attached_kb": 1e-3 * attached,
+        "attached_kbit_per_s": 8e-3 * attached / seconds,
+    }
+
+
+# --- other programs ---------------------------------------------------------------
+
+
+def _accepted(mkv: Path, mp4: Path, report: Report) -> None:
+    """Let every program that is here read both files."""
+    rows, refused = [], 0
+    for name, (words, says) in _TOOLS.items():
+        if shutil.which(words[0]) is None:
+            rows.append([name, "not installed", ""])
+            continue
+        answers = [
+            _read_by(name, words, path, says * (path is mkv)) for path in (mkv, mp4)
+        ]
+        refused += sum(answer != "yes" for answer in answers)
+        rows.append([name, *answers])
+    report.table("Accepted by", ["program", "MKV", "MP4"], rows)
+    report.target("files that a program complains about", refused, ("<=", 0))
+    report.figures["accepted"] = rows
+
+
+def _read_by(name: str, words: list[str], path: Path, says: str) -> str:
+    """Return "yes", or what is wrong."""
+    if name == "ffmpeg":
+        # of the streams that a player shows: attachments have no codec, which it warns of
+        words = [
+            *words,
+            "-i",
+            str(path),
+            "-map",
+            "0:v",
+            "-map",
+            "0:a",
+            "-f",
+            "null",
+            "-",
+        ]
+    elif name == "VLC":
+        words = [*words, str(path), "vlc://quit"]
+    else:
+        words = [*words, str(path)]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    if done.returncode:
+        return f"exit status {done.returncode}"
+    if name == "mkvtoolnix":
+        found = json.loads(done.stdout)
+        if complaints := found["errors"] + found["warnings"]:
+            return str(complaints[0])
+    if says not in done.stdout:
+        return f"does not name {says}"
+    return "yes"
+
+
+def _frames(clip: Path, mkv: Path, mp4: Path, report: Report) -> None:
+    """Compare what FFmpeg decodes, frame by frame, and its checksum of the packets."""
+    expected = _hashes(clip, "framehash")
+    others = {path.suffix[1:]: _hashes(path, "framehash") for path in (mkv, mp4)}
+    wrong = sum(
+        sum(a != b for a, b in zip(expected, found, strict=False))
+        + abs(len(expected) - len(found))
+        for found in others.values()
+    )
+    report.target("decoded frames that differ from the source's", wrong, ("<=", 0))
+    (packets,) = _hashes(mkv, "streamhash", "-c", "copy")
+    is_same = packets == video_payload(mkv).sha256 == video_payload(clip).sha256
+    report.target("checksum of the packets is FFmpeg's (1)", int(is_same), (">=", 1))
+    report.figures |= {"frames": len(expected), "frames_that_differ": wrong}
+
+
+def _hashes(path: Path, kind: str, *how: str) -> list[str]:
+    words = ["ffmpeg", "-v", "error", "-nostdin", "-i", str(path), "-map", "0:v:0"]
+    passed = how or ("-fps_mode", "passthrough")
+    done = subprocess.run(
+        [*words, *passed, "-f", kind, "-hash", "sha256", "-"],
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    lines = (one for one in done.stdout.splitlines() if not one.startswith("#"))
+    return [line.replace("=", ",").split(",")[-1].strip() for line in lines]
+
+
+# --- time to the first force ---------------------------------------------------------
+
+
+def _first_force(folder: Path, mkv: Path, rounds: int, report: Report) -> None:
+    """Open folder and file in turn, until a tick has a force."""
+    clock = SystemClock()
+    player = Player(clock, device="simulated", audio=None)
+    player.wait_ready()
+    known = Path(os.environ["XDG_CACHE_HOME"]) / "hapticplayer" / "checked-videos.json"
+    contenders: dict[str, Callable[[], float]] = {
+        "folder": partial(_opened_ms, player, clock, folder),
+        "MKV": partial(_opened_ms, player, clock, mkv),
+        "MKV, first time": partial(_opened_ms, player, clock, mkv, forget=known),
+    }
+    found = interleaved(contenders, rounds, warm_up=True)
+    player.close()
+    rows = []
+    for name, each in found.items():
+        later = [a - b for a, b in zip(each, found["folder"], strict=True)]
+        rows.append([name, *_spread(each), statistics.median(later)])
+    header = ["opened", "median ms", "least", "largest", "later than the folder, ms"]
+    report.table("From opening to the first force", header, rows)
+    for name, *_, later_ms in rows[1:]:
+        what = f"{name}: first force later than the folder's, median ms"
+        report.target(what, later_ms, ("<=", MOST_LATER_MS))
+    report.figures["first_force"] = {"columns": header, "rows": rows}
+
+
+def _opened_ms(
+    player: Player, clock: SystemClock, path: Path, forget: Path | None = None
+) -> float:
+    """Return how long it takes from opening to the first tick with a force."""
+    if forget is not None:
+        forget.unlink(missing_ok=True)
+    _until(player, clock, lambda: not _felt_since(player, clock.now_s() - 0.2))
+    begin_s = clock.now_s()
+    player.open(open_source(path))
+    player.play()
+    _until(player, clock, lambda: _felt_since(player, begin_s))
+    ticks = player.ticks_since(begin_s)
+    pushed = np.linalg.norm(ticks["force_n"], axis=1) > 0.0
+    first_s = float(ticks["monotonic_s"][pushed][0])
+    player.pause()
+    return 1e3 * (first_s - begin_s)
+
+
+def _felt_since(player: Player, since_s: float) -> bool:
+    ticks = player.ticks_since(since_s)
+    return bool(len(ticks)) and bool(ticks["force_n"].any())
+
+
+def _until(player: Player, clock: SystemClock, is_so: Callable[[], bool]) -> None:
+    end_s = clock.now_s() + _PATIENCE_S
+    while not is_so():
+        if clock.now_s() > end_s:
+            raise TimeoutError("no force has come")
+        clock.sleep_until(min(player.poll(), clock.now_s() + 0.005))
+
+
+def _spread(values: Iterable[float]) -> tuple[float, float, float]:
+    ordered = sorted(values)
+    return statistics.median(ordered), ordered[0], ordered[-1]
+
+
+# --- seeks -------------------------------------------------------------------------
+
+
+def _seeks(folder: Path, mkv: Path, count: int, report: Report) -> None:
+    """Seek to the same places in both, paused, in turn."""
+    players = {
+        "folder": PausedPlayer(open_source(folder)),
+        "MKV": PausedPlayer(open_source(mkv)),
+    }
+    rng, places = np.random.default_rng(1), iter(())
+    duration_s = players["folder"].player.snapshot().duration_s
+    took: dict[str, list[float]] = {name: [] for name in players}
+    shown: dict[str, list[float]] = {name: [] for name in players}
+    places = rng.uniform(0.0, duration_s - 0.1, count)
+    for number, target_s in enumerate(places):
+        for name in list(players)[:: 1 if number % 2 else -1]:
+            begin_s = time.monotonic()
+            players[name].seek(float(target_s))
+            took[name].append(1e3 * (time.monotonic() - begin_s))
+            shown[name].append(players[name].seen.pts_s)
+    for one in players.values():
+        one.player.close()
+    rows = [[name, *np.percentile(each, [50.0, 95.0])] for name, each in took.items()]
+    report.table("Seeks, paused", ["in", "p50 ms", "p95 ms"], rows)
+    each_ratio = [a / b for a, b in zip(took["MKV"], took["folder"], strict=True)]
+    ratio = statistics.median(each_ratio)
+    report.target(
+        "seek in the MKV over seek in the folder", ratio, ("<=", MOST_SEEK_RATIO)
+    )
+    apart_s = np.abs(np.subtract(shown["MKV"], shown["folder"])).max()
+    report.target("frames shown after a seek, s apart", float(apart_s), ("<=", 0.001))
+    report.figures["seeks"] = {"n": count, "rows": rows, "ratio": ratio}
