@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import translated
+from app.experimenter.feedback_list import FeedbackList
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.layout import fill_page, indent, paragraph, resize_within_screen
@@ -51,6 +52,9 @@ class StudyEditor(QDialog):
         tabs = QTabWidget()
         tabs.addTab(self._general(), self.tr("General"))
         tabs.addTab(self._sequences(), self.tr("Sequences"))
+        keys = [entry["key"] for entry in self._content["sequences"]]
+        self.feedbacks = FeedbackList(self._content["feedbacks"], keys)
+        tabs.addTab(self.feedbacks, self.tr("Feedbacks"))
         tabs.addTab(self._questions(), self.tr("Questions"))
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save
@@ -152,6 +156,7 @@ class StudyEditor(QDialog):
         content["operator_is_blind"] = self.blind.isChecked()
         content["use_published"] = self.published.isChecked()
         content["lsl"] = self.lsl.isChecked()
+        content["feedbacks"] = copy.deepcopy(self.feedbacks.entries)
         for entry in content["sequences"]:
             entry["folder"] = self.folders[entry["key"]].text()
         for (number, kind, language), line in self.texts.items():

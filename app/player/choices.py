@@ -1,6 +1,7 @@
 """The choices of the window: force tracks and devices, by the engine's names."""
 
 from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QObject
@@ -12,7 +13,14 @@ from hapticplayer.devices import NO_DEVICE, device_names, installed_devices
 from hapticplayer.devices.falcon.transport import list_falcons
 from hapticplayer.playback.replay import FROM_LOG
 from hapticplayer.playback.source import FROM_FILE
-from hapticplayer.rendering import FEEDBACKS
+from hapticplayer.rendering import (
+    FEEDBACKS,
+    ChosenFeedback,
+    ParameterKind,
+    chosen_feedback,
+    condition_named,
+)
+from hapticplayer.rendering.condition import described
 
 translate = QCoreApplication.translate
 
@@ -25,6 +33,21 @@ class Choice(NamedTuple):
     refusal: str = ""
 
 
+def feedback_words(chosen: ChosenFeedback) -> str:
+    """Return a condition with its parameters for people."""
+    condition = condition_named(chosen.name)
+    if condition is None:
+        return chosen.name
+    clips = {p.name for p in condition.parameters if p.kind is ParameterKind.CLIP}
+    given = described(
+        {
+            name: Path(str(value)).name if name in clips else value
+            for name, value in chosen.parameters.items()
+        }
+    )
+    return translated(condition.text) + (f" ({given})" if given else "")
+
+
 def feedbacks(names: Iterable[str]) -> list[Choice]:
     """Return the force tracks of a source as choices."""
     texts = {
@@ -32,7 +55,12 @@ def feedbacks(names: Iterable[str]) -> list[Choice]:
         FROM_FILE: translate("Choices", "From file"),
         FROM_LOG: translate("Choices", "From a log"),
     }
-    return [Choice(name, texts.get(name, name)) for name in names]
+    return [Choice(name, texts.get(name) or _title(name)) for name in names]
+
+
+def _title(name: str) -> str:
+    """Return what a track of a source is called; one that was made has parameters."""
+    return feedback_words(chosen_feedback(name)) if ":" in name else name
 
 
 def devices(

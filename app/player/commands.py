@@ -67,6 +67,7 @@ COMMANDS = (
     Command("mute", "&Mute", "playback", 3, ("M",), is_checkable=True),
     Command("stop", "&Stop the force", "playback", 4, ("Esc",), is_fixed=True),
     Command("rearm", "&Re-arm the force", "playback", 4, ("Ctrl+R",)),
+    Command("feedback", "Other feed&back\u2026", "playback", 5, needs_clip=True),
     Command("set_up_device", "Set up the &device\u2026", "playback", 5),
     Command("get_to_know", "&Try out the forces\u2026", "playback", 5, ("Ctrl+K",)),
     Command("latencies", "Measure l&atencies\u2026", "playback", 5),

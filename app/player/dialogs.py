@@ -27,6 +27,7 @@ from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
+from hapticplayer.rendering import FEEDBACKS
 
 if TYPE_CHECKING:
     from app.experimenter.import_wizard import ImportWizard
@@ -72,6 +73,7 @@ LATER = (
     "app.experimenter.import_wizard",
     "app.experimenter.library_page",
     "app.experimenter.study_editor",
+    "app.player.condition_form",
     "app.player.device_page",
     "app.player.fault_panel",
     "app.player.keys_dialog",
@@ -168,6 +170,19 @@ class Dialogs(QObject):
         page = SharePage(source.path, self._folder(), source.title, self._window)
         page.shared.connect(self._keep_folder)
         self._open_working(page)
+
+    def other_feedback(self) -> None:
+        """Choose a condition to be made of the sequence that is open."""
+        from app.player.condition_form import ConditionDialog
+
+        source = self._session.player.snapshot().source
+        own = {one.name for one in FEEDBACKS}
+        names = source.tracks if source else ()
+        tracks = [one for one in names if one not in own and ":" not in one]
+        dialog = ConditionDialog(tracks, self._window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.wanted.connect(self._session.make_feedback)
+        dialog.open()
 
     def ask_about_video(self, source: Source) -> None:
         """Ask whether force may be felt with another video than it was made for."""

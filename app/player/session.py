@@ -1,6 +1,7 @@
 """What the window does with the player: open, choose, stop."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -12,12 +13,14 @@ from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import is_near_middle, limits_of
 from hapticplayer.haptics.processes import Health
+from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.replay import with_log
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict, VideoCheck
+from hapticplayer.rendering import ChosenFeedback
 
 SKIP_S = 5.0
 _DEAD = (Health.FAILED, Health.GONE)
@@ -68,6 +71,18 @@ class Session(QObject):
                 self.tr("Opening {name}").format(name=path.name),
                 lambda _progress: with_log(source, path),
             )
+
+    def make_feedback(self, chosen: ChosenFeedback) -> None:
+        """Make a force of the clip that is open, and play it from the beginning."""
+        source = self.player.snapshot().source
+        if source is None:
+            return
+
+        def work(_progress: Progress) -> Source:
+            made, name = with_feedback(source, chosen.text)
+            return replace(made, feedback=name)
+
+        self._run(self.tr("Making the force"), work)
 
     def open_demo(self) -> None:
         """Open the built-in demo; it is made on first use."""

@@ -178,6 +178,7 @@ class PlayerWindow(QMainWindow):
             (commands.stop, self.stop),
             (commands.rearm, session.rearm),
             (commands.fullscreen, self.toggle_fullscreen),
+            (commands.feedback, self.dialogs.other_feedback),
             (commands.set_up_device, lambda: self.dialogs.set_up(self.clock)),
             (commands.get_to_know, lambda: self.dialogs.get_to_know(self.clock)),
             (commands.faults, lambda: self.dialogs.faults(self.clock)),

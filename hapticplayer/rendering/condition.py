@@ -158,6 +158,15 @@ class ChosenFeedback(NamedTuple):
     name: str
     parameters: Mapping[str, Value]
 
+    @property
+    def text(self) -> str:
+        """As on the command line: `delayed:delay_s=0.3`."""
+        given = ",".join(
+            f"{name}={value:g}" if isinstance(value, float) else f"{name}={value}"
+            for name, value in self.parameters.items()
+        )
+        return f"{self.name}:{given}" if given else self.name
+
 
 def described(given: Mapping[str, Any]) -> str:
     """Return parameters as people read them: "delay_s 0.3, ..."."""

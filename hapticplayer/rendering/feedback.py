@@ -71,14 +71,14 @@ def no_feedback(realistic: ForceTrack) -> ForceTrack:
 
 _PRESET = Parameter(
     "preset",
-    Message("Rendering preset, as rendered if not given"),
+    Message("Preset"),
     ParameterKind.WORD,
     "",
     choices=tuple(PresetName),
 )
 _DELAY = Parameter(
     "delay_s",
-    Message("Delay; negative for a force that comes early"),
+    Message("Delay"),
     ParameterKind.NUMBER,
     0.3,
     ranges.FORCE_DELAY_S,

@@ -132,6 +132,10 @@
         <translation>Kraft f&amp;reigeben</translation>
     </message>
     <message>
+        <source>Other feed&amp;back…</source>
+        <translation>Anderes Feed&amp;back…</translation>
+    </message>
+    <message>
         <source>Set up the &amp;device…</source>
         <translation>&amp;Gerät einrichten…</translation>
     </message>
@@ -281,6 +285,48 @@
     <message>
         <source>Frame at the cursor</source>
         <translation>Bild am Cursor</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionDialog</name>
+    <message>
+        <source>Other feedback</source>
+        <translation>Anderes Feedback</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Make this force and play it</source>
+        <translation>Diese Kraft berechnen und abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionForm</name>
+    <message>
+        <source>Feedback</source>
+        <translation>Feedback</translation>
+    </message>
+    <message>
+        <source>As rendered</source>
+        <translation>Wie berechnet</translation>
+    </message>
+    <message>
+        <source>The next one</source>
+        <translation>Die nächste</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose a sequence folder</source>
+        <translation>Ordner einer Sequenz wählen</translation>
     </message>
 </context>
 <context>
@@ -636,6 +682,60 @@
     <message>
         <source>Window hangs, 1.3 s</source>
         <translation>Fenster hängt 1,3 s</translation>
+    </message>
+</context>
+<context>
+    <name>FeedbackDialog</name>
+    <message>
+        <source>Add a feedback</source>
+        <translation>Feedback hinzufügen</translation>
+    </message>
+    <message>
+        <source>name of the condition</source>
+        <translation>Name der Bedingung</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>In Daten und Abbildungen: a bis z, 0 bis 9, _ und -</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+</context>
+<context>
+    <name>FeedbackList</name>
+    <message>
+        <source>Feedbacks</source>
+        <translation>Feedbacks</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Choose a condition and its parameters</source>
+        <translation>Bedingung und ihre Parameter wählen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected feedback</source>
+        <translation>Das ausgewählte Feedback entfernen</translation>
+    </message>
+    <message>
+        <source>Each sequence is played with each of these. Sessions that have begun keep theirs.</source>
+        <translation>Jede Sequenz wird mit jedem davon gespielt. Begonnene Sitzungen behalten ihre.</translation>
     </message>
 </context>
 <context>
@@ -2079,6 +2179,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} wird geöffnet</translation>
     </message>
     <message>
+        <source>Making the force</source>
+        <translation>Kraft wird berechnet</translation>
+    </message>
+    <message>
         <source>Preparing the demo</source>
         <translation>Die Demo wird vorbereitet</translation>
     </message>
@@ -2793,6 +2897,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Sequences</source>
         <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source>Feedbacks</source>
+        <translation>Feedbacks</translation>
     </message>
     <message>
         <source>Questions</source>
@@ -4798,10 +4906,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bremsen mit bis zu {level_mps2:.1f} m/s², {change_mps:.0f} m/s langsamer</translation>
     </message>
     <message>
-        <source>Delay; negative for a force that comes early</source>
-        <translation>Verzögerung; negativ für eine Kraft, die zu früh kommt</translation>
-    </message>
-    <message>
         <source>Delayed</source>
         <translation>Verzögert</translation>
     </message>
@@ -4836,10 +4940,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Other sequence</source>
         <translation>Andere Sequenz</translation>
-    </message>
-    <message>
-        <source>Rendering preset, as rendered if not given</source>
-        <translation>Voreinstellung der Umrechnung; ohne Angabe wie berechnet</translation>
     </message>
     <message>
         <source>Samples are missing</source>
@@ -6104,6 +6204,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name!r} is no Falcon; use falcon, or falcon:SERIAL</source>
         <translation>{name!r} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
     </message>
     <message>
         <source>a Williams design contains every pair of neighbours, also of one sequence</source>

@@ -132,6 +132,10 @@
         <translation>&amp;Réarmer la force</translation>
     </message>
     <message>
+        <source>Other feed&amp;back…</source>
+        <translation>Autre re&amp;tour…</translation>
+    </message>
+    <message>
         <source>Set up the &amp;device…</source>
         <translation>Pré&amp;parer l’appareil…</translation>
     </message>
@@ -281,6 +285,48 @@
     <message>
         <source>Frame at the cursor</source>
         <translation>Image au curseur</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionDialog</name>
+    <message>
+        <source>Other feedback</source>
+        <translation>Autre retour</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lire</translation>
+    </message>
+    <message>
+        <source>Make this force and play it</source>
+        <translation>Calculer cette force et la jouer</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionForm</name>
+    <message>
+        <source>Feedback</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>As rendered</source>
+        <translation>Comme calculé</translation>
+    </message>
+    <message>
+        <source>The next one</source>
+        <translation>La suivante</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Parcourir…</translation>
+    </message>
+    <message>
+        <source>Choose a sequence folder</source>
+        <translation>Choisir le dossier d’une séquence</translation>
     </message>
 </context>
 <context>
@@ -636,6 +682,60 @@
     <message>
         <source>Window hangs, 1.3 s</source>
         <translation>Fenêtre figée, 1,3 s</translation>
+    </message>
+</context>
+<context>
+    <name>FeedbackDialog</name>
+    <message>
+        <source>Add a feedback</source>
+        <translation>Ajouter un retour</translation>
+    </message>
+    <message>
+        <source>name of the condition</source>
+        <translation>nom de la condition</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>Dans les données et les figures&#xa0;: a à z, 0 à 9, _ et -</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+</context>
+<context>
+    <name>FeedbackList</name>
+    <message>
+        <source>Feedbacks</source>
+        <translation>Retours</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Ajouter…</translation>
+    </message>
+    <message>
+        <source>Choose a condition and its parameters</source>
+        <translation>Choisir une condition et ses paramètres</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Remove the selected feedback</source>
+        <translation>Retirer le retour sélectionné</translation>
+    </message>
+    <message>
+        <source>Each sequence is played with each of these. Sessions that have begun keep theirs.</source>
+        <translation>Chaque séquence est jouée avec chacun d’eux. Les séances commencées gardent les leurs.</translation>
     </message>
 </context>
 <context>
@@ -2079,6 +2179,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Ouverture de {name}</translation>
     </message>
     <message>
+        <source>Making the force</source>
+        <translation>Calcul de la force</translation>
+    </message>
+    <message>
         <source>Preparing the demo</source>
         <translation>Préparation de la démo</translation>
     </message>
@@ -2793,6 +2897,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Sequences</source>
         <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>Feedbacks</source>
+        <translation>Retours</translation>
     </message>
     <message>
         <source>Questions</source>
@@ -4798,10 +4906,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Freinage jusqu’à {level_mps2:.1f} m/s², {change_mps:.0f} m/s de moins</translation>
     </message>
     <message>
-        <source>Delay; negative for a force that comes early</source>
-        <translation>Retard&#xa0;; négatif pour une force en avance</translation>
-    </message>
-    <message>
         <source>Delayed</source>
         <translation>Retardée</translation>
     </message>
@@ -4836,10 +4940,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Other sequence</source>
         <translation>Autre séquence</translation>
-    </message>
-    <message>
-        <source>Rendering preset, as rendered if not given</source>
-        <translation>Préréglage du rendu&#xa0;; sans indication, comme calculé</translation>
     </message>
     <message>
         <source>Samples are missing</source>
@@ -6104,6 +6204,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name!r} is no Falcon; use falcon, or falcon:SERIAL</source>
         <translation>{name!r} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Retard</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
     </message>
     <message>
         <source>a Williams design contains every pair of neighbours, also of one sequence</source>

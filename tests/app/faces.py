@@ -35,6 +35,7 @@ from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
+from app.player.condition_form import ConditionDialog
 from app.player.device_page import DevicePage
 from app.player.dialogs import about_dialog
 from app.player.fault_panel import FaultPanel
@@ -92,6 +93,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         ),
         "licence": lambda: Question(window, setup_texts.licence(), "OK"),
         "unknown-image": lambda: Question(window, setup_texts.unknown_image(), "OK"),
+        "feedback": lambda: ConditionDialog(["mine"], window),
         "faults": lambda: FaultPanel(window.clock, window.session, window),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "latencies": lambda: LatencyPage(

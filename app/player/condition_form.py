@@ -1,0 +1,181 @@
+"""Chooses a feedback condition and its parameters, as the registry lists them."""
+
+from collections.abc import Callable, Iterable
+
+from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLineEdit,
+    QWidget,
+)
+
+from app.bridge.languages import translated
+from app.widgets.buttons import text_button
+from app.widgets.files import folder_dialog
+from app.widgets.layout import (
+    STRETCH,
+    fill_page,
+    indent,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
+from app.widgets.texts import capitalised
+from hapticplayer.model.ranges import Range
+from hapticplayer.rendering import (
+    FEEDBACKS,
+    ChosenFeedback,
+    FeedbackCondition,
+    Parameter,
+    ParameterKind,
+    condition_named,
+)
+from hapticplayer.rendering.condition import Value
+
+translate = QCoreApplication.translate
+
+WIDTH_PX, HEIGHT_PX = 520, 300
+_STEP = 0.1
+
+
+class ConditionForm(QWidget):
+    """A list of conditions, and a field for each parameter of the one chosen.
+
+    Args:
+        tracks: further tracks that can be chosen by name.
+        clips: names of the other sequences; None asks for a folder.
+        offered: conditions to choose from.
+    """
+
+    def __init__(
+        self,
+        tracks: Iterable[str],
+        clips: Iterable[str] | None = None,
+        offered: Iterable[FeedbackCondition] = FEEDBACKS,
+    ) -> None:
+        super().__init__()
+        self._tracks, self._clips = list(tracks), clips and list(clips)
+        self.condition = QComboBox()
+        for one in offered:
+            self.condition.addItem(translated(one.text), one.name)
+        self.meaning = paragraph("")
+        self._form = QFormLayout(self)
+        self._form.addRow(translate("ConditionForm", "Feedback"), self.condition)
+        self._form.addRow("", self.meaning)
+        self._read: dict[str, Callable[[], Value]] = {}
+        self.condition.currentIndexChanged.connect(lambda _row: self._show())
+        self._show()
+
+    def chosen(self) -> ChosenFeedback:
+        """Return the condition; parameters that leave it open are left out."""
+        values = {name: read() for name, read in self._read.items()}
+        given = {name: value for name, value in values.items() if value != ""}
+        return ChosenFeedback(self.condition.currentData(), given)
+
+    def _show(self) -> None:
+        while self._form.rowCount() > 2:
+            self._form.removeRow(2)
+        self._read = {}
+        condition = condition_named(self.condition.currentData())
+        assert condition is not None
+        text = capitalised(translated(condition.meaning))
+        self.meaning.setText(f"{text}." if text else "")
+        for parameter in condition.parameters:
+            make = {
+                ParameterKind.NUMBER: self._number,
+                ParameterKind.WORD: self._word,
+                ParameterKind.CLIP: self._clip,
+                ParameterKind.TRACK: self._track,
+            }[parameter.kind]
+            make(parameter)
+
+    def _add(
+        self, parameter: Parameter, field: QWidget, read: Callable[[], Value]
+    ) -> None:
+        field.setObjectName(parameter.name)
+        field.setAccessibleName(translated(parameter.text))
+        self._read[parameter.name] = read
+        self._form.addRow(translated(parameter.text), field)
+
+    def _number(self, parameter: Parameter) -> None:
+        limits, spin = parameter.range or Range(0.0, 0.0), QDoubleSpinBox()
+        spin.setDecimals(3)
+        spin.setRange(limits.least, limits.largest)
+        spin.setSingleStep(_STEP)
+        spin.setSuffix(f" {limits.unit}" if limits.unit else "")
+        spin.setValue(float(parameter.default))
+        indent(spin)
+        self._add(parameter, spin, spin.value)
+
+    def _word(self, parameter: Parameter) -> None:
+        combo = QComboBox()
+        combo.addItem(translate("ConditionForm", "As rendered"), "")
+        for choice in parameter.choices:
+            combo.addItem(choice, choice)
+        self._add(parameter, combo, combo.currentData)
+
+    def _track(self, parameter: Parameter) -> None:
+        combo = QComboBox()
+        combo.setEditable(not self._tracks)  # of sequences that are not known here
+        combo.addItems(self._tracks or [str(parameter.default)])
+        combo.setCurrentText(str(parameter.default))
+        self._add(parameter, combo, combo.currentText)
+
+    def _clip(self, parameter: Parameter) -> None:
+        if self._clips is None:
+            self._folder(parameter)
+            return
+        combo = QComboBox()
+        combo.addItem(translate("ConditionForm", "The next one"), "")
+        for name in self._clips:
+            combo.addItem(name, name)
+        self._add(parameter, combo, combo.currentData)
+
+    def _folder(self, parameter: Parameter) -> None:
+        row, line = QWidget(), QLineEdit()
+        line.setAccessibleName(translated(parameter.text))
+        browse = text_button(
+            translate("ConditionForm", "Browse\u2026"),
+            translate("ConditionForm", "Choose a sequence folder"),
+        )
+
+        def choose() -> None:
+            dialog = folder_dialog(self, translated(parameter.text), line.text())
+            dialog.fileSelected.connect(line.setText)
+            dialog.open()
+
+        browse.clicked.connect(choose)
+        both = QHBoxLayout(row)
+        both.setContentsMargins(0, 0, 0, 0)
+        both.addWidget(line, 1)
+        both.addWidget(browse)
+        self._add(parameter, row, line.text)
+
+
+class ConditionDialog(QDialog):
+    """Asks for a feedback to be felt; `wanted` has it."""
+
+    wanted = Signal(object)
+
+    def __init__(self, tracks: Iterable[str], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Other feedback"))
+        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
+        offered = [one for one in FEEDBACKS if one.is_derived or one.parameters]
+        self.form = ConditionForm(tracks, offered=offered)
+        play = text_button(
+            self.tr("&Play"), self.tr("Make this force and play it"), "primary"
+        )
+        play.setDefault(True)
+        play.clicked.connect(self._play)
+        cancel = text_button(self.tr("&Cancel"), "")
+        cancel.clicked.connect(self.reject)
+        fill_page(self, (self.form, 1), row_of(STRETCH, cancel, play))
+
+    def _play(self) -> None:
+        self.wanted.emit(self.form.chosen())
+        self.accept()
