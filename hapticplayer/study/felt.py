@@ -75,7 +75,7 @@ def felt(ticks: NDArray[Any], duration_s: float, limits: Limits) -> Felt | None:
         None for fewer than 0.1 s.
     """
     media_s = ticks["media_s"]
-    ticks = ticks[(media_s > 0.0) & (media_s < duration_s)]
+    ticks = ticks[(media_s > 0.0) & (media_s < duration_s) & _is_finite(ticks)]
     ticks = ticks[np.diff(ticks["monotonic_s"], prepend=-np.inf) > 0.0]
     if len(ticks) < _LEAST_TICKS:
         return None
@@ -103,6 +103,12 @@ def felt(ticks: NDArray[Any], duration_s: float, limits: Limits) -> Felt | None:
         float(step_s[is_faded].sum()),
         float(step_s[is_capped].sum() / step_s.sum()),
     )
+
+
+def _is_finite(ticks: NDArray[Any]) -> NDArray[np.bool_]:
+    """Return where all forces are numbers; records come from elsewhere."""
+    forces = [ticks[name] for name in ("planned_n", "force_n", "centring_n")]
+    return np.asarray(np.isfinite(np.concatenate(forces, axis=1)).all(axis=1))
 
 
 def _is_over(ticks: NDArray[Any]) -> NDArray[np.bool_]:

@@ -19,7 +19,8 @@ from hapticplayer.study.ticks import tick_chunks, tick_files
 TrialKey = tuple[int, int]
 """Position and attempt."""
 
-_LONGEST_TRIAL_S = 4.0 * 3600.0
+_LONGEST_TRIAL_S = 3600.0
+"""What is held in memory at once: 0.6 GB."""
 
 
 def felt_trials(session: StoredSession, remarks: list[str]) -> dict[TrialKey, Felt]:
@@ -32,7 +33,7 @@ def felt_trials(session: StoredSession, remarks: list[str]) -> dict[TrialKey, Fe
     found: dict[TrialKey, Felt] = {}
     trials = list(answered_trials(session.records))
     for path in tick_files(session):
-        mine = [one for one in trials if one.playback.get("record") == path.name]
+        mine = [one for one in trials if _record(one) == path.name]
         for trial, ticks in _trial_ticks(path, mine, remarks):
             limits = _limits(trial.playback)
             made = felt(ticks, float(trial.playback["duration_s"]), limits)
@@ -68,6 +69,10 @@ def _trial_ticks(
             if parts:
                 yield trials[number], np.concatenate(parts)
             parts = []
+
+
+def _record(trial: AnsweredTrial) -> object:
+    return trial.playback.get("record") if isinstance(trial.playback, dict) else None
 
 
 def _span_s(playback: Mapping[str, Any]) -> tuple[float, float] | None:

@@ -121,6 +121,16 @@ def test_a_force_where_none_is_planned_is_off():
     assert of(ticks(np.zeros(len(T)), sine(0.1, 2.0))).is_off
 
 
+def test_what_is_no_number_in_a_record_does_not_count():
+    made = ticks(sine(2.0, 0.5), 0.5 * sine(2.0, 0.5))
+    made["force_n"][5000:5010] = np.nan
+    made["planned_n"][7000, 2] = np.inf
+    made["heat_n"][:] = np.nan
+    assert of(made).error == pytest.approx(0.5, rel=1e-3)
+    made["centring_n"] = np.nan
+    assert of(made) is None
+
+
 def test_reach_is_the_largest_distance_that_was_measured():
     made = ticks(np.ones(len(T)), np.ones(len(T)))
     made["position_m"][100] = [0.012, 0.0, 0.016]
