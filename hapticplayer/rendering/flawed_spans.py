@@ -21,6 +21,7 @@ PUSHED_MPS2 = 0.5
 """Gravity that is left in the motion stays below it, a calm driver does not."""
 
 ARTEFACT_MERGE_S = 0.05
+_STILL = Message("No motion: force here is gravity that was not removed")
 _FORCE_CLIPPED = Message("The accelerometer is at the end of its range")
 _RATE_CLIPPED = Message("The gyro is at the end of its range")
 _MISSING = Message("Samples are missing")
@@ -47,13 +48,9 @@ def stillness(material: Material) -> list[Event]:
     for start_s, end_s in _spans(is_still, material.grid_s, 0.0):
         if end_s - start_s < LEAST_STILL_S - 0.5 / GRID_HZ:
             continue
-        text = Message(
-            "No motion for {length_s:.1f} s: force here is gravity that was not removed",
-            length_s=end_s - start_s,
-        )
         fade_s = min(FADE_S, 0.25 * (end_s - start_s))
         effect = SuggestedEffect("mute", start_s, end_s, fade_s)
-        found.append(Event("stillness", start_s, end_s, confidence, text, effect))
+        found.append(Event("stillness", start_s, end_s, confidence, _STILL, effect))
     return found
 
 

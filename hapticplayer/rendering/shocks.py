@@ -8,6 +8,7 @@ footfalls, are their own background.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -59,16 +60,48 @@ KNOCK_HZ, KNOCK_DECAY_S, KNOCK_N_PER_MPS2, MOST_KNOCK_N = 60.0, 0.05, 0.05, 1.0
 KNOCK_DECAYS = 6.0  # 0.25 % of it is left
 
 
+class Shock(NamedTuple):
+    """An impact as it is felt.
+
+    Attributes:
+        start_s, end_s: media time.
+        peak_s: where it stands out most.
+        size_mps2: RMS over 40 ms above 4 Hz.
+        share: of what it needs to count, 1 or more.
+        is_heard: whether the sound confirms it.
+    """
+
+    start_s: float
+    end_s: float
+    peak_s: float
+    size_mps2: float
+    share: float
+    is_heard: bool
+
+
 def impacts(material: Material) -> list[Event]:
     """Return the impacts of a recording."""
+    return [_event(shock) for shock in find_shocks(material)]
+
+
+def find_shocks(material: Material) -> list[Shock]:
+    """Return the impacts of a recording, by their start."""
     size = shock_size(material.acceleration_mps2)
     heard = _heard(material.sound, material.grid_s)
     needed = np.where(heard, STANDS_OUT_IF_HEARD, STANDS_OUT)
     is_shock = (size > LEAST_MPS2) & ~_is_released(material.upward_mps2)
     share = np.where(is_shock, size / background(size) / needed, 0.0)
     share = np.maximum(share, landings(material.upward_mps2))
+    time_s = material.grid_s
     return [
-        _impact(material, size, share, heard, span)
+        Shock(
+            float(time_s[span.start]),
+            float(time_s[span.stop - 1]),
+            float(time_s[span.start + int(np.argmax(share[span]))]),
+            float(size[span].max()),
+            float(share[span].max()),
+            bool(heard[span].any()),
+        )
         for first, last in _merged(share > ENDS)
         for span in _parts(share, first, last)
         if share[span].max() > 1.0
@@ -166,23 +199,17 @@ def _heard(sound: LowSound | None, grid_s: Floats) -> Flags:
     return np.asarray(heard & (share < MOST_HEARD_SHARE))
 
 
-def _impact(
-    material: Material, size: Floats, share: Floats, heard: Flags, span: slice
-) -> Event:
-    peak = span.start + int(np.argmax(share[span]))
-    confidence, peak_mps2 = 1.0 - 0.5 / float(share[peak]), float(size[span].max())
+def _event(shock: Shock) -> Event:
+    confidence, peak_mps2 = 1.0 - 0.5 / shock.share, shock.size_mps2
     text = Message("Impact of {peak_mps2:.1f} m/s²", peak_mps2=peak_mps2)
-    if heard[span].any():
+    if shock.is_heard:
         confidence = 0.5 + 0.5 * confidence
         text = Message("Impact of {peak_mps2:.1f} m/s², heard too", peak_mps2=peak_mps2)
-    start_s, end_s = material.grid_s[[span.start, span.stop - 1]].tolist()
-    hit_s = float(material.grid_s[peak])
     knock = {
         "amplitude": round(min(KNOCK_N_PER_MPS2 * peak_mps2, MOST_KNOCK_N), 2),
         "frequency_hz": KNOCK_HZ,
         "decay_s": KNOCK_DECAY_S,
     }
-    effect = SuggestedEffect(
-        "knock", hit_s, hit_s + KNOCK_DECAYS * KNOCK_DECAY_S, 0.0, knock
-    )
-    return Event("impact", start_s, end_s, confidence, text, effect)
+    end_s = shock.peak_s + KNOCK_DECAYS * KNOCK_DECAY_S
+    effect = SuggestedEffect("knock", shock.peak_s, end_s, 0.0, knock)
+    return Event("impact", shock.start_s, shock.end_s, confidence, text, effect)

@@ -9,7 +9,7 @@ import re
 import secrets
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -18,7 +18,9 @@ from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
+from hapticplayer.rendering.sound_layer import SoundLayer, gain_of
 from hapticplayer.sequence import files, store
+from hapticplayer.sequence.events import sound_of
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import preset_of, render_preset
 
@@ -124,6 +126,7 @@ def set_mapping(
     *,
     fits_gain: bool = False,
     preset: str | None = None,
+    sound_gain: float | None = None,
     progress: files.Progress = files.no_progress,
 ) -> None:
     """Render the realistic and the random track again with another mapping.
@@ -135,11 +138,12 @@ def set_mapping(
         mapping: axes, gain, limit, knee and lever arm.
         fits_gain: replace its gain by the one of `rendering.fit_gain`.
         preset: see `presets`; None keeps that of the realistic track.
+        sound_gain: of `rendering.sound_layer`, 0 for none; None keeps it likewise.
         progress: called while excursions are predicted; raises Cancelled to stop.
 
     Raises:
-        InputError: when there is no motion to fit a gain to.
-        UsageError: for an unknown preset.
+        InputError: when there is no motion to fit a gain to, or no sound to be read.
+        UsageError: for an unknown preset, or a layer of sound that there is none for.
         SequenceError: when the sequence is damaged or cannot be written.
     """
     sequence = store.open_sequence(folder)
@@ -148,8 +152,14 @@ def set_mapping(
         duration_s = _duration_s(sequence.description)
         gain = rendering.fit_gain(store.motion_of(sequence), mapping, duration_s, imu)
         mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
-    name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    realistic = render_preset(store.motion_of(sequence), mapping, imu, name=name)
+    before = sequence.tracks[model.Feedback.REALISTIC]
+    realistic = render_preset(
+        store.motion_of(sequence),
+        mapping,
+        imu,
+        name=preset or preset_of(before),
+        sound=_sound_layer(sequence, sound_gain),
+    )
     tracks = {
         condition.name: condition.track(
             rendering.Ingredients(realistic, _seed(sequence.tracks[condition.name])), {}
@@ -184,36 +194,35 @@ def rendered_again(folder: Path, preset: str) -> ForceTrack:
     if preset == preset_of(realistic):
         return realistic
     mapping = sequence.mapping
-    imu = _angular_rate(sequence, mapping)
-    return render_preset(store.motion_of(sequence), mapping, imu, name=preset)
+    imu, sound = _angular_rate(sequence, mapping), _sound_layer(sequence)
+    motion = store.motion_of(sequence)
+    return render_preset(motion, mapping, imu, name=preset, sound=sound)
 
 
-def copy_with_mapping(
+class Change(Protocol):
+    """Changes a sequence in its folder, such as `set_mapping` with its choices."""
+
+    def __call__(self, folder: Path, *, progress: files.Progress) -> None:
+        """Change it."""
+
+
+def copy_changed(
     folder: Path,
     target: Path,
-    mapping: model.Mapping,
-    *,
-    fits_gain: bool = False,
-    preset: str | None = None,
+    change: Change,
     progress: files.Progress = files.no_progress,
 ) -> None:
-    """Write a copy of a sequence with another mapping; see `set_mapping`.
+    """Write a copy of a sequence that is changed before it has its name.
 
     Raises:
-        InputError: when there is no motion to fit a gain to.
-        UsageError: for an unknown preset.
+        InputError: as the change.
+        UsageError: as the change.
         SequenceError: when the target exists or cannot be written, or the sequence is
             damaged; then no part of the copy remains.
     """
     with files.written_aside(target) as aside:
         store.copy_files(folder, aside, lambda f, step: progress(0.5 * f, step))
-        set_mapping(
-            aside,
-            mapping,
-            fits_gain=fits_gain,
-            preset=preset,
-            progress=lambda f, step: progress(0.5 + 0.5 * f, step),
-        )
+        change(aside, progress=lambda f, step: progress(0.5 + 0.5 * f, step))
 
 
 def fitted_gain(folder: Path, mapping: model.Mapping) -> float:
@@ -248,6 +257,20 @@ def _angular_rate(
     if not mapping.moves_point:
         return None
     return store.recorded_log(sequence)
+
+
+def _sound_layer(
+    sequence: store.Sequence, gain: float | None = None
+) -> SoundLayer | None:
+    """Return the layer of a sequence's sound; of None, as its realistic track has it."""
+    if gain is None:
+        gain = gain_of(sequence.tracks[model.Feedback.REALISTIC])
+    if gain == 0.0:
+        return None
+    sound = sound_of(sequence)
+    if sound is None:
+        raise UsageError("the clip has no sound of which a layer could be made")
+    return SoundLayer(sound, gain)
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -285,7 +308,8 @@ def preview_gain(
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
     imu = _angular_rate(sequence, mapping)
     name = preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    track = render_preset(store.motion_of(sequence), mapping, imu, name=name)
+    motion, sound = store.motion_of(sequence), _sound_layer(sequence)
+    track = render_preset(motion, mapping, imu, name=name, sound=sound)
     report = _reporter(progress, 0, 1)
     hands = predict(track, _duration_s(sequence.description), report)["hands"]
     return GainPreview(

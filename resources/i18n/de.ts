@@ -4934,10 +4934,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fehlende Messwerte und einzelne Ausreißer</translation>
     </message>
     <message>
-        <source>No motion for {length_s:.1f} s: force here is gravity that was not removed</source>
-        <translation>Keine Bewegung für {length_s:.1f} s: Kraft ist hier Schwerkraft, die nicht entfernt wurde</translation>
-    </message>
-    <message>
         <source>Other sequence</source>
         <translation>Andere Sequenz</translation>
     </message>
@@ -4996,6 +4992,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>a lever arm needs the angular rate of the recording</source>
         <translation>ein Hebelarm braucht die Drehrate der Aufnahme</translation>
+    </message>
+    <message>
+        <source>a sound layer needs a track of straight lines</source>
+        <translation>die Klangebene braucht eine Kraftspur aus geraden Linien</translation>
     </message>
     <message>
         <source>a track that a person has edited</source>
@@ -5610,6 +5610,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Achsen des Chips</translation>
     </message>
     <message>
+        <source>the clip has no sound of which a layer could be made</source>
+        <translation>der Clip hat keinen Ton, aus dem eine Klangebene werden könnte</translation>
+    </message>
+    <message>
         <source>the columns are in another order</source>
         <translation>die Spalten stehen in anderer Reihenfolge</translation>
     </message>
@@ -5892,6 +5896,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the sound is silent</source>
         <translation>der Ton ist stumm</translation>
+    </message>
+    <message>
+        <source>the sound layer is for logs of means at less than {fast_hz:g} Hz; this one holds the shaking itself</source>
+        <translation>die Klangebene ist für Logs mit Mittelwerten unter {fast_hz:g} Hz; dieses enthält das Rütteln selbst</translation>
     </message>
     <message>
         <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>
@@ -6208,6 +6216,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Delay</source>
         <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>No motion: force here is gravity that was not removed</source>
+        <translation>Keine Bewegung: Kraft ist hier Schwerkraft, die nicht entfernt wurde</translation>
     </message>
     <message>
         <source>Preset</source>

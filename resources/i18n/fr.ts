@@ -4934,10 +4934,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Échantillons manquants et pics isolés</translation>
     </message>
     <message>
-        <source>No motion for {length_s:.1f} s: force here is gravity that was not removed</source>
-        <translation>Pas de mouvement pendant {length_s:.1f} s&#xa0;: ici, la force est de la gravité qui n’a pas été retirée</translation>
-    </message>
-    <message>
         <source>Other sequence</source>
         <translation>Autre séquence</translation>
     </message>
@@ -4996,6 +4992,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>a lever arm needs the angular rate of the recording</source>
         <translation>un bras de levier nécessite la vitesse angulaire de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>a sound layer needs a track of straight lines</source>
+        <translation>la couche sonore demande une piste de force en lignes droites</translation>
     </message>
     <message>
         <source>a track that a person has edited</source>
@@ -5610,6 +5610,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>axes de la puce</translation>
     </message>
     <message>
+        <source>the clip has no sound of which a layer could be made</source>
+        <translation>le clip n’a pas de son dont on pourrait faire une couche</translation>
+    </message>
+    <message>
         <source>the columns are in another order</source>
         <translation>les colonnes sont dans un autre ordre</translation>
     </message>
@@ -5892,6 +5896,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the sound is silent</source>
         <translation>le son est muet</translation>
+    </message>
+    <message>
+        <source>the sound layer is for logs of means at less than {fast_hz:g} Hz; this one holds the shaking itself</source>
+        <translation>la couche sonore est pour les journaux de moyennes à moins de {fast_hz:g} Hz&#xa0;; celui-ci contient les secousses elles-mêmes</translation>
     </message>
     <message>
         <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>
@@ -6208,6 +6216,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Delay</source>
         <translation>Retard</translation>
+    </message>
+    <message>
+        <source>No motion: force here is gravity that was not removed</source>
+        <translation>Pas de mouvement&#xa0;: ici, la force est de la gravité qui n’a pas été retirée</translation>
     </message>
     <message>
         <source>Preset</source>
