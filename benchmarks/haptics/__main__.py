@@ -13,5 +13,6 @@ PLACES = {
     "centring": "campaigns:centring",
     "washout": "haptics.washout",
     "events": "haptics.events",
+    "sound_layer": "haptics.sound_layer",
 }
 sys.exit(command("haptics", __doc__, PLACES))
