@@ -45,9 +45,9 @@ LIMITS_RATIO = {
 }
 # What --leave-one-out chooses from.
 CANDIDATES = tuple(
-    SmootherParameters(noise_evidence=evidence, velocity_margin=margin)
+    SmootherParameters(gyro_evidence=evidence, floor_sigmas=sigmas)
     for evidence in (1.0, 2.5, 5.0, 1e9)
-    for margin in (2.0, 3.0, 4.0)
+    for sigmas in (1.5, 2.0, 2.5, 3.0)
 )
 LEAK_LIMIT_MPS2 = 0.05
 COVERAGE, SIGMA_LIMIT = (0.90, 0.99), 1.5
@@ -201,13 +201,13 @@ def leave_one_out(families: Sequence[Family], report: Report) -> None:
         chosen_here = CANDIDATES[best]
         for family in families:
             if family.name == name:
-                row = [family.key, chosen_here.noise_evidence]
-                row += [chosen_here.velocity_margin, f"{ratios[best][family.key]:.2f}"]
+                row = [family.key, chosen_here.gyro_evidence]
+                row += [chosen_here.floor_sigmas, f"{ratios[best][family.key]:.2f}"]
                 rows.append(row)
                 what = f"{family.key}: error left out, of {REFERENCE}"
                 limit = LIMITS_RATIO.get(family.key, 1.1)
                 report.target(what, ratios[best][family.key], ("<=", limit))
-    header = ["left out", "evidence", "margin", f"error, of {REFERENCE}"]
+    header = ["left out", "evidence", "sigmas", f"error, of {REFERENCE}"]
     report.table("One family left out", header, rows, mark="left_out")
 
 

@@ -140,6 +140,7 @@ def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
         else _reason(vehicle_weight, noise_factor),
         "driven": round(vehicle_weight, 3),
         "gyro_noise_factor": noise_factor,
+        "gyro_scale": _rounded(done.mean("gyro_scale")),
         "gyro_bias_radps": _rounded(done.mean("gyro_bias_radps")),
         "accelerometer_bias_mps2": _rounded(done.mean("accelerometer_bias_mps2")),
         "accelerometer_scale": round(float(done.mean("accelerometer_scale")), 5),

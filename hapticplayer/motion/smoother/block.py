@@ -16,17 +16,23 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother import stationary, strapdown, vehicle
-from hapticplayer.motion.smoother.gyro_trust import gyro_trust, with_gyro_trust
+from hapticplayer.motion.smoother.evidence import (
+    WIDE_GYRO_SCALE_SIGMA,
+    gyro_noise_factor,
+    shows_scale_error,
+)
 from hapticplayer.motion.smoother.least_squares import (
     ACCEL_BIAS,
     ACCEL_SCALE,
     BIAS_COLUMNS,
     GYRO_BIAS,
+    GYRO_SCALE,
     with_prior,
 )
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, velocity_bound
 from hapticplayer.motion.smoother.samples import InertialSamples
+from hapticplayer.motion.smoother.short_memory import SHORT_MEMORY_S, floor_under
 from hapticplayer.motion.smoother.state import (
     Block,
     Start,
@@ -40,11 +46,7 @@ from hapticplayer.motion.smoother.state import (
     zero_velocity_weight,
 )
 from hapticplayer.motion.smoother.stationary import Flags, StillBins
-from hapticplayer.motion.smoother.uncertainty import (
-    NOISE_SIGMA_SHARE,
-    BoundExcess,
-    tilt_variance,
-)
+from hapticplayer.motion.smoother.uncertainty import BoundExcess, tilt_variance
 from hapticplayer.motion.smoother.vehicle import BODY_VELOCITY_COLUMNS, Locomotion
 
 # Prior weight of a calibration that is not to be changed: a sigma of 1e-6.
@@ -63,9 +65,9 @@ STATIONARY_NODE_SPACING_RATIO = 2.0
 # 0.23, hands, people on foot and heads on bikes above 0.36. Half of it costs 2 %, twice
 # of it 7 %.
 MIN_JUDGED_RATE_RADPS = 0.3
-# Solutions with a gyro that is trusted less, each about the one before; one fewer costs
-# 1 %, two more change nothing.
-TRUST_SOLUTIONS = 2
+# Solutions for the gyro's scale, each about the one before, and the largest scale error
+# that is believed: no data sheet allows more.
+SCALE_SOLUTIONS, MAX_GYRO_SCALE_ERROR = 4, 0.15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,6 +84,7 @@ class Calibration:
         time_constant_s: of the levelling that was used, at the nodes.
         vehicle_weight: 0 to 1; see `vehicle`.
         gyro_noise_factor: the gyro is so many times noisier than usual; 1 or more.
+        gyro_scale: (3,) the gyro reads so many times the rate.
     """
 
     gyro_bias_radps: Floats
@@ -93,6 +96,7 @@ class Calibration:
     time_constant_s: Floats
     vehicle_weight: float
     gyro_noise_factor: float
+    gyro_scale: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -171,7 +175,8 @@ def _smoothed(
     state = _with_motion(_first(block, start))
     while (found := _next(block, state)) is not None:
         state = found
-    state = _with_time_constant(_with_gyro_judged(state, block.p), block.p)
+    state = _with_floor(block, _with_gyro_scale(block, state))
+    state = _with_time_constant(state, block.p)
     return _result(block, state, with_sigma=with_sigma)
 
 
@@ -187,6 +192,7 @@ def _first(block: Block, start: Start) -> State:
         applied=start.integration.applied[:BIAS_COLUMNS],
         bias_radps=block.bias_radps,
         bias_sigma_radps=stationary.gyro_bias_prior(block.bins, block.p)[1],
+        gyro_scale_sigma=block.p.gyro_matrix_sigma,
         # with columns for a vehicle's velocity, which have no prior at first
         has_body_velocity=True,
         body_sigma_mps=0.0,
@@ -297,24 +303,62 @@ def _mean_change(now: Floats, before: Floats) -> float:
     return float(np.abs(np.log(now / before)).sum()) / len(now)
 
 
-def _with_gyro_judged(state: State, p: SmootherParameters) -> State:
-    """Trust the gyro less where the recording shows that it is noisier.
+def _with_gyro_scale(block: Block, state: State) -> State:
+    """Re-solve with a wide prior of the gyro's scale where the evidence asks for it.
+
+    Kept if the RMS velocity drops by a quarter: a bias that changes and a rail look
+    like a wrong scale, too, but it explains little of them.
+    """
+    if not shows_scale_error(state.problem, state.solution, block.p):
+        return state
+    known = replace(state.known, gyro_scale_sigma=WIDE_GYRO_SCALE_SIGMA)
+    found = replace(state, known=known)
+    for _ in range(SCALE_SOLUTIONS):
+        found = _solved_anew(block, found)
+    before_mps, left_mps = (
+        vehicle.rms_mps(one.solution.velocity_mps) for one in (state, found)
+    )
+    is_possible = np.abs(found.calibration[GYRO_SCALE]).max() < MAX_GYRO_SCALE_ERROR
+    explains = left_mps < KEPT_RMS_VELOCITY_RATIO * before_mps
+    return found if is_possible and explains else state
+
+
+def _solved_anew(block: Block, state: State) -> State:
+    """Return the next solution, integrated with the calibration of the last."""
+    duration_s, p = state.integration.nodes.duration_s, block.p
+    velocity_mps = state.solution.velocity_mps
+    bound_mps = velocity_bound(velocity_mps, duration_s, state.motion, p)
+    start = reintegrate(block, state, bound_mps, is_fine=True)
+    known = replace(
+        state.known,
+        bound_mps=bound_mps,
+        zero_velocity_weight=zero_velocity_weight(block, state, start.integration),
+        applied=start.integration.applied[: len(state.known.applied)],
+    )
+    found = solve(start, known, p)
+    return replace(found, motion=state.motion, solutions=state.solutions + 1)
+
+
+def _with_floor(block: Block, state: State) -> State:
+    """Put the plain estimate under the solution where the gyro is noisier than usual.
 
     It shows in what moves and turns; elsewhere the gyro's errors do little.
     """
-    motion, solution = state.motion, state.solution
+    motion, solution, p = state.motion, state.solution, block.p
     turns_little = state.integration.turn_radps < MIN_JUDGED_RATE_RADPS
     moves = vehicle.moves(solution.velocity_mps) and motion.moving_weight
     if turns_little or not moves or p.time_constant_s is not None:
         return state
     body = slice(-BODY_VELOCITY_COLUMNS, None)  # there, because it moves
-    trust = gyro_trust(state.problem, solution, body, p)
-    if trust is None:
+    factor = gyro_noise_factor(state.problem, solution, body, p)
+    if factor == 1.0:
         return state
-    adjusted = functools.partial(with_gyro_trust, trust=trust, p=p)
-    for _ in range(TRUST_SOLUTIONS):
-        state = solve_again(state, trust.bound_mps(p), p, adjusted)
-    return replace(state, trust=trust)
+    nodes = state.integration.nodes
+    floor = floor_under(solution.tilt, nodes, state.frames, factor, p)
+    # at rest the smoother's is level
+    resting = np.concatenate([[False], at_rest(block, state), [False]])
+    weight = np.where(resting[1:] | resting[:-1], 0.0, floor.weight)
+    return replace(state, floor=replace(floor, weight=weight))
 
 
 def _with_time_constant(state: State, p: SmootherParameters) -> State:
@@ -333,8 +377,9 @@ def _with_time_constant(state: State, p: SmootherParameters) -> State:
 
 def _result(block: Block, state: State, *, with_sigma: bool) -> Smoothed:
     """Return the orientation at each sample, and its uncertainty."""
-    count, resting = len(block.samples), at_rest(block, state)
-    tilt = stationary.levelled_at_rest(state.problem, state.solution, resting)
+    count, resting, floor = len(block.samples), at_rest(block, state), state.floor
+    levelled = stationary.levelled_at_rest(state.problem, state.solution, resting)
+    tilt = levelled if floor is None else floor.mixed(levelled, floor.tilt)
     calibration = _calibration(state, block.p)
     gyro_bias_radps = calibration.gyro_bias_radps
     windows, nodes = state.integration.windows, state.integration.nodes
@@ -346,7 +391,7 @@ def _result(block: Block, state: State, *, with_sigma: bool) -> Smoothed:
     return Smoothed(
         quaternion_wxyz=quaternion,
         vertical=vertical,
-        sigma_rad=_sigma_rad(block, state, gyro_bias_radps, tilt)
+        sigma_rad=_sigma_rad(block, state, gyro_bias_radps, levelled)
         if with_sigma
         else np.zeros(count),
         at_rest=np.repeat(resting, block.samples_per_node)[:count],
@@ -358,6 +403,9 @@ def _calibration(state: State, p: SmootherParameters) -> Calibration:
     total, solution = state.calibration, state.solution
     unit = np.eye(len(solution.calibration), BIAS_COLUMNS)
     sigma = np.sqrt(np.diag(solution.covariance_times(unit)))
+    time_constant_s, floor = p.time_constant_of_s(state.known.bound_mps), state.floor
+    if floor is not None:
+        time_constant_s = floor.mixed(time_constant_s, SHORT_MEMORY_S)
     return Calibration(
         gyro_bias_radps=total[GYRO_BIAS],
         gyro_bias_sigma_radps=sigma[GYRO_BIAS],
@@ -365,9 +413,10 @@ def _calibration(state: State, p: SmootherParameters) -> Calibration:
         accelerometer_bias_sigma_mps2=sigma[ACCEL_BIAS],
         accelerometer_scale=1.0 + float(total[ACCEL_SCALE]),
         accelerometer_scale_sigma=float(sigma[ACCEL_SCALE]),
-        time_constant_s=p.time_constant_of_s(state.known.bound_mps),
+        time_constant_s=time_constant_s,
         vehicle_weight=state.motion.vehicle_weight,
-        gyro_noise_factor=state.trust.noise_factor if state.trust else 1.0,
+        gyro_noise_factor=1.0 if floor is None else floor.noise_factor,
+        gyro_scale=1.0 + total[GYRO_SCALE],
     )
 
 
@@ -377,13 +426,15 @@ def _sigma_rad(
     """Return the standard deviation of the tilt at each sample."""
     excess = _excess(state, block.p)
     variance = tilt_variance(
-        *(state.problem, state.solution, gyro_bias_radps, excess, block.p),
-        noise_share=NOISE_SIGMA_SHARE if state.trust is None else 1.0,
+        state.problem, state.solution, gyro_bias_radps, excess, block.p
     )
     per_node = block.samples_per_node
-    variance += _turning_variance(state.integration.nodes.turned_rad / per_node)
+    turn_rad = state.integration.nodes.turned_rad / per_node
+    variance += _turning_variance(turn_rad, block.samples.held())
     # at rest the accelerometer's bias is taken for tilt, so that nothing is felt
     variance += rot.squared_norm(tilt - state.solution.tilt)
+    if state.floor is not None:
+        variance = state.floor.mixed(variance, state.floor.variance)
     # two unrelated directions are 90 degrees apart
     sigma = np.sqrt(np.minimum(variance, 2.0))
     share = np.arange(per_node) / per_node
@@ -402,9 +453,15 @@ def _excess(state: State, p: SmootherParameters) -> BoundExcess:
     return BoundExcess(factor, state.motion.vehicle_weight)
 
 
-def _turning_variance(turn_rad: Floats) -> Floats:
-    """Return the variance by turns (K,) within a sample, at the nodes, rad^2."""
+def _turning_variance(turn_rad: Floats, held: float) -> Floats:
+    """Return the variance by turns (K,) within a reading, at the nodes, rad^2.
+
+    Args:
+        turn_rad: (K,) per sample.
+        held: samples that repeat a reading; they are late by half of it.
+    """
     at = np.empty(len(turn_rad) + 1)
     at[0], at[-1] = turn_rad[0], turn_rad[-1]
     at[1:-1] = 0.5 * (turn_rad[1:] + turn_rad[:-1])
-    return np.asarray(np.square(TILT_ERROR_PER_SAMPLE_TURN * at))
+    late = 0.5 * (held - 1.0)
+    return np.asarray((TILT_ERROR_PER_SAMPLE_TURN**2 + late**2) * np.square(at))

@@ -1,12 +1,16 @@
-"""The evidence of a block's data for how the sensor moves and how noisy its gyro is.
+"""What the evidence of a block's data says about its gyro.
 
-The velocity is a Gauss-Markov process (Gelb 1974, "Applied Optimal Estimation", section
-3.8), v[k+1] = a v[k] + w with a = exp(-T / tau) and var w = sigma^2 (1 - a^2). The
-evidence is the probability of the data with nodes and calibration integrated out (MacKay
-1992, "Bayesian Interpolation", equation 2.5). Several velocities are weighed at once:
-their normal matrices follow one another in one band.
+The smoother assumes the noise and the scale of a calibrated gyro. One that saturates,
+drifts or repeats samples is noisier, and a bound on the velocity that follows the
+velocity found then takes drift for motion. Which factor on its noise is likely depends
+on how the sensor moves: the velocity is a Gauss-Markov process (Gelb 1974, "Applied Optimal
+Estimation", section 3.8), v[k+1] = a v[k] + w with a = exp(-T / tau) and
+var w = sigma^2 (1 - a^2). The evidence is the probability of the data with nodes and
+calibration integrated out (MacKay 1992, "Bayesian Interpolation", equation 2.5). Several
+velocities are weighed at once: their normal matrices follow one another in one band.
 """
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -16,12 +20,19 @@ from scipy.linalg import lapack
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion.smoother.least_squares import (
+    ALL_COLUMNS,
+    BIAS_COLUMNS,
+    GYRO_SCALE,
     Problem,
+    Solution,
     half_solve,
     horizontal_factor,
     right_sides,
     vertical_right_sides,
+    with_fixed_calibration,
+    with_prior,
 )
+from hapticplayer.motion.smoother.parameters import SmootherParameters
 
 
 class VelocityModel(NamedTuple):
@@ -31,14 +42,103 @@ class VelocityModel(NamedTuple):
     correlation_s: float
 
 
-def with_velocity_model(problem: Problem, model: VelocityModel) -> Problem:
-    """Return the problem with the velocity as such a process, in place of its bound."""
-    bound, change = _precisions(problem.duration_s, [model])
-    unchanged = problem.zero_velocity_weight + change[0]
-    return replace(problem, bound_weight=bound[0], zero_velocity_weight=unchanged)
+# Factors on the deviation of the gyro's noise, upwards; half and twice of them cost 1 %.
+GYRO_NOISE_FACTORS = (2.0, 4.0, 8.0)
+# Deviations (m/s) and correlation times (s) of the velocity that are tried: from a hand
+# to a bicycle, from a step to a bend.
+VELOCITY_MODELS = tuple(
+    itertools.starmap(
+        VelocityModel, itertools.product((0.1, 0.3, 1.0, 3.0), (0.5, 2.0, 8.0))
+    )
+)
+# No step on the way up may lose more evidence than this (natural logarithm): beyond a
+# valley lies a gyro that is worth nothing, which explains any vehicle.
+MAX_LOG_EVIDENCE_LOSS = 0.5
+# Prior sigmas of the scale of a gyro that nobody calibrated: the tolerance of cheap ones
+# (3 %, data sheet of the MPU-6050) and, to solve with, twice of it.
+GYRO_SCALE_SIGMA, WIDE_GYRO_SCALE_SIGMA = 0.03, 0.06
 
 
-def _precisions(
+def gyro_noise_factor(
+    problem: Problem, solution: Solution, body: slice, p: SmootherParameters
+) -> float:
+    """Return how much noisier the gyro is than usual, 1 where it is not.
+
+    A walk in circles looks like an error of the gyro unless the velocity in the body's
+    frame is known, a shaken head if it is: what counts is the evidence either way.
+
+    Args:
+        problem: the last one.
+        solution: of it.
+        body: columns of the velocity in the body's frame.
+        p: settings.
+    """
+    resting = solution.calibration.copy()
+    resting[body] = 0.0
+    moving, still = (
+        with_fixed_calibration(problem, calibration, BIAS_COLUMNS)
+        for calibration in (solution.calibration, resting)
+    )
+    both = replace(
+        moving,
+        tilt=np.concatenate([still.tilt[:1], moving.tilt]),
+        impulse=np.concatenate([still.impulse[:1], moving.impulse]),
+    )
+    usual: Floats | None = None
+    best, best_gain, last_gain = 1.0, p.gyro_evidence, 0.0
+    for factor in GYRO_NOISE_FACTORS:
+        noisier = replace(both, tilt_weight=both.tilt_weight / factor**2)
+        evidences = log_evidences(noisier, VELOCITY_MODELS, 2)
+        least = evidences.max(axis=1) - last_gain + MAX_LOG_EVIDENCE_LOSS
+        if usual is None:
+            # two velocities are mostly enough to see that the usual gyro explains more
+            likely = [VELOCITY_MODELS[place] for place in evidences.argmax(axis=1)]
+            if (log_evidences(both, likely, 2).max(axis=1) > least).any():
+                return best
+            usual = log_evidences(both, VELOCITY_MODELS, 2).max(axis=1)
+        if (usual > least).any():
+            return best
+        last_gain = float((evidences.max(axis=1) - usual).min())
+        if last_gain > best_gain:
+            best, best_gain = factor, last_gain
+    return best
+
+
+def shows_scale_error(
+    problem: Problem, solution: Solution, p: SmootherParameters
+) -> bool:
+    """Return whether a wide prior of the gyro's scale explains the data better."""
+    if len(problem.prior) < ALL_COLUMNS:
+        return False
+    prior, weight = problem.prior, problem.prior_weight
+    least = log_evidence_of_prior(solution, prior, weight) + p.scale_evidence
+    for sigma in (GYRO_SCALE_SIGMA, WIDE_GYRO_SCALE_SIGMA):
+        wide = weight.copy()
+        wide[GYRO_SCALE] = sigma**-2.0
+        widened = with_prior(solution, prior, wide)
+        if log_evidence_of_prior(widened, prior, wide) > least:
+            return True
+    return False
+
+
+def log_evidence_of_prior(
+    solution: Solution, prior: Floats, prior_weight: Floats
+) -> float:
+    """Return the logarithm of the evidence, but for what no prior changes.
+
+    Args:
+        solution: under that prior.
+        prior: (C,) expected calibration.
+        prior_weight: (C,) 1 / variance of that.
+    """
+    pull = prior_weight * prior
+    right = pull - solution.normal[1 : 1 + len(prior), 0]
+    squares = prior @ pull - right @ solution.calibration
+    log_det = 2.0 * np.log(np.diagonal(solution.factor)).sum()
+    return float(0.5 * (np.log(prior_weight).sum() - log_det - squares))
+
+
+def velocity_precisions(
     duration_s: Floats, models: Sequence[VelocityModel]
 ) -> tuple[Floats, Floats]:
     """Return the precision of such processes, (M, K + 1) and (M, K).
@@ -116,7 +216,7 @@ def _gram(columns: Floats, weight: Floats) -> Floats:
 
 def _chain(problem: Problem, models: Sequence[VelocityModel]) -> Problem:
     """Return the problem with each model in turn, with nothing between them."""
-    bound, change = _precisions(problem.duration_s, models)
+    bound, change = velocity_precisions(problem.duration_s, models)
 
     def repeated(values: Floats) -> Floats:
         held = np.zeros(bound.shape)

@@ -28,6 +28,7 @@ GYRO_BIAS = slice(0, 3)
 ACCEL_BIAS = slice(3, 6)
 ACCEL_SCALE = 6
 GYRO_MATRIX = slice(7, 16)
+GYRO_SCALE = slice(7, 16, 4)  # its diagonal
 BIAS_COLUMNS = 7
 ALL_COLUMNS = 16
 
@@ -189,26 +190,10 @@ def tilt_variances(problem: Problem, nodes: NDArray[np.intp]) -> Floats:
     """Return the variance of one tilt at some nodes, for a known calibration."""
     right = np.zeros((len(nodes), 2 * len(problem.bound_weight)))
     right[np.arange(len(nodes)), 2 * nodes] = 1.0
-    return _variances(problem, right)
-
-
-def tilt_change_variances(problem: Problem) -> Floats:
-    """Return the variance of the change of one tilt between nodes, (K,).
-
-    For a known calibration.
-    """
-    intervals = np.arange(len(problem.duration_s))
-    right = np.zeros((len(intervals), 2 * len(problem.bound_weight)))
-    right[intervals, 2 * intervals + 2], right[intervals, 2 * intervals] = 1.0, -1.0
-    return _variances(problem, right)
-
-
-def _variances(problem: Problem, rows: Floats) -> Floats:
-    """Return the variances of rows (n, 2 (K + 1)) times the unknowns of one axis."""
-    pairs = _in_pairs(rows)
+    pairs = _in_pairs(right)
     half_solve(horizontal_factor(problem), pairs)
     found = np.stack([np.vecdot(x, x) for x in (pairs.real, pairs.imag)], axis=1)
-    return found.reshape(-1)[: len(rows)]
+    return found.reshape(-1)[: len(nodes)]
 
 
 def horizontal_band(problem: Problem) -> Floats:

@@ -50,10 +50,11 @@ class SmootherParameters:
         velocity_factor: bound over the velocity found; above 1, because too tight a
             bound absorbs motion and too wide a one only lets the gyro drift.
         velocity_floor_mps: added in quadrature.
-        noise_evidence: a noisier gyro is believed from this gain in the logarithm of
-            the evidence on: odds of 12 to 1.
-        velocity_margin: then the velocity is given this many times its most likely
-            deviation; 2 is too tight for motion between the models that are tried.
+        scale_evidence: a wrong scale of the gyro is looked for from this gain in the
+            logarithm of the evidence on; what is found must explain the velocity, too.
+        gyro_evidence: a noisier gyro is believed from this gain on: odds of 12 to 1.
+        floor_sigmas: then the plain estimate is preferred where the smoother differs
+            from it by more than so many times its own error.
         bound_half_width_s: half width of the span that the velocity is averaged over.
         vertical_half_width_s: of the mean that gives the first vertical.
         solutions: at most as many, but two at the least.
@@ -92,8 +93,9 @@ class SmootherParameters:
     first_bound_mps: float = 1.5
     velocity_factor: float = 6.0
     velocity_floor_mps: float = 0.1
-    noise_evidence: float = 2.5
-    velocity_margin: float = 3.0
+    scale_evidence: float = 0.5
+    gyro_evidence: float = 2.5
+    floor_sigmas: float = 2.0
     bound_half_width_s: float = 17.0
     vertical_half_width_s: float = 4.0
     solutions: int = 3

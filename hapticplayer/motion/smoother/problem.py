@@ -15,6 +15,7 @@ from hapticplayer.motion.smoother.least_squares import (
     BIAS_COLUMNS,
     GYRO_BIAS,
     GYRO_MATRIX,
+    GYRO_SCALE,
     Problem,
 )
 from hapticplayer.motion.smoother.nodes import Nodes
@@ -39,6 +40,7 @@ class Knowledge:
         applied: (C,) calibration that the nodes were integrated with.
         bias_radps: (3,) expected gyro bias, in all.
         bias_sigma_radps: (3,) its prior sigma.
+        gyro_scale_sigma: prior sigma of the gyro's scale.
         has_body_velocity: whether there are columns for a vehicle's velocity.
         body_sigma_mps: prior sigma of that; 0 for none.
     """
@@ -48,6 +50,7 @@ class Knowledge:
     applied: Floats
     bias_radps: Floats
     bias_sigma_radps: Floats
+    gyro_scale_sigma: float
     has_body_velocity: bool
     body_sigma_mps: float
 
@@ -152,6 +155,7 @@ def _prior(known: Knowledge, p: SmootherParameters) -> tuple[Floats, Floats]:
     prior[GYRO_BIAS] += known.bias_radps
     sigma = np.empty(ALL_COLUMNS)
     sigma[GYRO_BIAS], sigma[GYRO_MATRIX] = known.bias_sigma_radps, p.gyro_matrix_sigma
+    sigma[GYRO_SCALE] = known.gyro_scale_sigma
     sigma[ACCEL_BIAS], sigma[ACCEL_SCALE] = (
         accelerometer_sigma[:3],
         accelerometer_sigma[3],

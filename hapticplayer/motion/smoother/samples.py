@@ -15,6 +15,9 @@ MIN_REGULAR_STEP_SHARE, REGULAR_TOLERANCE_INTERVALS = 0.6, 0.1
 # A logger that would have dropped more stamps packets, not samples.
 MAX_FILLED_COUNT_RATIO = 2.0
 
+# More repetitions are those of a sensor that measures nothing.
+MAX_HELD = 20.0
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class InertialSamples:
@@ -45,6 +48,15 @@ class InertialSamples:
 
     def __len__(self) -> int:
         return len(self.step_s)
+
+    def held(self) -> float:
+        """Return how many samples repeat one reading, on average; at most MAX_HELD."""
+        changed = np.zeros(len(self) - 1, np.bool_)
+        for values in (self.angular_rate_radps, self.specific_force_mps2):
+            for axis in values.T:
+                changed |= axis[1:] != axis[:-1]
+        readings = max(int(np.count_nonzero(changed)), 1)
+        return min(len(changed) / readings, MAX_HELD) if len(changed) else 1.0
 
     def cut(self, part: slice) -> "InertialSamples":
         """Return some of the samples."""

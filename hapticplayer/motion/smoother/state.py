@@ -16,7 +16,6 @@ from hapticplayer.motion.medians import median
 from hapticplayer.motion.rotations import Pair
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother import stationary, strapdown
-from hapticplayer.motion.smoother.gyro_trust import GyroTrust
 from hapticplayer.motion.smoother.least_squares import (
     ACCEL_BIAS,
     ACCEL_SCALE,
@@ -31,6 +30,7 @@ from hapticplayer.motion.smoother.least_squares import (
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, linearised
 from hapticplayer.motion.smoother.samples import InertialSamples, at_middles
+from hapticplayer.motion.smoother.short_memory import Floor
 from hapticplayer.motion.smoother.stationary import Flags, StillBins
 from hapticplayer.motion.smoother.vehicle import Locomotion
 
@@ -117,7 +117,7 @@ class State:
         solution: of it.
         motion: how the sensor moves along.
         solutions: how many there have been.
-        trust: in the gyro, None where it is as usual.
+        floor: the plain estimate, None where the gyro is as usual.
     """
 
     integration: Integration
@@ -127,7 +127,7 @@ class State:
     solution: Solution
     motion: Locomotion = UNKNOWN_MOTION
     solutions: int = 1
-    trust: GyroTrust | None = None
+    floor: Floor | None = None
 
     @property
     def vertical(self) -> Floats:

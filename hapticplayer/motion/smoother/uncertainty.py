@@ -70,8 +70,6 @@ def tilt_variance(
     gyro_bias_radps: Floats,
     excess: BoundExcess,
     p: SmootherParameters,
-    *,
-    noise_share: float = NOISE_SIGMA_SHARE,
 ) -> Floats:
     """Return the variance of both tilts together at the nodes (K + 1,), rad^2.
 
@@ -81,7 +79,6 @@ def tilt_variance(
         gyro_bias_radps: (3,) found, in all.
         excess: of the velocity bound.
         p: of the smoother.
-        noise_share: of the model's deviation for noise; 1 for a noise that was found.
     """
     squared = float(np.square(gyro_bias_radps).sum())
     squared = min(squared, p.gyro_bias_sigma_radps**2)
@@ -99,7 +96,7 @@ def tilt_variance(
         problem = replace(problem, bound_weight=bound_weight)
     gaps = gaps_of(problem)
     noise = noise_variance(problem, gaps)
-    shares = np.full(len(noise), 2.0 * noise_share**2)
+    shares = np.full(len(noise), 2.0 * NOISE_SIGMA_SHARE**2)
     shares[gaps] = shares[gaps + 1] = 2.0
     return np.asarray(
         shares * noise

@@ -9,15 +9,15 @@ from scipy.linalg import cholesky_banded
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.motion.smoother.evidence import (
     VelocityModel,
+    log_evidence_of_prior,
     log_evidences,
-    with_velocity_model,
+    velocity_precisions,
 )
 from hapticplayer.motion.smoother.least_squares import (
     Problem,
     Solution,
     horizontal_band,
     minimise,
-    tilt_change_variances,
     with_prior,
 )
 
@@ -318,6 +318,13 @@ def process_covariance(problem, model):
     return model.sigma_mps**2 * np.exp(-apart_s / model.correlation_s)
 
 
+def with_velocity_model(problem, model):
+    bound, change = velocity_precisions(problem.duration_s, [model])
+    return dataclasses.replace(
+        problem, bound_weight=bound[0], zero_velocity_weight=change[0]
+    )
+
+
 @pytest.mark.parametrize("model", MODELS)
 def test_a_velocity_model_is_a_gauss_markov_process(model, rng):
     problem = moving_problem(rng, 12)
@@ -372,9 +379,17 @@ def test_evidence_of_the_noise_counts_its_own_size(rng):
     assert factors[int(np.argmax(found))] == 3.0
 
 
-def test_variances_of_changes_are_those_of_dense_equations(rng):
-    problem = random_problem(rng, 15, 0)
-    dense = Dense(problem).covariance()[:16, :16]
-    change = np.diff(np.eye(16), axis=0)
-    expected = np.diag(change @ dense @ change.T)
-    assert_same(tilt_change_variances(problem), expected)
+def test_the_evidence_of_a_prior_is_that_of_dense_equations(rng):
+    problem = random_problem(rng, 12, 7)
+    found, expected = [], []
+    solution = minimise(problem)
+    for share in (1.0, 0.1):
+        weight = share * problem.prior_weight
+        under = with_prior(solution, problem.prior, weight)
+        found.append(log_evidence_of_prior(under, problem.prior, weight))
+        dense = Dense(dataclasses.replace(problem, prior_weight=weight))
+        left = dense.matrix @ np.linalg.lstsq(dense.matrix, dense.right)[0]
+        squares = np.square(left - dense.right).sum()
+        _, log_det = np.linalg.slogdet(dense.matrix.T @ dense.matrix)
+        expected.append(0.5 * (np.log(weight).sum() - log_det - squares))
+    assert found[1] - found[0] == pytest.approx(expected[1] - expected[0], abs=1e-5)

@@ -126,7 +126,14 @@ def test_a_body_velocity_pushes_as_it_rotates():
     count = len(nodes.duration_s)
     up = np.tile([[0.0], [0.0], [1.0]], count + 1)
     known = Knowledge(
-        np.ones(count + 1), np.zeros(count), np.zeros(7), np.zeros(3), 0.05, True, 10.0
+        np.ones(count + 1),
+        np.zeros(count),
+        np.zeros(7),
+        np.zeros(3),
+        0.05,
+        0.01,
+        True,
+        10.0,
     )
     problem = linearised(nodes, up, level_frames(up), known, SmootherParameters())
     assert problem.tilt.shape == (11, 2, count)
@@ -187,7 +194,7 @@ def last_assumed(log, monkeypatch):
     linearised = state.linearised
     with monkeypatch.context() as patch:
         patch.setattr(state, "linearised", noted)
-        remove_gravity(log, parameters=SmootherParameters(noise_evidence=1e9))
+        remove_gravity(log, parameters=SmootherParameters(gyro_evidence=1e9))
     return used[-1]
 
 
