@@ -95,9 +95,9 @@ _TRIAL_COLUMNS = (
     _SOUND,
     DataColumn("reasons", "why the playback was not valid, separated by semicolons"),
     *_PLAYED,
-    *FELT,
     DataColumn("response_s", "from the questions to the answer", "s"),
     DataColumn("answers", "all answers as JSON"),
+    *FELT,
 )
 
 
@@ -206,9 +206,9 @@ def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
                 trial.sound,
                 ";".join(trial.reasons),
                 *(trial.playback.get(column.name) for column in _PLAYED),
-                *felt_cells(felt.get((trial.position, trial.attempt))),
                 trial.response_s,
                 json.dumps(dict(trial.values), sort_keys=True),
+                *felt_cells(felt.get((trial.position, trial.attempt))),
             )
 
 

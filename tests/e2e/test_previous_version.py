@@ -1,5 +1,6 @@
 """What the version before wrote opens, and gives the same numbers."""
 
+import csv
 import json
 import tarfile
 from pathlib import Path
@@ -98,7 +99,12 @@ def test_export_gives_the_same_tables(report, unpacked, tmp_path):
     report("study", "export", unpacked / "study", "-o", tmp_path / "out")
     for name in ("trials", "texts"):
         written = (tmp_path / "out" / f"{name}.csv").read_text(encoding="utf-8")
-        assert written == EXPECTED[f"{name}_csv"]
+        found, expected = (
+            list(csv.reader(text.splitlines()))
+            for text in (written, EXPECTED[f"{name}_csv"])
+        )
+        # columns may be added at the end
+        assert [row[: len(expected[0])] for row in found] == expected
 
 
 @pytest.mark.parametrize("form", ["bids", "xdf"])
