@@ -63,15 +63,19 @@ class Event:
     effect: SuggestedEffect
 
     def within(self, end_s: float) -> "Event":
-        """Return it without what lies before 0 or after the end of a clip."""
-        first_s, last_s = max(self.effect.start_s, 0.0), min(self.effect.end_s, end_s)
-        fade_s = min(self.effect.fade_s, 0.5 * max(0.0, last_s - first_s))
-        effect = replace(self.effect, start_s=first_s, end_s=last_s, fade_s=fade_s)
+        """Return it without what lies before 0 or after the end of a clip.
+
+        The effect keeps a millisecond at least, also where it would begin after the end.
+        """
+        last_start_s = max(0.0, end_s - LEAST_EFFECT_S)
+        first_s = min(max(self.effect.start_s, 0.0), last_start_s)
+        last_s = min(max(self.effect.end_s, first_s + LEAST_EFFECT_S), end_s)
+        fade_s = min(self.effect.fade_s, 0.5 * (last_s - first_s))
         return replace(
             self,
             start_s=max(self.start_s, 0.0),
             end_s=min(self.end_s, end_s),
-            effect=effect,
+            effect=replace(self.effect, start_s=first_s, end_s=last_s, fade_s=fade_s),
         )
 
 

@@ -209,6 +209,14 @@ def test_an_event_is_cut_to_its_clip():
     assert cut.effect.fade_s <= 0.15
 
 
+def test_an_effect_that_would_begin_after_the_clip_ends_in_it():
+    (event,) = found("impact", motion_of(along(2, blow(8.0, 20.0))))
+    cut = event.within(8.0)
+    assert cut.effect.end_s == 8.0
+    assert cut.effect.start_s == pytest.approx(7.999)
+    assert (cut.start_s, cut.end_s) == (event.start_s, 8.0)
+
+
 def test_unknown_kinds_and_empty_motions_are_refused():
     motion = motion_of(along(0, np.zeros(len(TIME_S))))
     with pytest.raises(UsageError, match="'crash' is not a kind of events"):
