@@ -65,9 +65,9 @@ STATIONARY_NODE_SPACING_RATIO = 2.0
 # 0.23, hands, people on foot and heads on bikes above 0.36. Half of it costs 2 %, twice
 # of it 7 %.
 MIN_JUDGED_RATE_RADPS = 0.3
-# Solutions for the gyro's scale, each about the one before, and the largest scale error
-# that is believed: no data sheet allows more.
-SCALE_SOLUTIONS, MAX_GYRO_SCALE_ERROR = 4, 0.15
+# Solutions for the gyro's scale, each about the one before, at most; a change that calls
+# for no other; and the largest scale error that is believed: no data sheet allows more.
+SCALE_SOLUTIONS, SETTLED_GYRO_SCALE_CHANGE, MAX_GYRO_SCALE_ERROR = 4, 0.003, 0.15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -314,7 +314,10 @@ def _with_gyro_scale(block: Block, state: State) -> State:
     known = replace(state.known, gyro_scale_sigma=WIDE_GYRO_SCALE_SIGMA)
     found = replace(state, known=known)
     for _ in range(SCALE_SOLUTIONS):
-        found = _solved_anew(block, found)
+        last, found = found, _solved_anew(block, found)
+        moved = np.abs(found.calibration[GYRO_SCALE] - last.calibration[GYRO_SCALE])
+        if moved.max() < SETTLED_GYRO_SCALE_CHANGE:
+            break
     before_mps, left_mps = (
         vehicle.rms_mps(one.solution.velocity_mps) for one in (state, found)
     )
