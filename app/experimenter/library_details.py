@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDoubleSpinBox,
+    QFileDialog,
     QHeaderView,
     QLabel,
     QSlider,
@@ -18,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.bridge.jobs import Job, Progress, in_child
 from app.bridge.languages import translated
+from app.experimenter.force_texts import cost_text, read_filter, write_filters
 from app.experimenter.quality_view import QualityView
 from app.player.choices import feedbacks
 from app.widgets import theme
@@ -33,11 +35,12 @@ from app.widgets.layout import (
     row_of,
 )
 from app.widgets.texts import local
-from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.errors import HapticPlayerError, Message, message_of
+from hapticplayer.interchange.force_files import ForceFormat
+from hapticplayer.interchange.force_import import export_force, import_force
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import (
     GainPreview,
-    add_track,
     preview_gain,
     remove_track,
     rename_track,
@@ -112,11 +115,15 @@ class LibraryDetails(QWidget):
 
     def _lay_out(self) -> None:
         self.add = text_button(
-            self.tr("&Add a track\u2026"), self.tr("Add a force track from a CSV file")
+            self.tr("&Add a track\u2026"), self.tr("Add a force track from a file")
         )
         self.rename = text_button(self.tr("Rena&me\u2026"), self.tr("Rename the track"))
         self.remove = text_button(self.tr("&Remove"), self.tr("Remove the track"))
-        self.add.clicked.connect(self._choose_csv)
+        self.export = text_button(
+            self.tr("E&xport\u2026"), self.tr("Save the track for other software")
+        )
+        self.add.clicked.connect(self._choose_force)
+        self.export.clicked.connect(self._choose_target)
         self.rename.clicked.connect(self._ask_name)
         self.remove.clicked.connect(lambda: self._edit(remove_track, self._track()))
         self.apply = text_button(
@@ -129,7 +136,7 @@ class LibraryDetails(QWidget):
         column_of(
             (self.report, 3),
             (self.tracks, 2),
-            row_of(self.add, self.rename, self.remove, STRETCH),
+            row_of(self.add, self.export, self.rename, self.remove, STRETCH),
             row_of(caption, (self.gain, 1), self.number),
             row_of(STRETCH, self.apply),
             *(self.preview, self.problem),
@@ -193,6 +200,7 @@ class LibraryDetails(QWidget):
         is_added = self._track() not in ("", *_OWN)
         self.rename.setEnabled(is_added)
         self.remove.setEnabled(is_added)
+        self.export.setEnabled(self._track() not in ("", Feedback.NONE.value))
 
     def _track(self) -> str:
         items = self.tracks.selectedItems()
@@ -271,28 +279,64 @@ class LibraryDetails(QWidget):
 
     # --- tracks --------------------------------------------------------------
 
-    def _choose_csv(self) -> None:
+    def _choose_force(self) -> None:
         entry = self._entry
         if entry is None:
             return
-        kinds = self.tr("Force tracks (*.csv);;All files (*)")
         title = self.tr("Choose a force track")
-        dialog = file_dialog(self, title, str(entry.folder.parent), kinds)
-        dialog.fileSelected.connect(lambda path: self.add_csv(Path(path)))
+        dialog = file_dialog(self, title, str(entry.folder.parent), read_filter())
+        dialog.fileSelected.connect(lambda path: self.add_force(Path(path)))
         dialog.open()
 
-    def add_csv(self, csv: Path) -> None:
+    def add_force(self, path: Path) -> None:
         """Add a force track that is named after its file."""
         entry = self._entry
         if entry is not None:
-            folder, name = entry.folder, csv.stem[:40]
+            folder, name = entry.folder, path.name.split(".")[0][:40]
             self._run(
-                self.tr("Adding {name}").format(name=csv.name),
+                self.tr("Adding {name}").format(name=path.name),
                 lambda progress: in_child(
-                    add_track, folder, name, csv, progress=progress
+                    import_force, folder, name, path, progress=progress
                 ),
-                lambda _none: self.changed.emit(),
+                self._on_added,
             )
+
+    def _on_added(self, notes: tuple[Message, ...]) -> None:
+        self.changed.emit()
+        self._show_notes([translated(note) for note in notes])
+
+    def _choose_target(self) -> None:
+        entry, name = self._entry, self._track()
+        if entry is None or not name:
+            return
+        dialog = file_dialog(
+            self, self.tr("Export the track"), str(entry.folder.parent), ""
+        )
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setFileMode(QFileDialog.FileMode.AnyFile)
+        dialog.setNameFilters(list(write_filters()))
+        dialog.selectFile(f"{entry.folder.name}-{name}")
+        dialog.fileSelected.connect(
+            lambda path: self.export_force(
+                Path(path), write_filters()[dialog.selectedNameFilter()]
+            )
+        )
+        dialog.open()
+
+    def export_force(self, path: Path, form: ForceFormat) -> None:
+        """Save the selected track as a file of a format."""
+        entry, name = self._entry, self._track()
+        if entry is None or not name:
+            return
+        folder = entry.folder
+        target = path if path.suffix else path.with_name(path.name + form.suffix)
+        self._run(
+            self.tr("Saving {name}").format(name=target.name),
+            lambda progress: in_child(
+                export_force, folder, name, target, form.name, progress=progress
+            ),
+            lambda cost: self._show_notes([cost_text(form, cost)]),
+        )
 
     def _ask_name(self) -> None:
         old = self._track()
@@ -310,6 +354,10 @@ class LibraryDetails(QWidget):
             self._show_problem(translated(message_of(problem)))
         else:
             self.changed.emit()
+
+    def _show_notes(self, texts: list[str]) -> None:
+        self.preview.setText("\n".join(texts))
+        self.preview.setStyleSheet(f"color: {theme.DIM};")
 
     def _show_problem(self, text: str) -> None:
         self.problem.setText(text)

@@ -1,4 +1,4 @@
-"""The command `export`: records of the haptic loop for other programs."""
+"""The command `export`: sequences, and records of the haptic loop, for other programs."""
 
 import argparse
 import json
@@ -12,8 +12,18 @@ from hapticplayer.cli.common import (
     say_aside,
     shown_progress,
 )
+from hapticplayer.cli.force_options import (
+    add_writing,
+    cost_text,
+    write_choices,
+    written_text,
+)
+from hapticplayer.errors import UsageError
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.interchange.exporters import RECORD_EXPORTERS
+from hapticplayer.interchange.force_formats import WRITTEN, format_of
+from hapticplayer.interchange.force_import import export_force
+from hapticplayer.model import Feedback
 from hapticplayer.outputs import FILE, refuse_existing
 from hapticplayer.sequence import files
 
@@ -21,27 +31,78 @@ from hapticplayer.sequence import files
 def add_options(command: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     command.set_defaults(run=run)
-    command.add_argument("record", metavar="RECORD")
+    command.add_argument(
+        "source",
+        metavar="SEQUENCE_OR_RECORD",
+        help="a sequence, of which a force track is written, or a record of "
+        "`play --record`, of which every tick is",
+    )
     command.add_argument("-o", "--output", required=True, metavar="FILE")
     command.add_argument(
         "--format",
-        default="csv",
-        choices=RECORD_EXPORTERS,
-        help="; ".join(f"{one.name}: {one.text}" for one in RECORD_EXPORTERS.values())
-        + " (default: csv)",
+        choices=list(dict.fromkeys([*WRITTEN, *RECORD_EXPORTERS])),
+        help=f"of a sequence: {written_text()}; of a record: "
+        + "; ".join(f"{one.name}: {one.text}" for one in RECORD_EXPORTERS.values())
+        + " (default: by the name of FILE; of a record csv)",
     )
+    command.add_argument(
+        "--feedback",
+        metavar="NAME",
+        default=Feedback.REALISTIC.value,
+        help="force track of a sequence (default: realistic)",
+    )
+    add_writing(command)
     add_overwrite(command)
     command.add_argument("--json", action="store_true", help="print a report as JSON")
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
-    """Convert a record, showing the progress, and say what is in it."""
+    """Export a sequence, or convert a record."""
+    if Path(options.source).is_dir():
+        return _export_sequence(options)
+    return _export_record(options)
+
+
+def _export_sequence(options: argparse.Namespace) -> int:
+    """Write a force track of a sequence, and say what it has cost."""
     target = Path(options.output)
-    exporter = RECORD_EXPORTERS[options.format]
+    form = format_of(target, options.format)
+    is_ours = form.is_ours if options.overwrite else None
+    refuse_existing(target, FILE, is_ours)
+    with interruptible(), shown_progress() as progress:
+        cost = export_force(
+            Path(options.source),
+            options.feedback,
+            target,
+            form.name,
+            choices=write_choices(options),
+            progress=progress,
+        )
+    report = {
+        "sequence": str(options.source),
+        "feedback": options.feedback,
+        "output": str(target),
+        "format": form.name,
+        **cost,
+    }
+    say(json.dumps(report) if options.json else f"{target}: {cost_text(cost)}")
+    return 0
+
+
+def _export_record(options: argparse.Namespace) -> int:
+    """Convert a record, showing the progress, and say what is in it."""
+    target, name = Path(options.output), options.format or "csv"
+    exporter = RECORD_EXPORTERS.get(name)
+    if exporter is None:
+        raise UsageError(
+            "a record is not exported as {name}; choose one of {known}",
+            name=name,
+            known=", ".join(RECORD_EXPORTERS),
+        )
     is_ours = exporter.is_ours if options.overwrite else None
     refuse_existing(target, FILE, is_ours)
     with (
-        RecordReader(Path(options.record)) as reader,
+        RecordReader(Path(options.source)) as reader,
         interruptible(),
         shown_progress() as progress,
         files.file_written_aside(target, is_ours) as part,
@@ -49,13 +110,13 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     ):
         report = exporter.write(reader, out, progress)
     report = {
-        "record": str(options.record),
+        "record": str(options.source),
         "output": str(target),
-        "format": options.format,
+        "format": name,
         **report,
     }
     if report["remark"]:
-        say_aside(f"{options.record}: {report['remark']}")
+        say_aside(f"{options.source}: {report['remark']}")
     say(json.dumps(report) if options.json else _text(report))
     return 0
 

@@ -14,7 +14,6 @@ from typing import Any, Protocol
 import numpy as np
 
 from hapticplayer import __version__, model, rendering
-from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
@@ -48,28 +47,29 @@ def rename_sequence(folder: Path, title: str) -> None:
 def add_track(
     folder: Path,
     name: str,
-    csv: Path,
+    read: Callable[[float], ForceTrack],
     *,
     progress: files.Progress = files.no_progress,
 ) -> None:
-    """Add a force track from a CSV as a new feedback condition.
+    """Add a force track as a new feedback condition.
 
     Args:
         folder: of the sequence.
         name: of the condition; letters, digits, blanks, dots, hyphens.
-        csv: rows of `time_s,fx_n,fy_n,fz_n`, see `read_force_csv`.
+        read: returns the track, of which what is after this duration is not played.
         progress: called while excursions are predicted; raises Cancelled to stop.
 
     Raises:
         UsageError: for a name that is taken or invalid.
-        InputError: when the CSV cannot be read, or begins after the clip.
+        InputError: when the track cannot be read, or begins after the clip.
         SequenceError: when the sequence is damaged or cannot be written.
     """
     sequence = store.open_sequence(folder)
     _check_new(name, sequence.description)
     duration_s = _duration_s(sequence.description)
-    track = read_force_csv(csv, duration_s)
-    rendering.refuse_late(track, duration_s, csv.name)
+    track = read(duration_s)
+    source = str(track.provenance.get("source", name))
+    rendering.refuse_late(track, duration_s, source)
     _replace_tracks(folder, sequence.description, {name: track}, progress)
 
 

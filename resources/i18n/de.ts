@@ -876,6 +876,25 @@
     </message>
 </context>
 <context>
+    <name>ForceTexts</name>
+    <message>
+        <source>Force tracks ({patterns})</source>
+        <translation>Kraftspuren ({patterns})</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>{kept}; {rate} kbit/s</source>
+        <translation>{kept}; {rate} kbit/s</translation>
+    </message>
+    <message>
+        <source>; largest error {error} N</source>
+        <translation>; größter Fehler {error} N</translation>
+    </message>
+</context>
+<context>
     <name>GripView</name>
     <message>
         <source>The device has failed</source>
@@ -1546,8 +1565,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Spur &amp;hinzufügen…</translation>
     </message>
     <message>
-        <source>Add a force track from a CSV file</source>
-        <translation>Kraftspur aus einer CSV-Datei hinzufügen</translation>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>Save the track for other software</source>
+        <translation>Die Spur für andere Programme speichern</translation>
     </message>
     <message>
         <source>Apply &amp;gain</source>
@@ -1578,6 +1601,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>&amp;Umbenennen…</translation>
     </message>
     <message>
+        <source>Add a force track from a file</source>
+        <translation>Eine Kraftspur aus einer Datei hinzufügen</translation>
+    </message>
+    <message>
         <source>Rename the track</source>
         <translation>Die Spur umbenennen</translation>
     </message>
@@ -1590,16 +1617,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Spur entfernen</translation>
     </message>
     <message>
-        <source>Force tracks (*.csv);;All files (*)</source>
-        <translation>Kraftspuren (*.csv);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Choose a force track</source>
         <translation>Kraftspur wählen</translation>
     </message>
     <message>
         <source>Adding {name}</source>
         <translation>{name} wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Export the track</source>
+        <translation>Spur exportieren</translation>
+    </message>
+    <message>
+        <source>Saving {name}</source>
+        <translation>{name} wird gespeichert</translation>
     </message>
     <message>
         <source>Name</source>
@@ -4930,6 +4961,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Umgekehrt</translation>
     </message>
     <message>
+        <source>MPEG haptics (ISO/IEC 23090-31), as JSON</source>
+        <translation>MPEG-Haptik (ISO/IEC 23090-31), als JSON</translation>
+    </message>
+    <message>
         <source>Missing samples and isolated spikes</source>
         <translation>Fehlende Messwerte und einzelne Ausreißer</translation>
     </message>
@@ -4990,8 +5025,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Feedback kann nicht wie {name!r} bewertet werden; es gibt {known}</translation>
     </message>
     <message>
+        <source>a keyframe lies outside of any clip</source>
+        <translation>ein Keyframe liegt außerhalb jedes Clips</translation>
+    </message>
+    <message>
         <source>a lever arm needs the angular rate of the recording</source>
         <translation>ein Hebelarm braucht die Drehrate der Aufnahme</translation>
+    </message>
+    <message>
+        <source>a row for each change of the force</source>
+        <translation>eine Zeile für jede Änderung der Kraft</translation>
     </message>
     <message>
         <source>a sound layer needs a track of straight lines</source>
@@ -5026,6 +5069,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>verlangen Sie die Datei noch einmal, oder lassen Sie sie mit --accept-changed-video zu</translation>
     </message>
     <message>
+        <source>between {least:g} and {most:g}</source>
+        <translation>zwischen {least:g} und {most:g}</translation>
+    </message>
+    <message>
         <source>cannot be copied into {kind} without changing its video</source>
         <translation>kann nicht nach {kind} kopiert werden, ohne dass sich das Video ändert</translation>
     </message>
@@ -5036,6 +5083,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>choose a file that was written by pack</source>
         <translation>wählen Sie eine Datei, die mit pack geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>choose a larger tolerance, or another format</source>
+        <translation>größere Toleranz oder anderes Format wählen</translation>
     </message>
     <message>
         <source>choose another file, or replace it with --overwrite</source>
@@ -5074,6 +5125,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Effekte</translation>
     </message>
     <message>
+        <source>ends before 0 s</source>
+        <translation>endet vor 0 s</translation>
+    </message>
+    <message>
         <source>export its accelerometer and gyroscope as CSV, with FitCSVTool</source>
         <translation>exportieren Sie Beschleunigungssensor und Gyroskop als CSV, mit FitCSVTool</translation>
     </message>
@@ -5106,8 +5161,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Kraft für andere Programme</translation>
     </message>
     <message>
+        <source>force vector, every millisecond</source>
+        <translation>Kraftvektor, jede Millisekunde</translation>
+    </message>
+    <message>
         <source>force, N, lossless</source>
         <translation>Kraft, N, verlustfrei</translation>
+    </message>
+    <message>
+        <source>give another full scale</source>
+        <translation>einen anderen Vollausschlag angeben</translation>
     </message>
     <message>
         <source>give the folder of one of them instead</source>
@@ -5138,8 +5201,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine Kraft, und daneben liegt auch keine</translation>
     </message>
     <message>
+        <source>holds no force that is understood ({first})</source>
+        <translation>enthält keine Kraft, die verstanden wird ({first})</translation>
+    </message>
+    <message>
+        <source>holds no perceptions</source>
+        <translation>enthält keine „perceptions“</translation>
+    </message>
+    <message>
         <source>holds the force of a video, not the video</source>
         <translation>enthält die Kraft eines Videos, nicht das Video</translation>
+    </message>
+    <message>
+        <source>holds too many values</source>
+        <translation>enthält zu viele Werte</translation>
     </message>
     <message>
         <source>holds two attachments of one name</source>
@@ -5180,6 +5255,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>ist keine Vorlage für ein Protokoll (sie darf Texte enthalten für {known})</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>ist kein Objekt</translation>
     </message>
     <message>
         <source>is not overwritten, as it is no such file of this program</source>
@@ -5242,6 +5321,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bewegung ohne Schwerkraft</translation>
     </message>
     <message>
+        <source>must be {wanted}</source>
+        <translation>muss {wanted} sein</translation>
+    </message>
+    <message>
         <source>names a part of {axes}</source>
         <translation>nennt nur einen Teil von {axes}</translation>
     </message>
@@ -5250,8 +5333,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>braucht eine zweite Sequenz, deren Kraft gespürt wird</translation>
     </message>
     <message>
+        <source>no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
+        <translation>keine Richtung in der Datei: x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
+    </message>
+    <message>
         <source>no force</source>
         <translation>keine Kraft</translation>
+    </message>
+    <message>
+        <source>not read: {what} ({count})</source>
+        <translation>nicht gelesen: {what} ({count})</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -5304,6 +5395,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>order {order} plays {sequence} twice in a row</source>
         <translation>Reihenfolge {order} spielt {sequence} zweimal hintereinander</translation>
+    </message>
+    <message>
+        <source>position lies outside of any clip</source>
+        <translation>die Position liegt außerhalb jedes Clips</translation>
     </message>
     <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
@@ -5654,6 +5749,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Ordner wurde ersetzt</translation>
     </message>
     <message>
+        <source>the force in newtons at every millisecond</source>
+        <translation>die Kraft in Newton zu jeder Millisekunde</translation>
+    </message>
+    <message>
+        <source>the force in newtons on three axes, within the tolerance</source>
+        <translation>die Kraft in Newton auf drei Achsen, innerhalb der Toleranz</translation>
+    </message>
+    <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
         <translation>die Kraft ist dem Ton {ms:.0f} ms voraus: der Rechner ist vielleicht überlastet; andere Programme schließen</translation>
     </message>
@@ -5684,6 +5787,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the force track was rejected: {reason}</source>
         <translation>die Kraftspur wurde abgelehnt: {reason}</translation>
+    </message>
+    <message>
+        <source>the format of {name!r} is unknown; choose one of {known}</source>
+        <translation>das Format von {name!r} ist unbekannt; wählen Sie eines von {known}</translation>
     </message>
     <message>
         <source>the game pad is not open; choose the device again</source>
@@ -5912,6 +6019,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the time {fault} ({time_s} s after {last_s} s)</source>
         <translation>die Zeit {fault} ({time_s} s nach {last_s} s)</translation>
+    </message>
+    <message>
+        <source>the track ends at {end_s:.4g} s, after the longest clip ({most_s:.0f} s)</source>
+        <translation>die Spur endet bei {end_s:.4g} s, nach dem längsten Clip ({most_s:.0f} s)</translation>
+    </message>
+    <message>
+        <source>the track needs {count} keyframes (limit: {most})</source>
+        <translation>die Spur braucht {count} Keyframes (Grenze: {most})</translation>
+    </message>
+    <message>
+        <source>the wavelet stream is not base64</source>
+        <translation>der Wavelet-Strom ist kein Base64</translation>
     </message>
     <message>
         <source>the work was ended from outside (exit status {status}), perhaps for want of memory; nothing was written</source>
@@ -6574,6 +6693,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nach dem Ende der Aufzeichnung folgen Daten</translation>
     </message>
     <message>
+        <source>there is no force track {name!r}; choose one of {known}</source>
+        <translation>es gibt keine Kraftspur {name!r}; wählen Sie eine von {known}</translation>
+    </message>
+    <message>
         <source>there is no judgement to analyse</source>
         <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
     </message>
@@ -6604,6 +6727,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>tidy CSV with a data dictionary</source>
         <translation>CSV-Tabellen mit einem Verzeichnis der Spalten</translation>
+    </message>
+    <message>
+        <source>timescale must be 1 or more</source>
+        <translation>timescale muss mindestens 1 sein</translation>
     </message>
     <message>
         <source>title, mapping and provenance</source>
@@ -6666,6 +6793,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist von einer anderen Version des Programms</translation>
     </message>
     <message>
+        <source>wavelets were read as envelopes of {carrier_hz:.0f} Hz, their height is estimated</source>
+        <translation>Wavelets wurden als Hüllkurven mit {carrier_hz:.0f} Hz gelesen, ihre Höhe ist geschätzt</translation>
+    </message>
+    <message>
+        <source>waves of more than {most_s:.0f} s</source>
+        <translation>Wellen von mehr als {most_s:.0f} s</translation>
+    </message>
+    <message>
         <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>
         <translation>schreiben Sie eine mit `hapticplayer process LOG --save-calibration FILE`</translation>
     </message>
@@ -6688,6 +6823,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>writing {file}</source>
         <translation>{file} wird geschrieben</translation>
+    </message>
+    <message>
+        <source>writing {name}</source>
+        <translation>{name} wird geschrieben</translation>
     </message>
     <message>
         <source>yes</source>
@@ -6732,6 +6871,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{kind!r} is not a kind of events; choose one of {names}</source>
         <translation>{kind!r} ist keine Art von Ereignissen; wählbar sind {names}</translation>
+    </message>
+    <message>
+        <source>{kind} was read as lines</source>
+        <translation>{kind} wurde als Geraden gelesen</translation>
+    </message>
+    <message>
+        <source>{modality}: amplitude 1 was taken as {full_n:.3g} N</source>
+        <translation>{modality}: Amplitude 1 wurde als {full_n:.3g} N genommen</translation>
     </message>
     <message>
         <source>{name!r} has no parameters</source>
@@ -6780,6 +6927,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} is not a number</source>
         <translation>{name} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{name} is only read; choose one of {known}</source>
+        <translation>{name} wird nur gelesen; wählen Sie eines von {known}</translation>
+    </message>
+    <message>
+        <source>{name} is only written; choose one of {known}</source>
+        <translation>{name} wird nur geschrieben; wählen Sie eines von {known}</translation>
     </message>
     <message>
         <source>{name} is out of range</source>

@@ -876,6 +876,25 @@
     </message>
 </context>
 <context>
+    <name>ForceTexts</name>
+    <message>
+        <source>Force tracks ({patterns})</source>
+        <translation>Pistes de force ({patterns})</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>{kept}; {rate} kbit/s</source>
+        <translation>{kept}&#xa0;; {rate} kbit/s</translation>
+    </message>
+    <message>
+        <source>; largest error {error} N</source>
+        <translation>&#xa0;; erreur maximale {error} N</translation>
+    </message>
+</context>
+<context>
     <name>GripView</name>
     <message>
         <source>The device has failed</source>
@@ -1546,8 +1565,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Ajouter une piste…</translation>
     </message>
     <message>
-        <source>Add a force track from a CSV file</source>
-        <translation>Ajouter une piste de force depuis un fichier CSV</translation>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <source>Save the track for other software</source>
+        <translation>Enregistrer la piste pour d’autres logiciels</translation>
     </message>
     <message>
         <source>Apply &amp;gain</source>
@@ -1578,6 +1601,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Renommer…</translation>
     </message>
     <message>
+        <source>Add a force track from a file</source>
+        <translation>Ajouter une piste de force à partir d’un fichier</translation>
+    </message>
+    <message>
         <source>Rename the track</source>
         <translation>Renommer la piste</translation>
     </message>
@@ -1590,16 +1617,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Enlever la piste</translation>
     </message>
     <message>
-        <source>Force tracks (*.csv);;All files (*)</source>
-        <translation>Pistes de force (*.csv);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Choose a force track</source>
         <translation>Choisir une piste de force</translation>
     </message>
     <message>
         <source>Adding {name}</source>
         <translation>Ajout de {name}</translation>
+    </message>
+    <message>
+        <source>Export the track</source>
+        <translation>Exporter la piste</translation>
+    </message>
+    <message>
+        <source>Saving {name}</source>
+        <translation>Enregistrement de {name}</translation>
     </message>
     <message>
         <source>Name</source>
@@ -4930,6 +4961,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Inversée</translation>
     </message>
     <message>
+        <source>MPEG haptics (ISO/IEC 23090-31), as JSON</source>
+        <translation>Haptique MPEG (ISO/CEI 23090-31), en JSON</translation>
+    </message>
+    <message>
         <source>Missing samples and isolated spikes</source>
         <translation>Échantillons manquants et pics isolés</translation>
     </message>
@@ -4990,8 +5025,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un retour ne peut pas être noté comme {name!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
+        <source>a keyframe lies outside of any clip</source>
+        <translation>une image clé se trouve en dehors de tout clip</translation>
+    </message>
+    <message>
         <source>a lever arm needs the angular rate of the recording</source>
         <translation>un bras de levier nécessite la vitesse angulaire de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>a row for each change of the force</source>
+        <translation>une ligne pour chaque changement de la force</translation>
     </message>
     <message>
         <source>a sound layer needs a track of straight lines</source>
@@ -5026,6 +5069,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>redemandez le fichier, ou acceptez-le avec --accept-changed-video</translation>
     </message>
     <message>
+        <source>between {least:g} and {most:g}</source>
+        <translation>compris entre {least:g} et {most:g}</translation>
+    </message>
+    <message>
         <source>cannot be copied into {kind} without changing its video</source>
         <translation>ne peut pas être copié en {kind} sans que sa vidéo change</translation>
     </message>
@@ -5036,6 +5083,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>choose a file that was written by pack</source>
         <translation>choisissez un fichier écrit par pack</translation>
+    </message>
+    <message>
+        <source>choose a larger tolerance, or another format</source>
+        <translation>choisissez une plus grande tolérance ou un autre format</translation>
     </message>
     <message>
         <source>choose another file, or replace it with --overwrite</source>
@@ -5074,6 +5125,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>effets</translation>
     </message>
     <message>
+        <source>ends before 0 s</source>
+        <translation>se termine avant 0 s</translation>
+    </message>
+    <message>
         <source>export its accelerometer and gyroscope as CSV, with FitCSVTool</source>
         <translation>exportez son accéléromètre et son gyroscope en CSV, avec FitCSVTool</translation>
     </message>
@@ -5106,8 +5161,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>force pour d’autres programmes</translation>
     </message>
     <message>
+        <source>force vector, every millisecond</source>
+        <translation>vecteur de force, chaque milliseconde</translation>
+    </message>
+    <message>
         <source>force, N, lossless</source>
         <translation>force, N, sans perte</translation>
+    </message>
+    <message>
+        <source>give another full scale</source>
+        <translation>indiquez une autre pleine échelle</translation>
     </message>
     <message>
         <source>give the folder of one of them instead</source>
@@ -5138,8 +5201,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas de force et n’en a pas à côté</translation>
     </message>
     <message>
+        <source>holds no force that is understood ({first})</source>
+        <translation>ne contient aucune force comprise ({first})</translation>
+    </message>
+    <message>
+        <source>holds no perceptions</source>
+        <translation>ne contient pas de «&#xa0;perceptions&#xa0;»</translation>
+    </message>
+    <message>
         <source>holds the force of a video, not the video</source>
         <translation>contient la force d’une vidéo, pas la vidéo</translation>
+    </message>
+    <message>
+        <source>holds too many values</source>
+        <translation>contient trop de valeurs</translation>
     </message>
     <message>
         <source>holds two attachments of one name</source>
@@ -5180,6 +5255,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>n’est pas un modèle de journal (il peut contenir des textes pour {known})</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>n’est pas un objet</translation>
     </message>
     <message>
         <source>is not overwritten, as it is no such file of this program</source>
@@ -5242,6 +5321,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mouvement sans gravité</translation>
     </message>
     <message>
+        <source>must be {wanted}</source>
+        <translation>doit être {wanted}</translation>
+    </message>
+    <message>
         <source>names a part of {axes}</source>
         <translation>ne nomme qu’une partie de {axes}</translation>
     </message>
@@ -5250,8 +5333,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>demande une deuxième séquence, dont la force est ressentie</translation>
     </message>
     <message>
+        <source>no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
+        <translation>pas de direction dans le fichier&#xa0;: x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
+    </message>
+    <message>
         <source>no force</source>
         <translation>aucune force</translation>
+    </message>
+    <message>
+        <source>not read: {what} ({count})</source>
+        <translation>non lu&#xa0;: {what} ({count})</translation>
     </message>
     <message>
         <source>nothing is being recorded: {reason}</source>
@@ -5304,6 +5395,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>order {order} plays {sequence} twice in a row</source>
         <translation>l’ordre {order} joue {sequence} deux fois de suite</translation>
+    </message>
+    <message>
+        <source>position lies outside of any clip</source>
+        <translation>la position se trouve en dehors de tout clip</translation>
     </message>
     <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
@@ -5654,6 +5749,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le dossier a été remplacé</translation>
     </message>
     <message>
+        <source>the force in newtons at every millisecond</source>
+        <translation>la force en newtons à chaque milliseconde</translation>
+    </message>
+    <message>
+        <source>the force in newtons on three axes, within the tolerance</source>
+        <translation>la force en newtons sur trois axes, dans la tolérance</translation>
+    </message>
+    <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
         <translation>la force est en avance de {ms:.0f} ms sur le son&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez les autres programmes</translation>
     </message>
@@ -5684,6 +5787,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the force track was rejected: {reason}</source>
         <translation>la piste de force a été rejetée&#xa0;: {reason}</translation>
+    </message>
+    <message>
+        <source>the format of {name!r} is unknown; choose one of {known}</source>
+        <translation>le format de {name!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>the game pad is not open; choose the device again</source>
@@ -5912,6 +6019,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the time {fault} ({time_s} s after {last_s} s)</source>
         <translation>le temps {fault} ({time_s} s après {last_s} s)</translation>
+    </message>
+    <message>
+        <source>the track ends at {end_s:.4g} s, after the longest clip ({most_s:.0f} s)</source>
+        <translation>la piste se termine à {end_s:.4g} s, après le plus long clip ({most_s:.0f} s)</translation>
+    </message>
+    <message>
+        <source>the track needs {count} keyframes (limit: {most})</source>
+        <translation>la piste nécessite {count} images clés (limite&#xa0;: {most})</translation>
+    </message>
+    <message>
+        <source>the wavelet stream is not base64</source>
+        <translation>le flux d’ondelettes n’est pas en base64</translation>
     </message>
     <message>
         <source>the work was ended from outside (exit status {status}), perhaps for want of memory; nothing was written</source>
@@ -6574,6 +6693,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il y a des données après la fin de l’enregistrement</translation>
     </message>
     <message>
+        <source>there is no force track {name!r}; choose one of {known}</source>
+        <translation>il n’y a pas de piste de force {name!r}&#xa0;; choisissez parmi {known}</translation>
+    </message>
+    <message>
         <source>there is no judgement to analyse</source>
         <translation>il n’y a pas de jugement à analyser</translation>
     </message>
@@ -6604,6 +6727,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>tidy CSV with a data dictionary</source>
         <translation>tableaux CSV avec un dictionnaire des données</translation>
+    </message>
+    <message>
+        <source>timescale must be 1 or more</source>
+        <translation>timescale doit être au moins 1</translation>
     </message>
     <message>
         <source>title, mapping and provenance</source>
@@ -6666,6 +6793,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est d’une autre version du programme</translation>
     </message>
     <message>
+        <source>wavelets were read as envelopes of {carrier_hz:.0f} Hz, their height is estimated</source>
+        <translation>les ondelettes ont été lues comme enveloppes à {carrier_hz:.0f} Hz, leur hauteur est estimée</translation>
+    </message>
+    <message>
+        <source>waves of more than {most_s:.0f} s</source>
+        <translation>ondes de plus de {most_s:.0f} s</translation>
+    </message>
+    <message>
         <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>
         <translation>écrivez-en un avec `hapticplayer process LOG --save-calibration FILE`</translation>
     </message>
@@ -6688,6 +6823,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>writing {file}</source>
         <translation>écriture de {file}</translation>
+    </message>
+    <message>
+        <source>writing {name}</source>
+        <translation>écriture de {name}</translation>
     </message>
     <message>
         <source>yes</source>
@@ -6732,6 +6871,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{kind!r} is not a kind of events; choose one of {names}</source>
         <translation>{kind!r} n’est pas un type d’événement&#xa0;; au choix&#xa0;: {names}</translation>
+    </message>
+    <message>
+        <source>{kind} was read as lines</source>
+        <translation>{kind} a été lu comme des droites</translation>
+    </message>
+    <message>
+        <source>{modality}: amplitude 1 was taken as {full_n:.3g} N</source>
+        <translation>{modality}&#xa0;: l’amplitude 1 a été prise comme {full_n:.3g} N</translation>
     </message>
     <message>
         <source>{name!r} has no parameters</source>
@@ -6780,6 +6927,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} is not a number</source>
         <translation>{name} n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>{name} is only read; choose one of {known}</source>
+        <translation>{name} est seulement lu&#xa0;; choisissez parmi {known}</translation>
+    </message>
+    <message>
+        <source>{name} is only written; choose one of {known}</source>
+        <translation>{name} est seulement écrit&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>{name} is out of range</source>

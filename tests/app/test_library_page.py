@@ -129,7 +129,7 @@ def test_a_track_is_added_renamed_and_removed(
     csv = tmp_path / "my track.csv"
     csv.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1.5,0\n1.5,0,0,0\n")
     page.list.setCurrentRow(0)
-    page.details.add_csv(csv)
+    page.details.add_force(csv)
     wait_for(lambda: page.details.tracks.rowCount() == 3)
     row = [page.details.tracks.item(2, column).text() for column in range(4)]
     assert row[:2] == ["my track", "1.50 N"]

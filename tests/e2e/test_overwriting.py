@@ -97,7 +97,8 @@ def test_one_kind_does_not_overwrite_another(tmp_path, write, name):
 
 WORDS = [*((command.name,) for command in cli.COMMANDS), ("device", "measure")]
 FILE_OPTION = re.compile(
-    r"--(log|record|save-template|save-calibration|plot|output) FILE\b"
+    r"--(log|record|save-template|save-calibration|plot|output) FILE\b|^  B  ",
+    re.MULTILINE,
 )
 
 

@@ -1,9 +1,12 @@
 """Whatever stops a change, one whole state of the sequence is there."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
 from hapticplayer.capture.recording import Recording
+from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import Cancelled, InputError, SequenceError, UsageError
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import (
@@ -35,7 +38,7 @@ def names(folder) -> list[str]:
 
 def test_a_track_is_added_by_name_and_removed_with_its_file(folder, csv):
     before = names(folder)
-    editing.add_track(folder, "push", csv)
+    editing.add_track(folder, "push", partial(read_force_csv, csv))
     verify_sequence(folder)
     track = open_sequence(folder).tracks["push"]
     assert track.at(np.array([0.2]))[0].tolist() == [0.0, 1.5, 0.0]
@@ -63,7 +66,9 @@ def test_what_stops_a_change_leaves_the_old_state(folder, csv, stop, monkeypatch
     if stop == "disk":
         monkeypatch.setattr(files, "replace_json", full)
     for change in (
-        lambda: editing.add_track(folder, "push", csv, progress=progress),
+        lambda: editing.add_track(
+            folder, "push", partial(read_force_csv, csv), progress=progress
+        ),
         lambda: editing.set_gain(folder, 0.3, progress=progress),
     ):
         with pytest.raises((Cancelled, SequenceError)):
@@ -76,7 +81,7 @@ def test_what_stops_a_change_leaves_the_old_state(folder, csv, stop, monkeypatch
 )
 def test_names_that_cannot_be_are_refused(folder, csv, name):
     with pytest.raises(UsageError):
-        editing.add_track(folder, name, csv)
+        editing.add_track(folder, name, partial(read_force_csv, csv))
 
 
 def test_the_three_tracks_of_every_sequence_stay(folder):

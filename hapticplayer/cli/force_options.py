@@ -1,0 +1,136 @@
+"""The options of what force is written as and read from, and how a loss is said."""
+
+import argparse
+import math
+from typing import Any
+
+from hapticplayer.cli.common import add_number
+from hapticplayer.errors import UsageError, from_json
+from hapticplayer.interchange.force_files import (
+    FULL_SCALE_N,
+    SAMPLE_RATE_HZ,
+    STIFFNESS_N_PER_M,
+    TOLERANCE_N,
+    ReadChoices,
+    WriteChoices,
+)
+from hapticplayer.interchange.force_formats import READ, WRITTEN
+
+_WRITE, _READ = WriteChoices(), ReadChoices()
+
+
+def written_text() -> str:
+    """Return the formats that are written, for help."""
+    return "; ".join(f"{one.name}: {one.text}" for one in WRITTEN.values())
+
+
+def read_text() -> str:
+    """Return the formats that are read, for help."""
+    return "; ".join(
+        f"{one.name} ({', '.join((one.suffix, *one.other_suffixes))}): {one.text}"
+        for one in READ.values()
+    )
+
+
+def add_writing(command: argparse.ArgumentParser) -> None:
+    """Add what can be chosen when force is written."""
+    add_number(
+        command,
+        "--tolerance",
+        TOLERANCE_N,
+        metavar="N",
+        default=_WRITE.tolerance_n,
+        help="largest difference of the force vector where the format thins it "
+        f"(default: {_WRITE.tolerance_n} N)",
+    )
+    add_number(
+        command,
+        "--sample-rate",
+        SAMPLE_RATE_HZ,
+        metavar="HZ",
+        default=_WRITE.sample_rate_hz,
+        help=f"of wav (default: {_WRITE.sample_rate_hz})",
+    )
+    command.add_argument(
+        "--funscript-version",
+        choices=("1.0", "1.1", "2.0"),
+        default=_WRITE.funscript_version,
+        help=f"(default: {_WRITE.funscript_version})",
+    )
+
+
+def add_reading(command: argparse.ArgumentParser) -> None:
+    """Add what a file may not say itself."""
+    add_number(
+        command,
+        "--full-scale",
+        FULL_SCALE_N,
+        metavar="N",
+        default=_READ.full_scale_n,
+        help="force of amplitude 1 where the file gives no newtons "
+        f"(default: {_READ.full_scale_n:g})",
+    )
+    command.add_argument(
+        "--direction",
+        metavar="X,Y,Z",
+        type=direction,
+        default=_READ.direction,
+        help="of what has none in the file; right, up, towards the user "
+        "(default: 0,1,0)",
+    )
+    add_number(
+        command,
+        "--stiffness",
+        STIFFNESS_N_PER_M,
+        metavar="N/M",
+        default=_READ.stiffness_n_per_m,
+        help="of the spring whose set-point a funscript moves "
+        f"(default: {_READ.stiffness_n_per_m:g})",
+    )
+
+
+def write_choices(options: argparse.Namespace) -> WriteChoices:
+    """Return what the options of writing say; the file ends with the track."""
+    return WriteChoices(
+        tolerance_n=options.tolerance,
+        sample_rate_hz=options.sample_rate,
+        funscript_version=options.funscript_version,
+        overwrite=options.overwrite,
+    )
+
+
+def read_choices(options: argparse.Namespace) -> ReadChoices:
+    """Return what the options of reading say."""
+    return ReadChoices(options.full_scale, options.direction, options.stiffness)
+
+
+def direction(text: str) -> tuple[float, float, float]:
+    """Return the unit vector in a text like `0,1,0`.
+
+    Raises:
+        UsageError: when it is none.
+    """
+    try:
+        x, y, z = (float(part) for part in text.split(","))
+    except ValueError:
+        x = y = z = math.nan
+    size = math.hypot(x, y, z)
+    if not 1e-6 < size < 1e6:
+        raise UsageError(f"--direction must be three numbers X,Y,Z, not {text[:40]!r}")
+    return (x / size, y / size, z / size)
+
+
+def cost_text(report: dict[str, Any]) -> str:
+    """Return what a written file has cost, in one sentence."""
+    size = (
+        f"{report['bytes']} bytes, {report['kbit_s']:.3g} kbit/s "
+        f"({report['kbit_s_compressed']:.3g} compressed; the track: "
+        f"{report['track_kbit_s']:.3g})"
+    )
+    compared = from_json(report["compared"])
+    if report["error_max_n"] is None:
+        return f"{size}; {compared}"
+    return (
+        f"{size}; error RMS {report['error_rms_n']:.4f} N, "
+        f"largest {report['error_max_n']:.4f} N ({compared})"
+    )

@@ -1,0 +1,60 @@
+"""The command `import-force`: force made elsewhere as a track of a sequence."""
+
+import argparse
+import json
+from pathlib import Path
+
+from hapticplayer.cli.common import interruptible, say, say_aside, shown_progress
+from hapticplayer.cli.force_options import add_reading, read_choices, read_text
+from hapticplayer.errors import to_json
+from hapticplayer.interchange.force_formats import READ
+from hapticplayer.interchange.force_import import import_force
+from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.excursion import stored_texts
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument("file", metavar="FILE", help=read_text())
+    command.add_argument("sequence", metavar="SEQUENCE", help="gets the track")
+    command.add_argument(
+        "--name", help="of the track, for `play --feedback` (default: that of FILE)"
+    )
+    command.add_argument(
+        "--format", choices=list(READ), help="(default: by the name of FILE)"
+    )
+    add_reading(command)
+    command.add_argument("--json", action="store_true", help="print a report as JSON")
+
+
+def run(options: argparse.Namespace, _open_window: object) -> int:
+    """Add the track, and say what was assumed and what was not understood."""
+    path, folder = Path(options.file), Path(options.sequence)
+    name = options.name or path.name.split(".")[0][:40]
+    with interruptible(), shown_progress() as progress:
+        notes = import_force(
+            folder,
+            name,
+            path,
+            choices=read_choices(options),
+            form=options.format,
+            progress=progress,
+        )
+    description = open_sequence(folder).description
+    texts: list[str] = [*notes, *stored_texts(description, name)]
+    made = description["feedbacks"][name]
+    if options.json:
+        report = {
+            "sequence": str(folder),
+            "feedback": name,
+            "peak_n": made["peak_n"],
+            "rms_n": made["rms_n"],
+            "notes": [to_json(note) for note in texts],
+        }
+        say(json.dumps(report))
+        return 0
+    for note in texts:
+        say_aside(note)
+    say(f"{folder}: track {name!r}, force peak {made['peak_n']:.2f} N")
+    return 0

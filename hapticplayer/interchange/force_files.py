@@ -1,0 +1,138 @@
+"""What a force format is: how files of it are written and read, and with which choices."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.errors import InputError, Message
+from hapticplayer.model import ForceTrack
+from hapticplayer.model.ranges import Range
+from hapticplayer.outputs import IsOurs
+
+MAX_FORCE_N = 1000.0
+"""Beyond any haptic device of this kind; files with more are in another unit."""
+
+MAX_SECONDS = 48 * 3600.0
+"""Longer than any clip; times beyond it are damage."""
+
+TOLERANCE_N = Range(1e-4, 1.0, "N")
+SAMPLE_RATE_HZ = Range(1000, 8000, "Hz", is_whole=True)
+FULL_SCALE_N = Range(0.01, 10.0, "N")
+STIFFNESS_N_PER_M = Range(1.0, 200.0, "N/m")
+
+Direction = tuple[float, float, float]
+UP: Direction = (0.0, 1.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class WriteChoices:
+    """What can be chosen when a force track is written.
+
+    Attributes:
+        duration_s: of the clip, where the file ends; None: that of the track.
+        tolerance_n: the force vector differs by this much at most, where a format
+            thins it, at every millisecond of media time.
+        sample_rate_hz: of audio.
+        funscript_version: "1.0", "1.1" or "2.0".
+        overwrite: replace a file that this program wrote in the same format.
+    """
+
+    duration_s: float | None = None
+    tolerance_n: float = 0.01
+    sample_rate_hz: int = 1000
+    funscript_version: str = "1.1"
+    overwrite: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ReadChoices:
+    """What a file may not say itself.
+
+    Attributes:
+        full_scale_n: force of amplitude 1 where the file gives no unit.
+        direction: unit vector in frame D of what has no direction.
+        stiffness_n_per_m: of the spring whose set-point a position script moves.
+        until_s: later force is not wanted, and may be left out.
+    """
+
+    full_scale_n: float = 1.0
+    direction: Direction = UP
+    stiffness_n_per_m: float = 40.0
+    until_s: float = math.inf
+
+
+class ForceFile(NamedTuple):
+    """What was read.
+
+    Attributes:
+        track: in frame D, media time.
+        notes: what was assumed, and what was not understood.
+    """
+
+    track: ForceTrack
+    notes: tuple[Message, ...]
+
+
+class Loss(NamedTuple):
+    """How a file differs from its track at the milliseconds of media time.
+
+    Attributes:
+        rms_n: RMS length of the difference; None where the file holds no newtons.
+        max_n: the largest difference.
+        of: what was compared.
+    """
+
+    rms_n: float | None
+    max_n: float | None
+    of: Message
+
+
+Write = Callable[[ForceTrack, BinaryIO, WriteChoices], None]
+Read = Callable[[Path, ReadChoices], ForceFile]
+MeasureLoss = Callable[[ForceTrack, Path, WriteChoices], Loss]
+
+
+@dataclass(frozen=True, slots=True)
+class ForceFormat:
+    """A format of files with force in them.
+
+    Attributes:
+        name: for `--format`.
+        suffix: of its files, with the dot.
+        text: for people.
+        keeps: what a file keeps of a force track, for people.
+        is_ours: recognises our files by their beginning, to overwrite them.
+        write: None where it is only read.
+        read: None where it is only written.
+        loss: reads a file that was just written and compares it.
+        other_suffixes: of files that are read, too.
+    """
+
+    name: str
+    suffix: str
+    text: Message
+    keeps: Message
+    is_ours: IsOurs
+    write: Write | None
+    read: Read | None
+    loss: MeasureLoss
+    other_suffixes: tuple[str, ...] = ()
+
+
+def refuse_large(
+    force_n: NDArray[np.floating], where: str, remedy: Message | None = None
+) -> None:
+    """Raise InputError for forces beyond any device."""
+    largest_n = float(np.abs(force_n).max(initial=0.0))
+    if not largest_n <= MAX_FORCE_N:
+        raise InputError(
+            "holds a force of {largest_n:.3g} N, beyond any device",
+            where=where,
+            remedy=remedy or Message("give the forces in newton"),
+            largest_n=largest_n,
+        )

@@ -1,0 +1,96 @@
+"""Adds force from a file of any format to a sequence, and exports its tracks."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from hapticplayer.errors import Message, UsageError
+from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
+from hapticplayer.interchange.force_formats import (
+    export_track,
+    format_of,
+    read_force,
+)
+from hapticplayer.model import ForceTrack
+from hapticplayer.sequence import files, open_sequence
+from hapticplayer.sequence.editing import add_track
+
+
+def import_force(
+    folder: Path,
+    name: str,
+    path: Path,
+    *,
+    choices: ReadChoices | None = None,
+    form: str | None = None,
+    progress: files.Progress = files.no_progress,
+) -> tuple[Message, ...]:
+    """Add the force of a file to a sequence, as a new feedback condition.
+
+    Args:
+        folder: of the sequence.
+        name: of the condition; letters, digits, blanks, dots, hyphens.
+        path: of the file.
+        choices: what the file may not say.
+        form: name of its format; None: by its suffix.
+        progress: called while excursions are predicted; raises Cancelled to stop.
+
+    Returns:
+        What was assumed, and what was not understood.
+
+    Raises:
+        UsageError: for a name that is taken or invalid, or an unknown format.
+        InputError: when the file cannot be read, or begins after the clip.
+        SequenceError: when the sequence is damaged or cannot be written.
+    """
+    notes: list[Message] = []
+
+    def read(duration_s: float) -> ForceTrack:
+        asked = replace(choices or ReadChoices(), until_s=duration_s)
+        found = read_force(path, asked, form)
+        notes.extend(found.notes)
+        return found.track
+
+    add_track(folder, name, read, progress=progress)
+    return tuple(notes)
+
+
+def export_force(
+    folder: Path,
+    feedback: str,
+    target: Path,
+    form: str,
+    *,
+    choices: WriteChoices | None = None,
+    progress: files.Progress = files.no_progress,
+) -> dict[str, Any]:
+    """Write a force track of a sequence to a file, until the end of the clip.
+
+    Args:
+        folder: of the sequence.
+        feedback: name of the track.
+        target: of the file.
+        form: name of its format.
+        choices: of the format.
+        progress: called before it is written; raises Cancelled to stop.
+
+    Returns:
+        What it has cost, see `export_track`.
+
+    Raises:
+        UsageError: for an unknown track or format.
+        InputError: when the track does not fit the format, or it cannot be written.
+        SequenceError: when the sequence is damaged.
+    """
+    sequence = open_sequence(folder)
+    track = sequence.tracks.get(feedback)
+    if track is None:
+        raise UsageError(
+            "there is no force track {name!r}; choose one of {known}",
+            name=feedback,
+            known=", ".join(sequence.tracks),
+        )
+    progress(0.0, Message("writing {name}", name=target.name))
+    duration_s = float(sequence.description["clip"]["duration_s"])
+    asked = replace(choices or WriteChoices(), duration_s=duration_s)
+    return export_track(track, target, format_of(target, form), asked)

@@ -1,0 +1,88 @@
+"""`export`, `import-force`, `convert` and `validate` from the command line."""
+
+import json
+
+import numpy as np
+import pytest
+
+from hapticplayer import cli
+from hapticplayer.interchange.force_formats import READ, WRITTEN
+from hapticplayer.sequence import open_sequence
+
+KINDS = [name for name in WRITTEN if name in READ and name != "funscript"]
+
+
+@pytest.fixture
+def told(capsys):
+    def run(*words):
+        assert cli.main([*map(str, words), "--json"]) == 0
+        return json.loads(capsys.readouterr().out)
+
+    return run
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_an_exported_track_comes_back_into_the_sequence(
+    name, told, sequence_folder, tmp_path
+):
+    path = tmp_path / f"out{WRITTEN[name].suffix}"
+    report = told("export", sequence_folder, "--format", name, "-o", path)
+    assert report["bytes"] == path.stat().st_size
+    assert report["error_max_n"] <= 0.0101
+    assert told("validate", path)["refused"] is False
+    added = told("import-force", path, sequence_folder, "--name", "back")
+    assert added["feedback"] == "back"
+    tracks = open_sequence(sequence_folder).tracks
+    at_s = np.arange(0, 500) / 1000.0
+    error_n = tracks["back"].at(at_s) - tracks["realistic"].at(at_s)
+    assert np.linalg.norm(error_n, axis=1).max() <= 0.0101
+
+
+@pytest.mark.parametrize("name", WRITTEN)
+def test_every_format_is_made_of_a_csv(name, told, tmp_path):
+    source = tmp_path / "in.csv"
+    source.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1.5,0\n1.5,0,0,0\n")
+    path = tmp_path / f"out{WRITTEN[name].suffix}"
+    report = told("convert", source, path, "--to", name)
+    assert report["bytes"] == path.stat().st_size > 0
+    assert set(report) >= {"kbit_s", "kbit_s_compressed", "track_kbit_s", "notes"}
+
+
+def test_the_tolerance_is_kept_and_saves_bytes(told, sequence_folder, tmp_path):
+    fine = told(
+        "export", sequence_folder, "-o", tmp_path / "a.hjif", "--tolerance", 0.001
+    )
+    rough = told(
+        "export", sequence_folder, "-o", tmp_path / "b.hjif", "--tolerance", 0.1
+    )
+    assert fine["error_max_n"] <= 0.001 < rough["error_max_n"] <= 0.1
+    assert rough["bytes"] < fine["bytes"]
+
+
+def test_a_file_that_the_loader_refuses_is_told(capsys, tmp_path):
+    path = tmp_path / "bad.hjif"
+    path.write_text('{"version":"2020"}')
+    assert cli.main(["validate", str(path)]) == 1
+    assert "refused: file: profile, level" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "says"),
+    [
+        (["export", "{folder}", "-o", "x.doc"], 2, "unknown"),
+        (["export", "{folder}", "-o", "x.csv", "--feedback", "y"], 2, "choose one of"),
+        (["export", "{folder}", "-o", "x.csv", "--tolerance", "9"], 2, "between"),
+        (["convert", "x.hjif", "y.csv", "--direction", "0,0,0"], 2, "three numbers"),
+        (["convert", "none.hjif", "y.csv"], 1, "no such file"),
+        (["import-force", "away.csv", "{folder}"], 1, "no such file"),
+    ],
+)
+def test_what_cannot_be_done_is_one_sentence(
+    words, status, says, sequence_folder, capsys, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    words = [word.format(folder=sequence_folder) for word in words]
+    assert cli.main(words) == status
+    said = capsys.readouterr().err.strip().splitlines()[-1]
+    assert says in said
+    assert not list(tmp_path.glob("x.*"))
