@@ -1,11 +1,13 @@
-"""The sound layer beside no layer, and beside noise and a knock at the same impacts.
+"""The sound of a clip at its impacts, beside no layer, noise and a knock there: left out.
 
-The log is that of the paper's board, means at 30 Hz; the truth is the force of the exact
-motion above 15 Hz. Bicycle and mountain bike have a simulated contact sound, alone or
-covered by as much wind or speech; the filmed rides have the simulator's own sound.
-Compared are envelopes (RMS over 0.1 s) over the ride and within 0.3 s of the impacts that
-the motion shows: correlation, and RMS error of the true RMS. A false knock is a burst of
-the layer above 0.1 N where the true envelope is below 0.1 N.
+A layer for logs that are too slow: at impacts that the motion shows to be fast, the sound
+of 20 to 120 Hz is added to the upward force, 0.1 N for each m/s^2 and at most 0.5 N. The
+log is that of the paper's board, means at 30 Hz; the truth is the force of the exact motion
+above 15 Hz. Bicycle and mountain bike have a simulated contact sound, alone or covered by
+as much wind or speech; the filmed rides have the simulator's own sound. Compared are
+envelopes (RMS over 0.1 s) over the ride and within 0.3 s of impacts: correlation, and RMS
+error of the true RMS. A false knock is a burst of the layer above 0.1 N where the true
+envelope is below 0.1 N. The program has no such layer while a target is missed.
 """
 
 import argparse
@@ -24,14 +26,17 @@ from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering import render_force
 from hapticplayer.rendering.event import Material
 from hapticplayer.rendering.low_sound import LOW_HZ, LowSound, low_sound
-from hapticplayer.rendering.shocks import KNOCK_DECAY_S, KNOCK_HZ, find_shocks
-from hapticplayer.rendering.sound_layer import UP_AXIS, SoundLayer, layer_force
+from hapticplayer.rendering.shocks import KNOCK_DECAY_S, KNOCK_HZ, Shock, find_shocks
 from hapticplayer.sequence.store import in_media_time
 from hapticplayer.simulation.rides.contact_sound import COVERS, contact_sound, covered
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from hapticplayer.simulation.rides.recording import simulate
 from hapticplayer.simulation.rides.trajectory import Trajectory
 
+BAND_HZ, MOST_N, N_PER_MPS2 = (20.0, 120.0), 0.5, 0.1
+BEFORE_S, RISE_S, AFTER_S, FALL_S = 0.05, 0.02, 0.10, 0.05
+SILENT = 1e-4  # of full scale
+UP_AXIS = 1  # of frame D
 GAIN_N_PER_MPS2 = 0.4
 LENGTH_S, LOST_HZ = 60.0, 15.0
 WIDTH_S, KNOCK_S, FALSE_N, APART_S, NEAR_S = 0.1, 0.03, 0.1, 0.15, 0.3
@@ -54,14 +59,14 @@ class Case:
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Add the options."""
-    parser.add_argument("--seeds", type=int, help="(3)")
-    parser.add_argument("--first-seed", type=int, default=0)
+    parser.add_argument("--seeds", type=int, help="(20)")
+    parser.add_argument("--first-seed", type=int, default=30)
 
 
 def run(options: argparse.Namespace, report: Report) -> None:
     """Measure correlation, error and false knocks."""
     on_one_thread()
-    seeds = range(options.seeds or (1 if options.quick else 3))
+    seeds = range(options.seeds or (2 if options.quick else 20))
     found: dict[tuple[str, str], list[list[float]]] = defaultdict(list)
     for seed in seeds:
         for case in cases(options.first_seed + seed, quick=options.quick):
@@ -120,7 +125,7 @@ def compare(case: Case) -> dict[str, list[float]]:
     wanted = envelope(_fast(case.force_n[:count]), WIDTH_S)
     board = render_force(case.motion).at(time_s)
     near = np.zeros(count, np.bool_)
-    for shock in find_shocks(Material(case.motion, None, None)):
+    for shock in fast_shocks(case.motion):
         near |= np.abs(time_s - shock.peak_s) < NEAR_S
     figures = {}
     for name, layer in layers(case, time_s).items():
@@ -145,7 +150,7 @@ def layers(case: Case, time_s: Floats) -> dict[str, Floats]:
     """Return what each layer adds to the upward force, (N,) in N."""
     noise = np.random.default_rng([case.seed, 3]).standard_normal(len(time_s))
     knock = np.zeros(len(time_s))
-    for shock in find_shocks(Material(case.motion, None, None)):
+    for shock in fast_shocks(case.motion):
         since_s = np.maximum(time_s - shock.peak_s, 0.0)
         ringing = np.sin(2.0 * np.pi * KNOCK_HZ * since_s)
         knock += np.exp(-since_s / KNOCK_DECAY_S) * ringing
@@ -155,12 +160,33 @@ def layers(case: Case, time_s: Floats) -> dict[str, Floats]:
         "knock": knock,
     }
     made = {
-        name: layer_force(
-            case.motion, SoundLayer(LowSound(np.asarray(one, np.float32)), 1.0)
-        )
+        name: layer_force(case.motion, LowSound(np.asarray(one, np.float32)))
         for name, one in sounds.items()
     }
     return {"none": np.zeros(len(time_s)), **made}
+
+
+def fast_shocks(motion: MotionTrack) -> list[Shock]:
+    """Return the impacts that are not only landings, which have little above 15 Hz."""
+    found = find_shocks(Material(motion, None, None))
+    return [shock for shock in found if not shock.is_landing]
+
+
+def layer_force(motion: MotionTrack, sound: LowSound) -> Floats:
+    """Return the layer (n,) in N at the times of the sound's samples."""
+    band = sound.band(*BAND_HZ)
+    force = np.zeros(len(band))
+    for shock in fast_shocks(motion):
+        first = max(0, round((shock.start_s - BEFORE_S) * LOW_HZ))
+        part = band[first : max(first, round((shock.end_s + AFTER_S) * LOW_HZ))].copy()
+        since_s = np.arange(len(part)) / LOW_HZ
+        part *= np.minimum(1.0, since_s / RISE_S)
+        part *= np.minimum(1.0, since_s[::-1] / FALL_S)
+        loudest = float(np.abs(part).max(initial=0.0))
+        if loudest > SILENT:
+            peak_n = min(MOST_N, N_PER_MPS2 * shock.size_mps2)
+            force[first : first + len(part)] += peak_n / loudest * part
+    return np.clip(force, -MOST_N, MOST_N)
 
 
 def false_knocks(layer_n: Floats, wanted_n: Floats) -> int:

@@ -5,7 +5,7 @@ import json
 from functools import partial
 from pathlib import Path
 
-from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
+from hapticplayer.cli.common import interruptible, say, shown_progress
 from hapticplayer.cli.mapping_options import (
     FIT,
     add_mapping,
@@ -13,9 +13,7 @@ from hapticplayer.cli.mapping_options import (
     mapping_text,
 )
 from hapticplayer.errors import SequenceError
-from hapticplayer.model import ranges
 from hapticplayer.outputs import FOLDER, refuse_existing
-from hapticplayer.rendering.sound_layer import gain_of
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.editing import copy_changed, fitted_gain, set_mapping
 from hapticplayer.sequence.excursion import excursion_texts
@@ -37,15 +35,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="; ".join(f"{preset.name}: {preset.text}" for preset in PRESETS)
         + " (a new sequence is faithful)",
     )
-    add_number(
-        command,
-        "--sound-layer",
-        ranges.SOUND_LAYER_GAIN,
-        metavar="GAIN",
-        help="for logs of means at 30 Hz: at impacts that the motion shows, add the "
-        "clip's sound of 20 to 120 Hz, at most 0.5 N times GAIN upwards; 0 takes it "
-        "away (a new sequence has none)",
-    )
     where = command.add_mutually_exclusive_group(required=True)
     where.add_argument("-o", "--output", metavar="DIR", help="a new sequence")
     where.add_argument(
@@ -66,7 +55,6 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         mapping=mapping,
         fits_gain=fits_gain,
         preset=options.preset,
-        sound_gain=options.sound_layer,
     )
     with interruptible(), shown_progress() as progress:
         if options.in_place:
@@ -79,13 +67,11 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         say(json.dumps(content, ensure_ascii=False))
         return 0
     realistic = made.description["feedbacks"]["realistic"]
-    sound_gain = gain_of(made.tracks["realistic"])
-    layer = f"sound layer {sound_gain:g}; " if sound_gain else ""
     offer = FIT if fits_gain else f"--gain fit: {fitted_gain(target, made.mapping):.4g}"
     say(
         f"{target}: {mapping_text(made.mapping)} ({offer}); "
         f"preset {preset_of(made.tracks['realistic'])}; "
-        f"{layer}force peak {realistic['peak_n']:.2f} N"
+        f"force peak {realistic['peak_n']:.2f} N"
     )
     for note in excursion_texts(realistic["excursion"]):
         say(f"note: {note}")

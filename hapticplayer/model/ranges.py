@@ -69,9 +69,6 @@ SKEW_S = Range(-2.0, 2.0, "s")
 GAIN_N_PER_MPS2 = Range(1e-4, 100.0, "N per m/s^2")
 """From nothing that is felt to the limit of any device at 0.1 m/s^2."""
 
-SOUND_LAYER_GAIN = Range(0.0, 1.0)
-"""Of the layer as it was measured, which stays below 0.5 N."""
-
 FORCE_DELAY_S = Range(-5.0, 5.0, "s")
 """Of a force against its clip, in studies; early and late."""
 

@@ -69,6 +69,7 @@ class Shock(NamedTuple):
         size_mps2: RMS over 40 ms above 4 Hz.
         share: of what it needs to count, 1 or more.
         is_heard: whether the sound confirms it.
+        is_landing: whether it is known by the fall before it, not by its speed.
     """
 
     start_s: float
@@ -77,6 +78,7 @@ class Shock(NamedTuple):
     size_mps2: float
     share: float
     is_heard: bool
+    is_landing: bool
 
 
 def impacts(material: Material) -> list[Event]:
@@ -90,8 +92,8 @@ def find_shocks(material: Material) -> list[Shock]:
     heard = _heard(material.sound, material.grid_s)
     needed = np.where(heard, STANDS_OUT_IF_HEARD, STANDS_OUT)
     is_shock = (size > LEAST_MPS2) & ~_is_released(material.upward_mps2)
-    share = np.where(is_shock, size / background(size) / needed, 0.0)
-    share = np.maximum(share, landings(material.upward_mps2))
+    fast = np.where(is_shock, size / background(size) / needed, 0.0)
+    share = np.maximum(fast, landings(material.upward_mps2))
     time_s = material.grid_s
     return [
         Shock(
@@ -101,6 +103,7 @@ def find_shocks(material: Material) -> list[Shock]:
             float(size[span].max()),
             float(share[span].max()),
             bool(heard[span].any()),
+            float(fast[span].max()) <= 1.0,
         )
         for first, last in _merged(share > ENDS)
         for span in _parts(share, first, last)

@@ -17,9 +17,7 @@ from hapticplayer import __version__, model, rendering
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
-from hapticplayer.rendering.sound_layer import SoundLayer, gain_of
 from hapticplayer.sequence import files, store
-from hapticplayer.sequence.events import sound_of
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import preset_of, render_preset
 
@@ -126,7 +124,6 @@ def set_mapping(
     *,
     fits_gain: bool = False,
     preset: str | None = None,
-    sound_gain: float | None = None,
     progress: files.Progress = files.no_progress,
 ) -> None:
     """Render the realistic and the random track again with another mapping.
@@ -138,12 +135,11 @@ def set_mapping(
         mapping: axes, gain, limit, knee and lever arm.
         fits_gain: replace its gain by the one of `rendering.fit_gain`.
         preset: see `presets`; None keeps that of the realistic track.
-        sound_gain: of `rendering.sound_layer`, 0 for none; None keeps it likewise.
         progress: called while excursions are predicted; raises Cancelled to stop.
 
     Raises:
-        InputError: when there is no motion to fit a gain to, or no sound to be read.
-        UsageError: for an unknown preset, or a layer of sound that there is none for.
+        InputError: when there is no motion to fit a gain to.
+        UsageError: for an unknown preset.
         SequenceError: when the sequence is damaged or cannot be written.
     """
     sequence = store.open_sequence(folder)
@@ -152,14 +148,8 @@ def set_mapping(
         duration_s = _duration_s(sequence.description)
         gain = rendering.fit_gain(store.motion_of(sequence), mapping, duration_s, imu)
         mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
-    before = sequence.tracks[model.Feedback.REALISTIC]
-    realistic = render_preset(
-        store.motion_of(sequence),
-        mapping,
-        imu,
-        name=preset or preset_of(before),
-        sound=_sound_layer(sequence, sound_gain),
-    )
+    name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
+    realistic = render_preset(store.motion_of(sequence), mapping, imu, name=name)
     tracks = {
         condition.name: condition.track(
             rendering.Ingredients(realistic, _seed(sequence.tracks[condition.name])), {}
@@ -194,9 +184,8 @@ def rendered_again(folder: Path, preset: str) -> ForceTrack:
     if preset == preset_of(realistic):
         return realistic
     mapping = sequence.mapping
-    imu, sound = _angular_rate(sequence, mapping), _sound_layer(sequence)
-    motion = store.motion_of(sequence)
-    return render_preset(motion, mapping, imu, name=preset, sound=sound)
+    imu = _angular_rate(sequence, mapping)
+    return render_preset(store.motion_of(sequence), mapping, imu, name=preset)
 
 
 class Change(Protocol):
@@ -259,20 +248,6 @@ def _angular_rate(
     return store.recorded_log(sequence)
 
 
-def _sound_layer(
-    sequence: store.Sequence, gain: float | None = None
-) -> SoundLayer | None:
-    """Return the layer of a sequence's sound; of None, as its realistic track has it."""
-    if gain is None:
-        gain = gain_of(sequence.tracks[model.Feedback.REALISTIC])
-    if gain == 0.0:
-        return None
-    sound = sound_of(sequence)
-    if sound is None:
-        raise UsageError("the clip has no sound of which a layer could be made")
-    return SoundLayer(sound, gain)
-
-
 @dataclasses.dataclass(frozen=True, slots=True)
 class GainPreview:
     """The effect of another gain on a sequence.
@@ -308,8 +283,7 @@ def preview_gain(
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
     imu = _angular_rate(sequence, mapping)
     name = preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    motion, sound = store.motion_of(sequence), _sound_layer(sequence)
-    track = render_preset(motion, mapping, imu, name=name, sound=sound)
+    track = render_preset(store.motion_of(sequence), mapping, imu, name=name)
     report = _reporter(progress, 0, 1)
     hands = predict(track, _duration_s(sequence.description), report)["hands"]
     return GainPreview(

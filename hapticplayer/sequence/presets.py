@@ -10,7 +10,6 @@ from hapticplayer import rendering
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ForceTrack, ImuLog, Mapping, MotionTrack, PresetName
-from hapticplayer.rendering.sound_layer import SoundLayer, with_sound_layer
 from hapticplayer.rendering.washout import DesignHand, Washout, washed_out
 from hapticplayer.sequence.excursion import felt
 
@@ -54,20 +53,12 @@ def render_preset(
     imu: ImuLog | None = None,
     *,
     name: str,
-    sound: SoundLayer | None = None,
 ) -> ForceTrack:
     """Return the force track of a motion under a preset, see `render_force`.
 
-    Args:
-        motion: in media time.
-        mapping: the default mapping if None.
-        imu: in media time; a lever arm needs it.
-        name: of the preset.
-        sound: its layer is added before the washout; None for no layer.
-
     Raises:
         InputError: as `render_force`.
-        UsageError: for an unknown preset, or a layer that the motion does not need.
+        UsageError: for an unknown preset.
     """
     preset = next((one for one in PRESETS if one.name == name), None)
     if preset is None:
@@ -78,8 +69,6 @@ def render_preset(
         )
     mapping = mapping or Mapping()
     track = rendering.render_force(motion, mapping, imu)
-    if sound is not None:
-        track = with_sound_layer(track, motion, sound, mapping.force_limit_n)
     if preset.hands:
         track = washed_out(track, washout_of(preset, mapping.force_limit_n))
     return replace(track, provenance={**track.provenance, "preset": preset.name})

@@ -5037,10 +5037,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Zeile für jede Änderung der Kraft</translation>
     </message>
     <message>
-        <source>a sound layer needs a track of straight lines</source>
-        <translation>die Klangebene braucht eine Kraftspur aus geraden Linien</translation>
-    </message>
-    <message>
         <source>a track that a person has edited</source>
         <translation>eine Spur, die jemand bearbeitet hat</translation>
     </message>
@@ -5705,10 +5701,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Achsen des Chips</translation>
     </message>
     <message>
-        <source>the clip has no sound of which a layer could be made</source>
-        <translation>der Clip hat keinen Ton, aus dem eine Klangebene werden könnte</translation>
-    </message>
-    <message>
         <source>the columns are in another order</source>
         <translation>die Spalten stehen in anderer Reihenfolge</translation>
     </message>
@@ -6003,10 +5995,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the sound is silent</source>
         <translation>der Ton ist stumm</translation>
-    </message>
-    <message>
-        <source>the sound layer is for logs of means at less than {fast_hz:g} Hz; this one holds the shaking itself</source>
-        <translation>die Klangebene ist für Logs mit Mittelwerten unter {fast_hz:g} Hz; dieses enthält das Rütteln selbst</translation>
     </message>
     <message>
         <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>

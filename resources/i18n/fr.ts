@@ -5037,10 +5037,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une ligne pour chaque changement de la force</translation>
     </message>
     <message>
-        <source>a sound layer needs a track of straight lines</source>
-        <translation>la couche sonore demande une piste de force en lignes droites</translation>
-    </message>
-    <message>
         <source>a track that a person has edited</source>
         <translation>une piste qu’une personne a modifiée</translation>
     </message>
@@ -5705,10 +5701,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>axes de la puce</translation>
     </message>
     <message>
-        <source>the clip has no sound of which a layer could be made</source>
-        <translation>le clip n’a pas de son dont on pourrait faire une couche</translation>
-    </message>
-    <message>
         <source>the columns are in another order</source>
         <translation>les colonnes sont dans un autre ordre</translation>
     </message>
@@ -6003,10 +5995,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the sound is silent</source>
         <translation>le son est muet</translation>
-    </message>
-    <message>
-        <source>the sound layer is for logs of means at less than {fast_hz:g} Hz; this one holds the shaking itself</source>
-        <translation>la couche sonore est pour les journaux de moyennes à moins de {fast_hz:g} Hz&#xa0;; celui-ci contient les secousses elles-mêmes</translation>
     </message>
     <message>
         <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>

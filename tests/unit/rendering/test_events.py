@@ -9,8 +9,10 @@ from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.motion import remove_gravity
+from hapticplayer.rendering.event import Material
 from hapticplayer.rendering.events import DETECTORS, find_events
 from hapticplayer.rendering.low_sound import LowSound, low_sound
+from hapticplayer.rendering.shocks import find_shocks
 from hapticplayer.simulation.rides.known_events import known_events, score
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from hapticplayer.simulation.rides.trajectory import smooth_step
@@ -88,6 +90,17 @@ def test_a_landing_is_found_in_rough_ground(rng):
     (event,) = found("impact", motion_of(along(2, ground + in_air)))
     assert event.start_s < 10.7
     assert event.end_s > 10.4
+
+
+def test_a_landing_is_told_from_a_blow(rng):
+    ground = np.convolve(rng.standard_normal(len(TIME_S)), np.ones(8) / 8, "same")
+    ground *= 4.0 / ground.std()
+    in_air = level(10.0, 10.4, -9.5, 0.08) + level(10.48, 10.68, 18.6, 0.08)
+    for moved, expected in ((in_air, True), (blow(8.0, 60.0), False)):
+        (shock,) = find_shocks(
+            Material(motion_of(along(2, ground + moved)), None, None)
+        )
+        assert shock.is_landing is expected
 
 
 def test_a_release_into_a_fall_is_no_impact():

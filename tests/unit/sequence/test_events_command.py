@@ -1,4 +1,4 @@
-"""The command `events`, and the sound layer of `render`."""
+"""The command `events`."""
 
 import json
 
@@ -10,12 +10,9 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
-from hapticplayer.rendering.sound_layer import gain_of
 from hapticplayer.sequence import files, store
-from hapticplayer.sequence.build import Choices, write_sequence
-from hapticplayer.sequence.editing import rendered_again, set_gain
+from hapticplayer.sequence.build import write_sequence
 from hapticplayer.sequence.events import events_of, sound_of
-from hapticplayer.sequence.processing import Processing
 
 HIT_S, LENGTH_S = 5.0, 8
 
@@ -23,17 +20,7 @@ HIT_S, LENGTH_S = 5.0, 8
 @pytest.fixture(scope="module")
 def knocked(tmp_path_factory):
     """A sequence at rest but for one blow, which is heard; the log begins 3 s early."""
-    return written(tmp_path_factory.mktemp("knocked"))
-
-
-@pytest.fixture(scope="module")
-def slow(tmp_path_factory):
-    """The same with means at 30 Hz."""
-    choices = Choices(processing=Processing(average_hz=30.0))
-    return written(tmp_path_factory.mktemp("slow"), choices)
-
-
-def written(folder, choices=None):
+    folder = tmp_path_factory.mktemp("knocked")
     rng = np.random.default_rng(4)
     sound = 0.003 * rng.standard_normal((LENGTH_S * 48_000, 2))
     first = round(HIT_S * 48_000)
@@ -53,7 +40,7 @@ def written(folder, choices=None):
     log = ImuLog(time_s, force, rate, source="log")
     recording = Recording(log, ClockMap(offset_s=-3.0), "test camera", (), {})
     clip = probe(folder / "ride.mp4")
-    return write_sequence(clip, recording, folder / "ride", choices=choices)
+    return write_sequence(clip, recording, folder / "ride")
 
 
 def test_a_blow_is_found_at_its_media_time(knocked, capsys):
@@ -97,30 +84,3 @@ def test_without_log_events_come_from_the_motion(knocked, tmp_path):
 def test_no_sequence_is_refused_in_a_sentence(tmp_path, capsys):
     assert cli.main(["events", str(tmp_path)]) == 1
     assert "holds no sequence.json" in capsys.readouterr().err
-
-
-def test_the_sound_layer_is_kept_by_later_renderings(slow, tmp_path, capsys):
-    target = tmp_path / "felt"
-    words = ["--sound-layer", "0.8", "--json", "-o", str(target)]
-    assert cli.main(["render", str(slow), *words]) == 0
-    capsys.readouterr()
-    plain, made = (
-        store.open_sequence(one).tracks["realistic"] for one in (slow, target)
-    )
-    media_s = np.arange(0.0, LENGTH_S, 0.001)
-    more = made.at(media_s)[:, 1] - plain.at(media_s)[:, 1]
-    assert 0.05 < np.abs(more).max() <= 0.4 + 1e-6
-    assert np.abs(more[np.abs(media_s - HIT_S) > 0.5]).max() < 1e-6
-    set_gain(target, 0.2)
-    assert gain_of(store.open_sequence(target).tracks["realistic"]) == 0.8
-    assert gain_of(rendered_again(target, "equal")) == 0.8
-    assert cli.main(["render", str(target), "--sound-layer", "0", "--in-place"]) == 0
-    assert gain_of(store.open_sequence(target).tracks["realistic"]) == 0.0
-
-
-def test_a_layer_that_cannot_be_made_is_refused(knocked, sequence_folder, capsys):
-    assert cli.main(["render", str(knocked), "--sound-layer", "1", "--in-place"]) == 2
-    assert "holds the shaking itself" in capsys.readouterr().err
-    words = ["render", str(sequence_folder), "--sound-layer", "1", "--in-place"]
-    assert cli.main(words) == 2
-    assert "the clip has no sound" in capsys.readouterr().err
