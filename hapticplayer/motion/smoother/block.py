@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hapticplayer.model.arrays import Floats
-from hapticplayer.motion import rotations as rot
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother import stationary, strapdown, vehicle
 from hapticplayer.motion.smoother.evidence import (
@@ -46,14 +45,11 @@ from hapticplayer.motion.smoother.state import (
     zero_velocity_weight,
 )
 from hapticplayer.motion.smoother.stationary import Flags, StillBins
-from hapticplayer.motion.smoother.uncertainty import BoundExcess, tilt_variance
-from hapticplayer.motion.smoother.vehicle import BODY_VELOCITY_COLUMNS, Locomotion
+from hapticplayer.motion.smoother.uncertainty import sigma_rad
+from hapticplayer.motion.smoother.vehicle import BODY_VELOCITY_COLUMNS
 
 # Prior weight of a calibration that is not to be changed: a sigma of 1e-6.
 FIXED_CALIBRATION_WEIGHT = 1e12
-# Error of the vertical per turn within a sample: half and twice of it leave 0.960 and
-# 0.971 of the samples within 2 sigma in place of 0.965.
-TILT_ERROR_PER_SAMPLE_TURN = 0.04
 # A vehicle is solved for on coarse windows until the bias moves by less.
 COARSE_BIAS_CHANGE_RADPS = 0.005
 # A wider bias prior is kept if it lowers the RMS velocity to this share; kept always it
@@ -394,7 +390,7 @@ def _result(block: Block, state: State, *, with_sigma: bool) -> Smoothed:
     return Smoothed(
         quaternion_wxyz=quaternion,
         vertical=vertical,
-        sigma_rad=_sigma_rad(block, state, gyro_bias_radps, levelled)
+        sigma_rad=sigma_rad(block, state, gyro_bias_radps, levelled)
         if with_sigma
         else np.zeros(count),
         at_rest=np.repeat(resting, block.samples_per_node)[:count],
@@ -421,50 +417,3 @@ def _calibration(state: State, p: SmootherParameters) -> Calibration:
         gyro_noise_factor=1.0 if floor is None else floor.noise_factor,
         gyro_scale=1.0 + total[GYRO_SCALE],
     )
-
-
-def _sigma_rad(
-    block: Block, state: State, gyro_bias_radps: Floats, tilt: Floats
-) -> Floats:
-    """Return the standard deviation of the tilt at each sample."""
-    excess = _excess(state, block.p)
-    variance = tilt_variance(
-        state.problem, state.solution, gyro_bias_radps, excess, block.p
-    )
-    per_node = block.samples_per_node
-    turn_rad = state.integration.nodes.turned_rad / per_node
-    variance += _turning_variance(turn_rad, block.samples.held())
-    # at rest the accelerometer's bias is taken for tilt, so that nothing is felt
-    variance += rot.squared_norm(tilt - state.solution.tilt)
-    if state.floor is not None:
-        variance = state.floor.mixed(variance, state.floor.variance)
-    # two unrelated directions are 90 degrees apart
-    sigma = np.sqrt(np.minimum(variance, 2.0))
-    share = np.arange(per_node) / per_node
-    at_samples = sigma[:-1, None] + share * np.diff(sigma)[:, None]
-    return np.asarray(at_samples.reshape(-1)[: len(block.samples)])
-
-
-def _excess(state: State, p: SmootherParameters) -> BoundExcess:
-    """Return by how much the bound is wider than one for the velocity found."""
-    bound_mps, velocity_mps = state.known.bound_mps, state.solution.velocity_mps
-    if not state.motion.moving_weight:
-        return BoundExcess(np.ones_like(bound_mps))
-    duration_s = state.problem.duration_s
-    found_mps = velocity_bound(velocity_mps, duration_s, Locomotion(), p)
-    factor = np.maximum(bound_mps / found_mps, 1.0)
-    return BoundExcess(factor, state.motion.vehicle_weight)
-
-
-def _turning_variance(turn_rad: Floats, held: float) -> Floats:
-    """Return the variance by turns (K,) within a reading, at the nodes, rad^2.
-
-    Args:
-        turn_rad: (K,) per sample.
-        held: samples that repeat a reading; they are late by half of it.
-    """
-    at = np.empty(len(turn_rad) + 1)
-    at[0], at[-1] = turn_rad[0], turn_rad[-1]
-    at[1:-1] = 0.5 * (turn_rad[1:] + turn_rad[:-1])
-    late = 0.5 * (held - 1.0)
-    return np.asarray((TILT_ERROR_PER_SAMPLE_TURN**2 + late**2) * np.square(at))
