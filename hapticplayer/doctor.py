@@ -32,6 +32,7 @@ CHECKS_GROUP = "checks"
 PYTHON_PACKAGES = {
     "PySide6": "PySide6-Essentials",
     "av": "av",
+    "defusedxml": "defusedxml",
     "fpdf": "fpdf2",
     "hid": "hidapi",
     "jeepney": "jeepney",

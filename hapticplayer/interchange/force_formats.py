@@ -5,7 +5,15 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import InputError, Message, UsageError, to_json
-from hapticplayer.interchange import force_csv, hjif, hjif_read
+from hapticplayer.interchange import (
+    ahap,
+    force_csv,
+    funscript,
+    hjif,
+    hjif_read,
+    mpegv,
+    wav,
+)
 from hapticplayer.interchange.force_files import (
     ForceFile,
     ForceFormat,
@@ -44,6 +52,47 @@ _FORMATS = (
         hjif.write,
         hjif_read.read,
         read_back(hjif_read.read),
+    ),
+    ForceFormat(
+        "wav",
+        ".wav",
+        Message("audio of three channels, for transducers"),
+        Message("the force in newtons, at the sample rate"),
+        wav.is_ours,
+        wav.write,
+        wav.read,
+        read_back(wav.read),
+    ),
+    ForceFormat(
+        "mpegv",
+        ".sem",
+        Message("MPEG-V sensory effects (ISO/IEC 23005-3), as XML"),
+        Message("the force in newtons on three axes, within the tolerance"),
+        mpegv.is_ours,
+        mpegv.write,
+        mpegv.read,
+        read_back(mpegv.read),
+        (".xml",),
+    ),
+    ForceFormat(
+        "funscript",
+        ".funscript",
+        Message("positions of a hand, for motion devices"),
+        Message("the excursion that a normal hand would make; no newtons"),
+        funscript.is_ours,
+        funscript.write,
+        funscript.read,
+        funscript.no_newtons,
+    ),
+    ForceFormat(
+        "ahap",
+        ".ahap",
+        Message("haptic pattern for iPhones"),
+        Message("the size of the force and its frequency; no direction"),
+        ahap.is_ours,
+        ahap.write,
+        None,
+        ahap.loss,
     ),
     ForceFormat(
         "csv",

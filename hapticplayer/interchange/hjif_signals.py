@@ -123,6 +123,8 @@ def joined(shapes: list[Shape]) -> Shape:
     shapes = sorted(
         (one for one in shapes if len(one.time_s)), key=lambda one: one.time_s[0]
     )
+    if not shapes:
+        return Shape(np.zeros(0), np.zeros(0))
     parts: list[Shape] = []
     for shape, later in zip(shapes, [*shapes[1:], None], strict=True):
         end_s = np.inf if later is None else later.time_s[0] - 2.0 * STEP_S

@@ -35,6 +35,7 @@ WARM = 0.8
 """Share of the continuous force above which motor heating is reported."""
 
 RATE_HZ = 500.0
+TRAVEL_HZ = 50.0
 _SECOND_S, _RUN_UP_S = 1.0, 1.2
 _AFTER_S = 0.5  # the hand keeps moving after the force has ended
 _BATCH = 600  # seconds computed at a time
@@ -98,6 +99,37 @@ def predict(
         "far": FAR,
         **_heat(track, duration_s),
     }
+
+
+def travel_m(
+    track: ForceTrack, duration_s: float, hand: str = "normal"
+) -> tuple[Floats, Floats]:
+    """Return where a hand would be over time.
+
+    Args:
+        track: in media time.
+        duration_s: of the clip; force outside it is not played.
+        hand: one of HANDS.
+
+    Returns:
+        Times (n,) s, 50 a second, and positions (n, 3) m, frame D; zero where there
+        is no force.
+    """
+    grip = Grip([HANDS[hand]], LIMITS, centring_of(LIMITS))
+    force, starts = _sampled(track, duration_s), _starts(track, duration_s)
+    count, every = math.ceil(duration_s * TRAVEL_HZ) + 1, round(RATE_HZ / TRAVEL_HZ)
+    place_m = np.zeros((count + round(2 * TRAVEL_HZ), 3))
+    run_up = round(_RUN_UP_S * RATE_HZ)
+    for first in range(0, len(starts), _BATCH):
+        batch = starts[first : first + _BATCH]
+        grip.rest(len(batch))
+        for step in range(-run_up, round(_SECOND_S * RATE_HZ)):
+            grip.advance(force[:, batch + step + run_up])
+            if step >= 0 and step % every == 0:
+                rows = (batch + step) // every
+                inside = rows < len(place_m)
+                place_m[rows[inside]] = grip.place_m[:, 0, inside].T
+    return np.arange(count) / TRAVEL_HZ, place_m[:count]
 
 
 def excursion_texts(prediction: Mapping[str, Any]) -> list[str]:
@@ -270,6 +302,11 @@ class Grip:
         shape = (3, len(self._stiffness), moments)
         self._place_m, self._speed_mps = np.zeros(shape), np.zeros(shape)
         self.is_fast = self.is_outside = np.zeros(shape[1:], dtype=bool)
+
+    @property
+    def place_m(self) -> Floats:
+        """Return where the hands are (3, hands, moments) m."""
+        return self._place_m
 
     def advance(self, planned_n: Floats) -> Floats:
         """Advance one step and return the radii as shares of the workspace.

@@ -4965,6 +4965,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>MPEG-Haptik (ISO/IEC 23090-31), als JSON</translation>
     </message>
     <message>
+        <source>MPEG-V sensory effects (ISO/IEC 23005-3), as XML</source>
+        <translation>MPEG-V-Effekte (ISO/IEC 23005-3), als XML</translation>
+    </message>
+    <message>
         <source>Missing samples and isolated spikes</source>
         <translation>Fehlende Messwerte und einzelne Ausreißer</translation>
     </message>
@@ -5033,6 +5037,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Hebelarm braucht die Drehrate der Aufnahme</translation>
     </message>
     <message>
+        <source>a matrix of forces is not three numbers a row</source>
+        <translation>eine Matrix von Kräften hat nicht drei Zahlen je Zeile</translation>
+    </message>
+    <message>
         <source>a row for each change of the force</source>
         <translation>eine Zeile für jede Änderung der Kraft</translation>
     </message>
@@ -5045,8 +5053,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Washout braucht eine Spur aus geraden Linien, diese hält ihre Werte</translation>
     </message>
     <message>
+        <source>acceleration was taken times {gain:.2g} N per m/s²</source>
+        <translation>Beschleunigung wurde mit {gain:.2g} N je m/s² malgenommen</translation>
+    </message>
+    <message>
         <source>add a sequence</source>
         <translation>fügen Sie eine Sequenz hinzu</translation>
+    </message>
+    <message>
+        <source>an effect lies outside of any clip</source>
+        <translation>ein Effekt liegt außerhalb jedes Clips</translation>
     </message>
     <message>
         <source>another preset needs the folder of the sequence; unpack it</source>
@@ -5063,6 +5079,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>ask for the file again, or accept it with --accept-changed-video</source>
         <translation>verlangen Sie die Datei noch einmal, oder lassen Sie sie mit --accept-changed-video zu</translation>
+    </message>
+    <message>
+        <source>audio of three channels, for transducers</source>
+        <translation>Audio mit drei Kanälen, für Körperschallwandler</translation>
     </message>
     <message>
         <source>between {least:g} and {most:g}</source>
@@ -5085,8 +5105,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>größere Toleranz oder anderes Format wählen</translation>
     </message>
     <message>
+        <source>choose a lower sample rate, or another format</source>
+        <translation>eine niedrigere Abtastrate oder ein anderes Format wählen</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>wählen Sie eine andere Datei, oder ersetzen Sie sie mit --overwrite</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>ein anderes Format wählen</translation>
     </message>
     <message>
         <source>choose the other kind of file, or convert it to MP4 and import it again</source>
@@ -5165,6 +5193,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Kraft, N, verlustfrei</translation>
     </message>
     <message>
+        <source>full scale was taken as {full_n:.3g} N</source>
+        <translation>Vollausschlag wurde als {full_n:.3g} N genommen</translation>
+    </message>
+    <message>
         <source>give another full scale</source>
         <translation>einen anderen Vollausschlag angeben</translation>
     </message>
@@ -5181,8 +5213,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie das Protokoll mit --imu LOG an, und {option}, wo danach gefragt wird</translation>
     </message>
     <message>
+        <source>haptic pattern for iPhones</source>
+        <translation>Haptik-Muster für iPhones</translation>
+    </message>
+    <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>hat mehr als {most_mb} MB an Kraft und Bewegung, zu viel für eine Datei</translation>
+    </message>
+    <message>
+        <source>has no usual format</source>
+        <translation>hat kein übliches Format</translation>
     </message>
     <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
@@ -5197,12 +5237,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine Kraft, und daneben liegt auch keine</translation>
     </message>
     <message>
+        <source>holds no force that is understood</source>
+        <translation>enthält keine Kraft, die verstanden wird</translation>
+    </message>
+    <message>
         <source>holds no force that is understood ({first})</source>
         <translation>enthält keine Kraft, die verstanden wird ({first})</translation>
     </message>
     <message>
+        <source>holds no numbers</source>
+        <translation>enthält keine Zahlen</translation>
+    </message>
+    <message>
         <source>holds no perceptions</source>
         <translation>enthält keine „perceptions“</translation>
+    </message>
+    <message>
+        <source>holds no positions</source>
+        <translation>enthält keine Positionen</translation>
+    </message>
+    <message>
+        <source>holds no samples</source>
+        <translation>enthält keine Abtastwerte</translation>
     </message>
     <message>
         <source>holds the force of a video, not the video</source>
@@ -5245,6 +5301,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist mit gzip komprimiert</translation>
     </message>
     <message>
+        <source>is not MPEG-V (SEM)</source>
+        <translation>ist kein MPEG-V (SEM)</translation>
+    </message>
+    <message>
+        <source>is not a WAV file</source>
+        <translation>ist keine WAV-Datei</translation>
+    </message>
+    <message>
         <source>is not a calibration of a sensor</source>
         <translation>ist keine Kalibrierung eines Sensors</translation>
     </message>
@@ -5259,6 +5323,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not overwritten, as it is no such file of this program</source>
         <translation>wird nicht überschrieben, denn es ist keine solche Datei dieses Programms</translation>
+    </message>
+    <message>
+        <source>is not valid XML ({reason})</source>
+        <translation>ist kein gültiges XML ({reason})</translation>
     </message>
     <message>
         <source>is of version {version!r} of the format; this program reads {known}</source>
@@ -5395,6 +5463,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>position lies outside of any clip</source>
         <translation>die Position liegt außerhalb jedes Clips</translation>
+    </message>
+    <message>
+        <source>positions of a hand, for motion devices</source>
+        <translation>Positionen einer Hand, für Bewegungsgeräte</translation>
+    </message>
+    <message>
+        <source>positions were taken as the set-point of a spring of {stiffness:.3g} N/m, with the hand at the centre</source>
+        <translation>Positionen wurden als Sollwert einer Feder von {stiffness:.3g} N/m genommen, mit der Hand in der Mitte</translation>
+    </message>
+    <message>
+        <source>positions, no newtons</source>
+        <translation>Positionen, keine Newton</translation>
     </message>
     <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
@@ -5549,6 +5629,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>simulierte Kamera</translation>
     </message>
     <message>
+        <source>size of the force, every millisecond</source>
+        <translation>Betrag der Kraft, jede Millisekunde</translation>
+    </message>
+    <message>
         <source>smooth noise below 0.5 Hz, with the RMS of the realistic force</source>
         <translation>glattes Rauschen unter 0,5 Hz mit dem Effektivwert der realistischen Kraft</translation>
     </message>
@@ -5563,6 +5647,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>sort the rows by time or cut the recording there</source>
         <translation>sortieren Sie die Zeilen nach der Zeit, oder schneiden Sie die Aufnahme dort</translation>
+    </message>
+    <message>
+        <source>sound above {limit_hz} Hz was left out</source>
+        <translation>Ton über {limit_hz} Hz wurde weggelassen</translation>
     </message>
     <message>
         <source>specific force is acceleration plus the phone&apos;s gravity estimate</source>
@@ -5713,6 +5801,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Grenzfrequenz</translation>
     </message>
     <message>
+        <source>the excursion that a normal hand would make; no newtons</source>
+        <translation>die Auslenkung, die eine normale Hand machen würde; keine Newton</translation>
+    </message>
+    <message>
         <source>the experiment was paused; its clock skips the pause</source>
         <translation>das Experiment wurde angehalten; seine Uhr lief ohne die Pause weiter</translation>
     </message>
@@ -5747,6 +5839,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the force in newtons on three axes, within the tolerance</source>
         <translation>die Kraft in Newton auf drei Achsen, innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>the force in newtons, at the sample rate</source>
+        <translation>die Kraft in Newton, mit der Abtastrate</translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
@@ -5981,6 +6077,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der simulierte Falcon wurde abgezogen: Sein Prozess ist beendet; wählen Sie das Gerät noch einmal, um einen neuen zu starten</translation>
     </message>
     <message>
+        <source>the size of the force and its frequency; no direction</source>
+        <translation>Betrag der Kraft und ihre Frequenz; keine Richtung</translation>
+    </message>
+    <message>
         <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
         <translation>der Glätter kennt keine Richtung; dafür ekf, vqf oder offline-vqf wählen</translation>
     </message>
@@ -6011,6 +6111,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the track ends at {end_s:.4g} s, after the longest clip ({most_s:.0f} s)</source>
         <translation>die Spur endet bei {end_s:.4g} s, nach dem längsten Clip ({most_s:.0f} s)</translation>
+    </message>
+    <message>
+        <source>the track is too long for this format</source>
+        <translation>die Spur ist zu lang für dieses Format</translation>
     </message>
     <message>
         <source>the track needs {count} keyframes (limit: {most})</source>
@@ -6729,6 +6833,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wahre Bewegung einer Simulation</translation>
     </message>
     <message>
+        <source>turns, and is not read</source>
+        <translation>dreht und wird nicht gelesen</translation>
+    </message>
+    <message>
         <source>unknown entry {name!r}</source>
         <translation>hat den unbekannten Eintrag {name!r}</translation>
     </message>
@@ -6755,6 +6863,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
         <translation>eine Datei verwenden, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
+    </message>
+    <message>
+        <source>vibration: full intensity was taken as {full_n:.3g} N</source>
+        <translation>Vibration: volle Stärke wurde als {full_n:.3g} N genommen</translation>
     </message>
     <message>
         <source>video and sound</source>
@@ -6823,6 +6935,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{code}: no record of a device, markers only</source>
         <translation>{code}: keine Aufzeichnung eines Geräts, nur Marker</translation>
+    </message>
+    <message>
+        <source>{count} channels act along x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
+        <translation>{count} Kanäle wirken entlang x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
     </message>
     <message>
         <source>{count} text answers were left out: they have not been reviewed</source>

@@ -4965,6 +4965,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Haptique MPEG (ISO/CEI 23090-31), en JSON</translation>
     </message>
     <message>
+        <source>MPEG-V sensory effects (ISO/IEC 23005-3), as XML</source>
+        <translation>Effets sensoriels MPEG-V (ISO/CEI 23005-3), en XML</translation>
+    </message>
+    <message>
         <source>Missing samples and isolated spikes</source>
         <translation>Échantillons manquants et pics isolés</translation>
     </message>
@@ -5033,6 +5037,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un bras de levier nécessite la vitesse angulaire de l’enregistrement</translation>
     </message>
     <message>
+        <source>a matrix of forces is not three numbers a row</source>
+        <translation>une matrice de forces n’a pas trois nombres par ligne</translation>
+    </message>
+    <message>
         <source>a row for each change of the force</source>
         <translation>une ligne pour chaque changement de la force</translation>
     </message>
@@ -5045,8 +5053,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un washout demande une piste de lignes droites, celle-ci maintient ses valeurs</translation>
     </message>
     <message>
+        <source>acceleration was taken times {gain:.2g} N per m/s²</source>
+        <translation>l’accélération a été multipliée par {gain:.2g} N par m/s²</translation>
+    </message>
+    <message>
         <source>add a sequence</source>
         <translation>ajoutez une séquence</translation>
+    </message>
+    <message>
+        <source>an effect lies outside of any clip</source>
+        <translation>un effet se trouve en dehors de tout clip</translation>
     </message>
     <message>
         <source>another preset needs the folder of the sequence; unpack it</source>
@@ -5063,6 +5079,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>ask for the file again, or accept it with --accept-changed-video</source>
         <translation>redemandez le fichier, ou acceptez-le avec --accept-changed-video</translation>
+    </message>
+    <message>
+        <source>audio of three channels, for transducers</source>
+        <translation>audio à trois canaux, pour transducteurs</translation>
     </message>
     <message>
         <source>between {least:g} and {most:g}</source>
@@ -5085,8 +5105,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez une plus grande tolérance ou un autre format</translation>
     </message>
     <message>
+        <source>choose a lower sample rate, or another format</source>
+        <translation>choisissez une fréquence d’échantillonnage plus basse ou un autre format</translation>
+    </message>
+    <message>
         <source>choose another file, or replace it with --overwrite</source>
         <translation>choisissez un autre fichier, ou remplacez-le avec --overwrite</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>choisissez un autre format</translation>
     </message>
     <message>
         <source>choose the other kind of file, or convert it to MP4 and import it again</source>
@@ -5165,6 +5193,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>force, N, sans perte</translation>
     </message>
     <message>
+        <source>full scale was taken as {full_n:.3g} N</source>
+        <translation>la pleine échelle a été prise comme {full_n:.3g} N</translation>
+    </message>
+    <message>
         <source>give another full scale</source>
         <translation>indiquez une autre pleine échelle</translation>
     </message>
@@ -5181,8 +5213,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez le journal avec --imu LOG, et {option} là où c’est demandé</translation>
     </message>
     <message>
+        <source>haptic pattern for iPhones</source>
+        <translation>motif haptique pour iPhone</translation>
+    </message>
+    <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>a plus de {most_mb} Mo de force et de mouvement, trop pour un seul fichier</translation>
+    </message>
+    <message>
+        <source>has no usual format</source>
+        <translation>n’a pas un format usuel</translation>
     </message>
     <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
@@ -5197,12 +5237,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas de force et n’en a pas à côté</translation>
     </message>
     <message>
+        <source>holds no force that is understood</source>
+        <translation>ne contient aucune force comprise</translation>
+    </message>
+    <message>
         <source>holds no force that is understood ({first})</source>
         <translation>ne contient aucune force comprise ({first})</translation>
     </message>
     <message>
+        <source>holds no numbers</source>
+        <translation>ne contient pas de nombres</translation>
+    </message>
+    <message>
         <source>holds no perceptions</source>
         <translation>ne contient pas de «&#xa0;perceptions&#xa0;»</translation>
+    </message>
+    <message>
+        <source>holds no positions</source>
+        <translation>ne contient pas de positions</translation>
+    </message>
+    <message>
+        <source>holds no samples</source>
+        <translation>ne contient pas d’échantillons</translation>
     </message>
     <message>
         <source>holds the force of a video, not the video</source>
@@ -5245,6 +5301,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est compressé avec gzip</translation>
     </message>
     <message>
+        <source>is not MPEG-V (SEM)</source>
+        <translation>n’est pas du MPEG-V (SEM)</translation>
+    </message>
+    <message>
+        <source>is not a WAV file</source>
+        <translation>n’est pas un fichier WAV</translation>
+    </message>
+    <message>
         <source>is not a calibration of a sensor</source>
         <translation>n’est pas l’étalonnage d’un capteur</translation>
     </message>
@@ -5259,6 +5323,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not overwritten, as it is no such file of this program</source>
         <translation>n’est pas remplacé, car ce n’est pas un tel fichier de ce programme</translation>
+    </message>
+    <message>
+        <source>is not valid XML ({reason})</source>
+        <translation>n’est pas du XML valide ({reason})</translation>
     </message>
     <message>
         <source>is of version {version!r} of the format; this program reads {known}</source>
@@ -5395,6 +5463,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>position lies outside of any clip</source>
         <translation>la position se trouve en dehors de tout clip</translation>
+    </message>
+    <message>
+        <source>positions of a hand, for motion devices</source>
+        <translation>positions d’une main, pour appareils de mouvement</translation>
+    </message>
+    <message>
+        <source>positions were taken as the set-point of a spring of {stiffness:.3g} N/m, with the hand at the centre</source>
+        <translation>les positions ont été prises comme consigne d’un ressort de {stiffness:.3g} N/m, la main au centre</translation>
+    </message>
+    <message>
+        <source>positions, no newtons</source>
+        <translation>positions, pas de newtons</translation>
     </message>
     <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
@@ -5549,6 +5629,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>caméra simulée</translation>
     </message>
     <message>
+        <source>size of the force, every millisecond</source>
+        <translation>norme de la force, chaque milliseconde</translation>
+    </message>
+    <message>
         <source>smooth noise below 0.5 Hz, with the RMS of the realistic force</source>
         <translation>bruit lisse au-dessous de 0,5 Hz, de même valeur efficace que la force réaliste</translation>
     </message>
@@ -5563,6 +5647,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>sort the rows by time or cut the recording there</source>
         <translation>triez les lignes par temps ou coupez l’enregistrement à cet endroit</translation>
+    </message>
+    <message>
+        <source>sound above {limit_hz} Hz was left out</source>
+        <translation>le son au-dessus de {limit_hz} Hz a été omis</translation>
     </message>
     <message>
         <source>specific force is acceleration plus the phone&apos;s gravity estimate</source>
@@ -5713,6 +5801,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la fréquence de coupure</translation>
     </message>
     <message>
+        <source>the excursion that a normal hand would make; no newtons</source>
+        <translation>l’excursion que ferait une main normale&#xa0;; pas de newtons</translation>
+    </message>
+    <message>
         <source>the experiment was paused; its clock skips the pause</source>
         <translation>l’expérience a été mise en pause&#xa0;; son horloge a continué sans la pause</translation>
     </message>
@@ -5747,6 +5839,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the force in newtons on three axes, within the tolerance</source>
         <translation>la force en newtons sur trois axes, dans la tolérance</translation>
+    </message>
+    <message>
+        <source>the force in newtons, at the sample rate</source>
+        <translation>la force en newtons, à la fréquence d’échantillonnage</translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
@@ -5981,6 +6077,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le Falcon simulé a été débranché&#xa0;: son processus s’est terminé&#xa0;; choisissez de nouveau l’appareil pour en lancer un autre</translation>
     </message>
     <message>
+        <source>the size of the force and its frequency; no direction</source>
+        <translation>la norme de la force et sa fréquence&#xa0;; pas de direction</translation>
+    </message>
+    <message>
         <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
         <translation>le lisseur n’a pas de cap&#xa0;; choisissez ekf, vqf ou offline-vqf</translation>
     </message>
@@ -6011,6 +6111,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the track ends at {end_s:.4g} s, after the longest clip ({most_s:.0f} s)</source>
         <translation>la piste se termine à {end_s:.4g} s, après le plus long clip ({most_s:.0f} s)</translation>
+    </message>
+    <message>
+        <source>the track is too long for this format</source>
+        <translation>la piste est trop longue pour ce format</translation>
     </message>
     <message>
         <source>the track needs {count} keyframes (limit: {most})</source>
@@ -6729,6 +6833,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mouvement vrai d’une simulation</translation>
     </message>
     <message>
+        <source>turns, and is not read</source>
+        <translation>est une rotation et n’est pas lu</translation>
+    </message>
+    <message>
         <source>unknown entry {name!r}</source>
         <translation>a l’entrée inconnue {name!r}</translation>
     </message>
@@ -6755,6 +6863,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
         <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
+    </message>
+    <message>
+        <source>vibration: full intensity was taken as {full_n:.3g} N</source>
+        <translation>vibration&#xa0;: l’intensité maximale a été prise comme {full_n:.3g} N</translation>
     </message>
     <message>
         <source>video and sound</source>
@@ -6823,6 +6935,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{code}: no record of a device, markers only</source>
         <translation>{code}&#xa0;: aucun enregistrement d’un appareil, marqueurs seulement</translation>
+    </message>
+    <message>
+        <source>{count} channels act along x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
+        <translation>{count} canaux agissent selon x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
     </message>
     <message>
         <source>{count} text answers were left out: they have not been reviewed</source>

@@ -33,6 +33,7 @@ from hapticplayer.motion import METHODS, remove_gravity
 from hapticplayer.motion.repair import repair_samples
 from hapticplayer.sequence.excursion import HANDS as PREDICTED
 from hapticplayer.sequence.excursion import predict
+from tests.faults import force_cases
 from tests.faults.import_cases import MUTATIONS, judge, mutated, mutation
 from tests.faults.import_formats import FORMATS, Written, own_csv, put
 from tests.faults.import_signal import sample
@@ -276,3 +277,22 @@ def test_hands_stability_boundary(ticks, record):
         workspace_m=Limits().workspace_m,
     )
     assert found == pytest.approx(formula, rel=0.2)
+
+
+# --- damaged files of force ------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", force_cases.KINDS)
+def test_damaged_force(name, tmp_path, record):
+    """Each mutation within 5 s, and the process within 512 MB."""
+    clean, clock = force_cases.clean_file(name), SystemClock()
+    found: Counter[str] = Counter()
+    longest_s = 0.0
+    for number in range(max(1, round(SHARE * force_cases.MUTATIONS))):
+        begin_s = clock.now_s()
+        found[force_cases.judge(name, clean, number, tmp_path)] += 1
+        longest_s = max(longest_s, clock.now_s() - begin_s)
+    peak_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+    record(**found, longest_s=round(longest_s, 3), peak_mb=round(peak_mb))
+    assert longest_s < 5.0
+    assert peak_mb < 512.0

@@ -1,0 +1,131 @@
+"""AHAP (Apple): the size of the force as intensity, its frequency as sharpness, for phones.
+
+Written only: a phone has no direction. Intensity 1 is the largest force of the track.
+Continuous events last 30 s and curves have 16 points at most, as Core Haptics has it;
+sharpness is the logarithm of the mean frequency in each second, 1 Hz to 100 Hz.
+"""
+
+import json
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from hapticplayer.errors import InputError, Message
+from hapticplayer.interchange.force_files import Loss, WriteChoices, refuse_large
+from hapticplayer.interchange.milliseconds import end_ms, pieces
+from hapticplayer.interchange.thinning import Polyline, thinned
+from hapticplayer.model import ForceTrack
+from hapticplayer.model.arrays import Floats
+from hapticplayer.untrusted import parse_json, read_regular
+
+OF_SIZE = Message("size of the force, every millisecond")
+_MARK = b"written by hapticplayer"
+_EVENT_MS, _POINTS = 30_000, 16
+_LOW_HZ, _HIGH_HZ = 1.0, 100.0
+_MAX_BYTES = 256 << 20
+
+
+def is_ours(head: bytes) -> bool:
+    """Whether a file begins as this program writes it."""
+    return head.startswith(b'{"Version"') and _MARK in head[:200]
+
+
+def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
+    """Write the size of a track's force.
+
+    Raises:
+        InputError: for forces beyond any device.
+    """
+    refuse_large(track.force_n, "ahap")
+    until_ms = end_ms(track, choices.duration_s)
+    scale_n = max(0.01, track.peak_n()) + choices.tolerance_n
+    curve = thinned(track, until_ms, choices.tolerance_n, scale_n * 1e-5, _size)[0]
+    pattern: list[dict[str, Any]] = []
+    for first, last in pieces(until_ms, _EVENT_MS):
+        pattern.append({"Event": _event(first, last)})
+    pattern += _curves("HapticIntensityControl", (curve[0], curve[1] / scale_n))
+    pattern += _curves("HapticSharpnessControl", _sharpness(track, until_ms))
+    about = {"Description": f"{_MARK.decode()}; newton = intensity * {scale_n:.5f}"}
+    text = {"Version": 1.0, "Metadata": about, "Pattern": pattern}
+    out.write(json.dumps(text, separators=(",", ":")).encode())
+
+
+def loss(track: ForceTrack, path: Path, choices: WriteChoices) -> Loss:
+    """Return how the size of the force differs."""
+    content = parse_json(read_regular(path, _MAX_BYTES), str(path), InputError, "")
+    scale_n = float(content["Metadata"]["Description"].rpartition(" ")[2])
+    curves = [
+        one["ParameterCurve"]
+        for one in content["Pattern"]
+        if len(one) == 1 and "ParameterCurve" in one
+    ]
+    points = np.array(
+        [
+            (curve["Time"] + point["Time"], point["ParameterValue"])
+            for curve in curves
+            if curve["ParameterID"] == "HapticIntensityControl"
+            for point in curve["ParameterCurveControlPoints"]
+        ]
+    )
+    squares, largest, count = 0.0, 0.0, 0
+    for first, last in pieces(end_ms(track, choices.duration_s), 60_000):
+        at_s = np.arange(first, last) / 1000.0
+        error_n = scale_n * np.interp(at_s, *points.T) - _size(track.at(at_s))[:, 0]
+        squares += float(np.square(error_n).sum())
+        largest, count = max(largest, float(np.abs(error_n).max())), count + len(at_s)
+    return Loss((squares / count) ** 0.5, largest, OF_SIZE)
+
+
+def _size(force_n: Floats) -> Floats:
+    return np.asarray(np.linalg.norm(force_n, axis=1)[:, None])
+
+
+def _event(first_ms: int, last_ms: int) -> dict[str, Any]:
+    parameters = [
+        {"ParameterID": "HapticIntensity", "ParameterValue": 1.0},
+        {"ParameterID": "HapticSharpness", "ParameterValue": 0.0},
+    ]
+    return {
+        "Time": first_ms / 1000.0,
+        "EventType": "HapticContinuous",
+        "EventDuration": (last_ms - first_ms) / 1000.0,
+        "EventParameters": parameters,
+    }
+
+
+def _curves(name: str, curve: Polyline) -> list[dict[str, Any]]:
+    """Return parameter curves that follow each other, with a point in common."""
+    ticks, values = curve
+    found = []
+    for first in range(0, max(1, len(ticks) - 1), _POINTS - 1):
+        begin = int(ticks[first])
+        points = [
+            {
+                "Time": round((tick - begin) / 1000.0, 3),
+                "ParameterValue": round(min(1.0, max(0.0, value)), 5),
+            }
+            for tick, value in zip(
+                ticks[first : first + _POINTS].tolist(),
+                values[first : first + _POINTS].tolist(),
+                strict=True,
+            )
+        ]
+        one = {"ParameterID": name, "Time": begin / 1000.0}
+        found.append({"ParameterCurve": {**one, "ParameterCurveControlPoints": points}})
+    return found
+
+
+def _sharpness(track: ForceTrack, until_ms: int) -> Polyline:
+    """Return sharpness, one value in the middle of each second."""
+    middles, values = [], []
+    for first, last in pieces(until_ms, 1000):
+        force_n = track.at(np.arange(first, last) / 1000.0)
+        power = np.square(np.abs(np.fft.rfft(force_n, 1000, axis=0))).sum(axis=1)
+        hertz = float(
+            np.sum(power[1:] * np.arange(1, 501)) / max(power[1:].sum(), 1e-12)
+        )
+        share = np.log(max(hertz, _LOW_HZ) / _LOW_HZ) / np.log(_HIGH_HZ / _LOW_HZ)
+        middles.append((first + last) // 2)
+        values.append(float(np.clip(share, 0.0, 1.0)))
+    return np.array(middles, np.int64), np.array(values)

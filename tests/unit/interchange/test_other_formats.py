@@ -1,0 +1,216 @@
+"""WAV, MPEG-V, funscript and AHAP: units, axes, and what others write."""
+
+import json
+import struct
+
+import numpy as np
+import pytest
+from scipy.io import wavfile
+
+from hapticplayer.errors import InputError
+from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
+from hapticplayer.interchange.force_formats import (
+    FORCE_FORMATS,
+    export_track,
+    read_force,
+)
+from hapticplayer.model import ForceTrack, Reconstruction
+from hapticplayer.sequence.excursion import predict, travel_m
+
+RAMP = ForceTrack([0.0, 0.5, 1.0], [[0, 0, 0], [1, 2, -3], [0, 0, 0]])
+SEM = (
+    '<SEM xmlns="urn:mpeg:mpeg-v:2010:01-SEDL-NS" '
+    'xmlns:sev="urn:mpeg:mpeg-v:2010:01-SEV-NS" '
+    'xmlns:si="urn:mpeg:mpeg21:2003:01-DIA-XSI-NS" '
+    'xmlns:mpeg7="urn:mpeg:mpeg7:schema:2004" '
+    'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" si:timeScale="1000">{}</SEM>'
+)
+
+
+@pytest.fixture
+def written(tmp_path):
+    def write(name, track=RAMP, **choices):
+        path = tmp_path / f"track{FORCE_FORMATS[name].suffix}"
+        export_track(track, path, FORCE_FORMATS[name], WriteChoices(**choices))
+        return path
+
+    return write
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(content, suffix, **choices):
+        path = tmp_path / f"other{suffix}"
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return read_force(path, ReadChoices(**choices))
+
+    return reader
+
+
+def at(track, *seconds):
+    return track.at(np.array(seconds, dtype=float))
+
+
+@pytest.mark.parametrize("rate", [1000, 8000])
+def test_wav_is_read_by_others_and_carries_its_scale(written, rate):
+    path = written("wav", sample_rate_hz=rate)
+    found_rate, samples = wavfile.read(path)
+    assert (found_rate, samples.shape[1]) == (rate, 3)
+    np.testing.assert_allclose(samples[rate // 2] * 3.0, [1, 2, -3], rtol=1e-5)
+    assert b"newton = sample * 3.000; x, y, z" in path.read_bytes()[:200]
+
+
+@pytest.mark.parametrize("kind", [np.int16, np.int32, np.float32, np.uint8])
+def test_wav_of_others_acts_along_the_chosen_direction(tmp_path, kind):
+    wave = 0.5 * np.sin(2.0 * np.pi * 20.0 * np.arange(48000) / 48000.0)
+    if kind is np.uint8:
+        samples = np.round(128 + 127 * wave).astype(kind)
+    else:
+        most = 1.0 if kind is np.float32 else np.iinfo(kind).max
+        samples = (wave * most).astype(kind)
+    wavfile.write(tmp_path / "a.wav", 48000, samples)
+    found = read_force(
+        tmp_path / "a.wav", ReadChoices(full_scale_n=2.0, direction=(0.0, 0.0, 1.0))
+    )
+    force_n = at(found.track, 0.2125, 0.2375)  # a quarter of a period, and three
+    np.testing.assert_allclose(force_n, [[0, 0, 1], [0, 0, -1]], atol=0.02)
+    assert len(found.notes) == 3
+
+
+def test_wav_with_samples_that_are_no_numbers_is_refused(written):
+    path = written("wav")
+    content = bytearray(path.read_bytes())
+    content[-4:] = struct.pack("<f", float("nan"))
+    path.write_bytes(content)
+    with pytest.raises(InputError, match="no numbers"):
+        read_force(path)
+
+
+def test_mpegv_holds_newtons_and_milliseconds(written):
+    text = written("mpegv").read_text()
+    assert 'si:timeScale="1000"' in text
+    assert 'xsi:type="sev:PassiveKinestheticForceType" si:pts="0"' in text
+    assert "1.0000 2.0000 -3.0000" in text
+
+
+def test_mpegv_effects_of_others_are_read_and_the_rest_is_listed(read):
+    effects = (
+        '<Effect xsi:type="sev:PassiveKinestheticForceType" si:pts="1000" '
+        'duration="100" timeSamples="3"><sev:PassiveKinestheticForce mpeg7:dim="3 3">'
+        "0 2 0 0 4 0 0 0 0</sev:PassiveKinestheticForce></Effect>"
+        '<GroupOfEffects><Effect xsi:type="sev:ActiveKinestheticType" si:pts="2000" '
+        'duration="100"><sev:ActiveKinesthetic fx="1" fy="-1.5" fz="0.5"/></Effect>'
+        '<Effect xsi:type="sev:WindType" si:pts="0" duration="10"/></GroupOfEffects>'
+    )
+    found = read(SEM.format(effects), ".sem")
+    np.testing.assert_allclose(at(found.track, 1.0, 1.025, 1.075)[:, 1], [2, 3, 2])
+    np.testing.assert_allclose(at(found.track, 2.05)[0], [1, -1.5, 0.5])
+    assert [str(note) for note in found.notes] == ["not read: Wind (1)"]
+
+
+def test_mpegv_motion_and_vibration_become_force(read):
+    effects = (
+        '<Effect xsi:type="sev:RigidBodyMotionType" si:pts="0" duration="1000">'
+        '<sev:MoveToward directionH="0" directionV="0" acceleration="2.5"/></Effect>'
+        '<Effect xsi:type="sev:VibrationType" si:pts="2000" duration="1000" '
+        'intensity-value="50" intensity-range="0 100"/>'
+    )
+    found = read(SEM.format(effects), ".xml", full_scale_n=2.0)
+    np.testing.assert_allclose(at(found.track, 0.5)[0], [0, 0, -1.0], atol=1e-6)
+    assert np.abs(found.track.force_n[:, 1]).max() == pytest.approx(1.0, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        '<!DOCTYPE a [<!ENTITY b "c">]>',
+        '<!DOCTYPE a SYSTEM "http://127.0.0.1/x.dtd">',
+        '<!DOCTYPE a [<!ENTITY b SYSTEM "file:///etc/passwd">]>',
+    ],
+)
+def test_xml_with_a_document_type_is_refused(read, head):
+    with pytest.raises(InputError, match="not valid XML"):
+        read(head + SEM.format(""), ".xml")
+
+
+@pytest.mark.parametrize("version", ["1.0", "1.1", "2.0"])
+def test_a_funscript_holds_the_excursion_of_a_hand(written, version):
+    push = ForceTrack([0.0, 2.0], [[0, 2, -2], [0, 0, 0]], Reconstruction.HOLD)
+    path = written("funscript", push, duration_s=3.0, funscript_version=version)
+    content = json.loads(path.read_text())
+    time_s, place_m = travel_m(push, 3.0)
+    up = np.interp(
+        1.5,
+        [one["at"] / 1000.0 for one in content["actions"]],
+        [one["pos"] for one in content["actions"]],
+    )
+    assert up > 54.0  # pushed up, and held there
+    assert up == pytest.approx(
+        50 + 50 * np.interp(1.5, time_s, place_m[:, 1]) / 0.04, abs=2
+    )
+    if version == "2.0":
+        surge = content["channels"]["surge"]["actions"]
+        assert max(one["pos"] for one in surge) > 54  # forward is away from the user
+    assert ("axes" in content) == (version == "1.1")
+
+
+def test_the_excursion_is_the_one_that_is_predicted():
+    push = ForceTrack([0.2, 1.7], [[0, 3, 0], [0, 0, 0]], Reconstruction.HOLD)
+    _, place_m = travel_m(push, 3.0)
+    reach = predict(push, 3.0)["hands"]["normal"]["reach"]
+    assert np.linalg.norm(place_m, axis=1).max() / 0.04 == pytest.approx(
+        reach, rel=0.02
+    )
+
+
+def test_a_funscript_is_a_spring_set_point_on_three_axes(read):
+    content = {
+        "version": "1.1",
+        "actions": [{"at": 0, "pos": 50}, {"at": 1000, "pos": 100}],
+        "axes": [
+            {"id": "L1", "actions": [{"at": 0, "pos": 100}, {"at": 1000, "pos": 100}]},
+            {"id": "R0", "actions": [{"at": 0, "pos": 0}]},
+        ],
+    }
+    found = read(json.dumps(content), ".funscript", stiffness_n_per_m=50.0)
+    # 50 N/m over 40 mm is 2 N
+    np.testing.assert_allclose(at(found.track, 0.5)[0], [0, 1, -2], atol=1e-6)
+    notes = [str(note) for note in found.notes]
+    assert "set-point" in notes[0]
+    assert notes[1] == "not read: R0 (1)"
+
+
+def test_an_ahap_has_the_size_of_the_force(written):
+    content = json.loads(written("ahap").read_text())
+    curves = [
+        one["ParameterCurve"] for one in content["Pattern"] if "ParameterCurve" in one
+    ]
+    scale_n = float(content["Metadata"]["Description"].split()[-1])
+    points = [
+        (curve["Time"] + one["Time"], one["ParameterValue"] * scale_n)
+        for curve in curves
+        if curve["ParameterID"] == "HapticIntensityControl"
+        for one in curve["ParameterCurveControlPoints"]
+    ]
+    size_n = np.interp([0.25, 0.5, 0.75], *zip(*points, strict=True))
+    whole_n = np.sqrt(14.0)
+    np.testing.assert_allclose(size_n, [whole_n / 2, whole_n, whole_n / 2], atol=0.011)
+    assert all(len(one["ParameterCurveControlPoints"]) <= 16 for one in curves)
+
+
+def test_faster_force_is_sharper(written, tmp_path):
+    values = []
+    for hertz in (2.0, 20.0):
+        wave = np.sin(2.0 * np.pi * hertz * np.arange(3000) / 1000.0)
+        track = ForceTrack(np.arange(3000) / 1000.0, np.outer(wave, [0, 2, 0]))
+        path = written("ahap", track)
+        curves = [
+            one.get("ParameterCurve", {})
+            for one in json.loads(path.read_text())["Pattern"]
+        ]
+        sharp = next(
+            c for c in curves if c.get("ParameterID") == "HapticSharpnessControl"
+        )
+        values.append(sharp["ParameterCurveControlPoints"][0]["ParameterValue"])
+        path.unlink()
+    np.testing.assert_allclose(values, np.log10([2.0, 20.0]) / 2.0, atol=0.03)
