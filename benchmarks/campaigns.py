@@ -403,3 +403,23 @@ def _payloads(length_s: float) -> Any:
 
     ride = simulate_motion("handheld-brisk", 1, duration_s=length_s)
     return write_payloads(ride.imu)
+
+
+# --- distribution damage ----------------------------------------------------------
+
+
+def force_damage_options(_parser: argparse.ArgumentParser) -> None:
+    """Add no options."""
+
+
+def force_damage(options: argparse.Namespace, report: Report) -> None:
+    """Files of force that are damaged: read, or refused in a sentence.
+
+    Each format is damaged 2000 times; each must be done within 5 s and 512 MB.
+    """
+    share = 0.02 if options.quick else 1.0
+    cases = campaign(report, f"{TESTS}::test_damaged_force", share=share)
+    keys = ("read", "refused", "longest_s", "peak_mb")
+    rows = [[case.name, *(case.figures.get(k, 0) for k in keys)] for case in cases]
+    report.table("Damaged files of force", ["format", *keys], rows)
+    report.figures |= {case.name: case.figures for case in cases}

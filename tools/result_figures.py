@@ -1,9 +1,10 @@
-"""Draws the figures of docs/numerics.md from the saved results of benchmarks.
+"""Draws the figures of docs/numerics.md and docs/formats.md from saved results.
 
 python -m tools.result_figures
 
 `docs/motion-pareto.svg` and `.png` (error against run time: `python -m
-benchmarks.motion accuracy` and `run_time`) and `docs/error-budget.png` (`budget`).
+benchmarks.motion accuracy` and `run_time`), `docs/error-budget.png` (`budget`) and
+`docs/thinning.png` (`python -m benchmarks.distribution formats`).
 """
 
 import json
@@ -153,6 +154,35 @@ def draw_budget(path: Path) -> None:
     figure.savefig(path, dpi=110)
 
 
+# --- rate and error of thinned curves ------------------------------------------------
+
+
+def draw_thinning(path: Path) -> None:
+    """Draw the rate of hjif over the RMS error, and over the error that is felt."""
+    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
+    FigureCanvasAgg(figure)
+    both = figure.subplots(1, 2, sharey=True)
+    for (name, rows), (colour, marker) in zip(
+        result("formats")["thinning"].items(), STYLES.values(), strict=False
+    ):
+        ours = [row["kbit_s"] for row in rows]
+        for axes, key in zip(both, ("rms_n", "felt_rms_n"), strict=True):
+            errors = [1000.0 * row[key] for row in rows]
+            axes.plot(errors, ours, marker=marker, color=colour, label=name)
+        theirs = [row["rdp_kbit_s"] for row in rows]
+        errors = [1000.0 * row["rdp_rms_n"] for row in rows]
+        both[0].plot(errors, theirs, ":", color=colour)
+    both[0].plot([], [], "k:", label="Ramer-Douglas-Peucker")
+    both[0].set_xscale("log")
+    both[0].set_xlabel("RMS error, mN")
+    both[1].set_xlabel("RMS of what exceeds 8 % and 30 mN, mN")
+    both[0].set_ylabel("hjif as text, kbit/s")
+    for axes in both:
+        axes.spines[["top", "right"]].set_visible(False)
+    both[0].legend(fontsize=8, frameon=False)
+    figure.savefig(path, dpi=110)
+
+
 def main() -> int:
     """Draw all figures."""
     known = list(result("accuracy")["error_mps2"])
@@ -161,6 +191,7 @@ def main() -> int:
     draw_pareto(ROOT / "docs" / "motion-pareto.svg", everything, 1200)
     draw_pareto(ROOT / "docs" / "motion-pareto.png", small, 900)
     draw_budget(ROOT / "docs" / "error-budget.png")
+    draw_thinning(ROOT / "docs" / "thinning.png")
     return 0
 
 

@@ -4,5 +4,9 @@ import sys
 
 from benchmarks.common import command
 
-PLACES = {"one_file": "distribution.one_file"}
+PLACES = {
+    "one_file": "distribution.one_file",
+    "formats": "distribution.formats",
+    "damage": "campaigns:force_damage",
+}
 sys.exit(command("distribution", __doc__, PLACES))
