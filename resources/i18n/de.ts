@@ -4929,12 +4929,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ein Sensor am Ende seines Messbereichs</translation>
     </message>
     <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Amplitude at the end</source>
+        <translation>Amplitude am Ende</translation>
+    </message>
+    <message>
+        <source>Amplitude at the start</source>
+        <translation>Amplitude am Anfang</translation>
+    </message>
+    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Kurven mit mindestens 0,15 g zur Seite</translation>
     </message>
     <message>
         <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
         <translation>Bremsen mit bis zu {level_mps2:.1f} m/s², {change_mps:.0f} m/s langsamer</translation>
+    </message>
+    <message>
+        <source>Cut-off frequency</source>
+        <translation>Grenzfrequenz</translation>
+    </message>
+    <message>
+        <source>Decay time</source>
+        <translation>Abklingzeit</translation>
     </message>
     <message>
         <source>Delayed</source>
@@ -4945,8 +4965,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bearbeitet</translation>
     </message>
     <message>
+        <source>Engine</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
         <source>Gain</source>
         <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>High-pass</source>
+        <translation>Hochpass</translation>
     </message>
     <message>
         <source>Impact of {peak_mps2:.1f} m/s²</source>
@@ -4961,6 +4997,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Umgekehrt</translation>
     </message>
     <message>
+        <source>Knock (decaying sine)</source>
+        <translation>Schlag (abklingender Sinus)</translation>
+    </message>
+    <message>
+        <source>Low-pass</source>
+        <translation>Tiefpass</translation>
+    </message>
+    <message>
         <source>MPEG haptics (ISO/IEC 23090-31), as JSON</source>
         <translation>MPEG-Haptik (ISO/IEC 23090-31), als JSON</translation>
     </message>
@@ -4973,8 +5017,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fehlende Messwerte und einzelne Ausreißer</translation>
     </message>
     <message>
+        <source>Mute (silence instead)</source>
+        <translation>Stumm (stattdessen Stille)</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
         <source>Other sequence</source>
         <translation>Andere Sequenz</translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation>Puls</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation type="unfinished">Effektiv</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
     </message>
     <message>
         <source>Samples are missing</source>
@@ -4985,12 +5049,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Skaliert</translation>
     </message>
     <message>
+        <source>Seed</source>
+        <translation type="unfinished">Startwert</translation>
+    </message>
+    <message>
         <source>Shocks that stand out of what surrounds them</source>
         <translation>Stöße, die aus ihrer Umgebung herausragen</translation>
     </message>
     <message>
         <source>Shuffled</source>
         <translation>Vertauscht</translation>
+    </message>
+    <message>
+        <source>Sine</source>
+        <translation>Sinus</translation>
     </message>
     <message>
         <source>Speed is lost at 0.3 g or more</source>
@@ -5019,6 +5091,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Turn to the right with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
         <translation>Rechtskurve mit bis zu {level_mps2:.1f} m/s² für {length_s:.1f} s</translation>
+    </message>
+    <message>
+        <source>Up to</source>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -5081,6 +5157,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>verlangen Sie die Datei noch einmal, oder lassen Sie sie mit --accept-changed-video zu</translation>
     </message>
     <message>
+        <source>at most {most} effects in a list</source>
+        <translation>höchstens {most} Effekte in einer Liste</translation>
+    </message>
+    <message>
         <source>audio of three channels, for transducers</source>
         <translation>Audio mit drei Kanälen, für Körperschallwandler</translation>
     </message>
@@ -5137,6 +5217,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sequenz wird kopiert</translation>
     </message>
     <message>
+        <source>curve: its times must increase from 0 s</source>
+        <translation>curve: die Zeiten müssen ab 0 s ansteigen</translation>
+    </message>
+    <message>
+        <source>curve: {kind} takes {most} points at most</source>
+        <translation>curve: {kind} nimmt höchstens {most} Punkte</translation>
+    </message>
+    <message>
+        <source>direction: must be three numbers that are not all zero</source>
+        <translation>direction: muss aus drei Zahlen bestehen, die nicht alle null sind</translation>
+    </message>
+    <message>
         <source>does not declare its rate</source>
         <translation>gibt seine Rate nicht an</translation>
     </message>
@@ -5147,6 +5239,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>effects</source>
         <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>effects: must be a list</source>
+        <translation>effects: muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>end_s: {end_s:g} s must come after start_s ({start_s:g} s), by {most_s:g} s at most</source>
+        <translation>end_s: {end_s:g} s muss nach start_s ({start_s:g} s) liegen, höchstens {most_s:g} s danach</translation>
     </message>
     <message>
         <source>ends before 0 s</source>
@@ -5167,6 +5267,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>export the recording again, or unpack it and give the folder</source>
         <translation>exportieren Sie die Aufnahme noch einmal, oder entpacken Sie sie und geben Sie den Ordner an</translation>
+    </message>
+    <message>
+        <source>fades: {fades_s:g} s together must fit into the {duration_s:g} s of the effect</source>
+        <translation>fades: zusammen {fades_s:g} s müssen in die {duration_s:g} s des Effekts passen</translation>
     </message>
     <message>
         <source>feedback {feedback} has no parameter {name!r}; it has {known}</source>
@@ -5195,6 +5299,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>full scale was taken as {full_n:.3g} N</source>
         <translation>Vollausschlag wurde als {full_n:.3g} N genommen</translation>
+    </message>
+    <message>
+        <source>give an effects.json</source>
+        <translation>geben Sie eine effects.json an</translation>
     </message>
     <message>
         <source>give another full scale</source>
@@ -5313,6 +5421,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist keine Kalibrierung eines Sensors</translation>
     </message>
     <message>
+        <source>is not a list of effects</source>
+        <translation>ist keine Liste von Effekten</translation>
+    </message>
+    <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>ist keine Vorlage für ein Protokoll (sie darf Texte enthalten für {known})</translation>
     </message>
@@ -5383,6 +5495,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>motion without gravity</source>
         <translation>Bewegung ohne Schwerkraft</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>must be {count} numbers</source>
+        <translation>muss aus {count} Zahlen bestehen</translation>
     </message>
     <message>
         <source>must be {wanted}</source>
@@ -5683,6 +5803,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>switch the board to its sensor output (#osct with Razor-AHRS)</source>
         <translation>schalten Sie die Platine auf Sensorausgabe (#osct bei Razor-AHRS)</translation>
+    </message>
+    <message>
+        <source>target: must be one of {known}</source>
+        <translation>target: muss eines von {known} sein</translation>
     </message>
     <message>
         <source>telemetry is nested deeper than {levels} levels, so it is damaged</source>
@@ -6989,6 +7113,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name!r} hat keine Parameter</translation>
     </message>
     <message>
+        <source>{name!r} is not a kind of effect; choose one of {names}</source>
+        <translation>{name!r} ist keine Art von Effekt; wählen Sie eine von {names}</translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} ist kein einfacher Dateiname</translation>
     </message>
@@ -7095,6 +7223,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
         <translation>{name} muss streng steigen, aber in Zeile {row} stehen {time_s:.6f} s nach {last_s:.6f} s</translation>
+    </message>
+    <message>
+        <source>{name}: is missing</source>
+        <translation>{name}: fehlt</translation>
+    </message>
+    <message>
+        <source>{name}: must be {wanted}</source>
+        <translation>{name}: muss {wanted} sein</translation>
+    </message>
+    <message>
+        <source>{name}: unknown field</source>
+        <translation>{name}: unbekanntes Feld</translation>
+    </message>
+    <message>
+        <source>{name}: {kind} has no such parameter; it has {known}</source>
+        <translation>{name}: {kind} hat keinen solchen Parameter, sondern {known}</translation>
     </message>
     <message>
         <source>{norm:.2f} m/s2 at rest</source>

@@ -4929,12 +4929,32 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Un capteur au bout de sa plage de mesure</translation>
     </message>
     <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Amplitude at the end</source>
+        <translation>Amplitude à la fin</translation>
+    </message>
+    <message>
+        <source>Amplitude at the start</source>
+        <translation>Amplitude au début</translation>
+    </message>
+    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Virages d’au moins 0,15 g de côté</translation>
     </message>
     <message>
         <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
         <translation>Freinage jusqu’à {level_mps2:.1f} m/s², {change_mps:.0f} m/s de moins</translation>
+    </message>
+    <message>
+        <source>Cut-off frequency</source>
+        <translation>Fréquence de coupure</translation>
+    </message>
+    <message>
+        <source>Decay time</source>
+        <translation>Temps de décroissance</translation>
     </message>
     <message>
         <source>Delayed</source>
@@ -4945,8 +4965,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Modifiée</translation>
     </message>
     <message>
+        <source>Engine</source>
+        <translation>Moteur</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
         <source>Gain</source>
         <translation>Gain</translation>
+    </message>
+    <message>
+        <source>High-pass</source>
+        <translation>Passe-haut</translation>
     </message>
     <message>
         <source>Impact of {peak_mps2:.1f} m/s²</source>
@@ -4961,6 +4997,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Inversée</translation>
     </message>
     <message>
+        <source>Knock (decaying sine)</source>
+        <translation>Choc (sinus amorti)</translation>
+    </message>
+    <message>
+        <source>Low-pass</source>
+        <translation>Passe-bas</translation>
+    </message>
+    <message>
         <source>MPEG haptics (ISO/IEC 23090-31), as JSON</source>
         <translation>Haptique MPEG (ISO/CEI 23090-31), en JSON</translation>
     </message>
@@ -4973,8 +5017,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Échantillons manquants et pics isolés</translation>
     </message>
     <message>
+        <source>Mute (silence instead)</source>
+        <translation>Muet (silence à la place)</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Bruit</translation>
+    </message>
+    <message>
         <source>Other sequence</source>
         <translation>Autre séquence</translation>
+    </message>
+    <message>
+        <source>Pulse</source>
+        <translation>Impulsion</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation type="unfinished">RMS</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
     </message>
     <message>
         <source>Samples are missing</source>
@@ -4985,12 +5049,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Mise à l’échelle</translation>
     </message>
     <message>
+        <source>Seed</source>
+        <translation type="unfinished">Graine</translation>
+    </message>
+    <message>
         <source>Shocks that stand out of what surrounds them</source>
         <translation>Chocs qui ressortent de ce qui les entoure</translation>
     </message>
     <message>
         <source>Shuffled</source>
         <translation>Permutée</translation>
+    </message>
+    <message>
+        <source>Sine</source>
+        <translation>Sinus</translation>
     </message>
     <message>
         <source>Speed is lost at 0.3 g or more</source>
@@ -5019,6 +5091,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Turn to the right with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
         <translation>Virage à droite jusqu’à {level_mps2:.1f} m/s² pendant {length_s:.1f} s</translation>
+    </message>
+    <message>
+        <source>Up to</source>
+        <translation>Jusqu’à</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -5081,6 +5157,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>redemandez le fichier, ou acceptez-le avec --accept-changed-video</translation>
     </message>
     <message>
+        <source>at most {most} effects in a list</source>
+        <translation>au plus {most} effets dans une liste</translation>
+    </message>
+    <message>
         <source>audio of three channels, for transducers</source>
         <translation>audio à trois canaux, pour transducteurs</translation>
     </message>
@@ -5137,6 +5217,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>copie de la séquence</translation>
     </message>
     <message>
+        <source>curve: its times must increase from 0 s</source>
+        <translation>curve: ses temps doivent croître à partir de 0 s</translation>
+    </message>
+    <message>
+        <source>curve: {kind} takes {most} points at most</source>
+        <translation>curve: {kind} prend au plus {most} points</translation>
+    </message>
+    <message>
+        <source>direction: must be three numbers that are not all zero</source>
+        <translation>direction: doit être trois nombres qui ne sont pas tous nuls</translation>
+    </message>
+    <message>
         <source>does not declare its rate</source>
         <translation>n&apos;indique pas sa fréquence</translation>
     </message>
@@ -5147,6 +5239,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>effects</source>
         <translation>effets</translation>
+    </message>
+    <message>
+        <source>effects: must be a list</source>
+        <translation>effects: doit être une liste</translation>
+    </message>
+    <message>
+        <source>end_s: {end_s:g} s must come after start_s ({start_s:g} s), by {most_s:g} s at most</source>
+        <translation>end_s: {end_s:g} s doit suivre start_s ({start_s:g} s), de {most_s:g} s au plus</translation>
     </message>
     <message>
         <source>ends before 0 s</source>
@@ -5167,6 +5267,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>export the recording again, or unpack it and give the folder</source>
         <translation>exportez de nouveau l&apos;enregistrement, ou décompressez-le et donnez le dossier</translation>
+    </message>
+    <message>
+        <source>fades: {fades_s:g} s together must fit into the {duration_s:g} s of the effect</source>
+        <translation>fades: {fades_s:g} s au total doivent tenir dans les {duration_s:g} s de l’effet</translation>
     </message>
     <message>
         <source>feedback {feedback} has no parameter {name!r}; it has {known}</source>
@@ -5195,6 +5299,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>full scale was taken as {full_n:.3g} N</source>
         <translation>la pleine échelle a été prise comme {full_n:.3g} N</translation>
+    </message>
+    <message>
+        <source>give an effects.json</source>
+        <translation>donnez un effects.json</translation>
     </message>
     <message>
         <source>give another full scale</source>
@@ -5313,6 +5421,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas l’étalonnage d’un capteur</translation>
     </message>
     <message>
+        <source>is not a list of effects</source>
+        <translation>n’est pas une liste d’effets</translation>
+    </message>
+    <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>n’est pas un modèle de journal (il peut contenir des textes pour {known})</translation>
     </message>
@@ -5383,6 +5495,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>motion without gravity</source>
         <translation>mouvement sans gravité</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>doit être un objet</translation>
+    </message>
+    <message>
+        <source>must be {count} numbers</source>
+        <translation>doit être {count} nombres</translation>
     </message>
     <message>
         <source>must be {wanted}</source>
@@ -5683,6 +5803,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>switch the board to its sensor output (#osct with Razor-AHRS)</source>
         <translation>mettez la carte en sortie de capteurs (#osct avec Razor-AHRS)</translation>
+    </message>
+    <message>
+        <source>target: must be one of {known}</source>
+        <translation>target: doit être l’un de {known}</translation>
     </message>
     <message>
         <source>telemetry is nested deeper than {levels} levels, so it is damaged</source>
@@ -6989,6 +7113,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name!r} n’a pas de paramètres</translation>
     </message>
     <message>
+        <source>{name!r} is not a kind of effect; choose one of {names}</source>
+        <translation>{name!r} n’est pas un type d’effet&#xa0;; choisissez parmi {names}</translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
     </message>
@@ -7095,6 +7223,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
         <translation>{name} doit croître strictement, mais la ligne {row} a {time_s:.6f} s après {last_s:.6f} s</translation>
+    </message>
+    <message>
+        <source>{name}: is missing</source>
+        <translation>{name}: manque</translation>
+    </message>
+    <message>
+        <source>{name}: must be {wanted}</source>
+        <translation>{name}: doit être {wanted}</translation>
+    </message>
+    <message>
+        <source>{name}: unknown field</source>
+        <translation>{name}: champ inconnu</translation>
+    </message>
+    <message>
+        <source>{name}: {kind} has no such parameter; it has {known}</source>
+        <translation>{name}: {kind} n’a pas ce paramètre&#xa0;; il a {known}</translation>
     </message>
     <message>
         <source>{norm:.2f} m/s2 at rest</source>
