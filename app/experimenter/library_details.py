@@ -36,7 +36,7 @@ from app.widgets.layout import (
 )
 from app.widgets.texts import local
 from hapticplayer.errors import HapticPlayerError, Message, message_of
-from hapticplayer.interchange.force_files import ForceFormat
+from hapticplayer.interchange.force_files import ForceFormat, WriteChoices
 from hapticplayer.interchange.force_import import export_force, import_force
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import (
@@ -333,7 +333,13 @@ class LibraryDetails(QWidget):
         self._run(
             self.tr("Saving {name}").format(name=target.name),
             lambda progress: in_child(
-                export_force, folder, name, target, form.name, progress=progress
+                export_force,
+                folder,
+                name,
+                target,
+                form.name,
+                choices=WriteChoices(overwrite=True),  # the dialog has asked
+                progress=progress,
             ),
             lambda cost: self._show_notes([cost_text(form, cost)]),
         )

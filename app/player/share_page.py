@@ -31,9 +31,10 @@ from app.widgets.layout import (
 )
 from app.widgets.texts import PERCENT, capitalised, local
 from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.interchange.sharing import share, shared_contents
 from hapticplayer.sequence.library import name_from
-from hapticplayer.sequence.pack import is_packed, outputs_of, pack
-from hapticplayer.sequence.travelling import MOTION_FILES, Contents, Part, contents
+from hapticplayer.sequence.pack import is_packed, outputs_of
+from hapticplayer.sequence.travelling import MOTION_FILES, Contents, Part
 
 translate = QCoreApplication.translate
 
@@ -76,7 +77,9 @@ class SharePage(QDialog):
         self._timer.start(_POLL_MS)
         self.jobs.run(
             self.tr("Reading"),
-            lambda _progress: contents(folder, with_motion=True),
+            lambda progress: in_child(
+                shared_contents, folder, with_motion=True, progress=progress
+            ),
             self._take,
         )
 
@@ -207,7 +210,7 @@ class SharePage(QDialog):
 
         def work(progress: Progress) -> Path:
             in_child(
-                pack,
+                share,
                 folder,
                 target,
                 with_motion=with_motion,

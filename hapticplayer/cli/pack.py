@@ -7,9 +7,10 @@ from typing import Any
 
 from hapticplayer.cli.common import add_overwrite, interruptible, say, shown_progress
 from hapticplayer.errors import SequenceError
+from hapticplayer.interchange.sharing import share, shared_contents
 from hapticplayer.outputs import FILE, refuse_existing
-from hapticplayer.sequence.pack import container_of, is_packed, outputs_of, pack
-from hapticplayer.sequence.travelling import Contents, contents
+from hapticplayer.sequence.pack import container_of, is_packed, outputs_of
+from hapticplayer.sequence.travelling import Contents
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -44,13 +45,13 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     container_of(target)
     for path in outputs_of(target):
         refuse_existing(path, FILE, is_ours, SequenceError)
-    what = contents(folder, with_motion=options.with_motion)
+    what = shared_contents(folder, with_motion=options.with_motion)
     report = {"outputs": [str(path) for path in outputs_of(target)], **listing(what)}
     if not options.json:
         say(text_of(what))
     if not options.dry_run:
         with interruptible(), shown_progress() as progress:
-            payload = pack(
+            payload = share(
                 folder,
                 target,
                 with_motion=options.with_motion,

@@ -9,7 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
 from app.experimenter import library_details
+from app.experimenter.force_texts import read_filter, write_filters
 from app.experimenter.library_page import LibraryPage
+from hapticplayer.interchange.force_formats import FORCE_FORMATS, read_force
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence
 from hapticplayer.sequence.editing import rename_sequence, set_mapping
@@ -207,3 +209,23 @@ def test_an_empty_list_says_why_and_nothing_about_quality(page, library):
         shutil.rmtree(folder)
     page.refresh()
     assert "Import a recording" in page.nothing.text()
+
+
+def test_a_track_is_exported_and_its_cost_is_told(page, library, wait_for, tmp_path):
+    page.list.setCurrentRow(0)
+    page.details.tracks.selectRow(0)
+    assert page.details.export.isEnabled()
+    (form,) = (one for one in write_filters().values() if one.name == "hjif")
+    page.details.export_force(tmp_path / "for others", form)
+    wait_for(lambda: "kbit/s" in page.details.preview.text())
+    assert "largest error" in page.details.preview.text()
+    back = read_force(tmp_path / "for others.hjif").track
+    track = open_sequence(library / "a").tracks["realistic"]
+    at_s = np.arange(0.0, 0.9, 0.001)
+    assert np.abs(track.at(at_s) - back.at(at_s)).max() <= 0.0101
+
+
+def test_every_format_is_offered_in_the_dialogs():
+    for name, form in FORCE_FORMATS.items():
+        assert (f"*{form.suffix}" in read_filter()) == (form.read is not None), name
+        assert (form in write_filters().values()) == (form.write is not None), name

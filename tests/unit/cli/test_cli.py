@@ -179,4 +179,4 @@ def test_a_new_exporter_is_offered_and_used(monkeypatch, capsys):
     dummy = exporters.RecordExporter("dots", "a dot per tick", lambda *_: {}, bool)
     monkeypatch.setitem(exporters.RECORD_EXPORTERS, "dots", dummy)
     assert cli.main(["export", "--help"]) == 0
-    assert "dots: a dot per tick" in capsys.readouterr().out
+    assert "dots: a dot per tick" in " ".join(capsys.readouterr().out.split())

@@ -93,6 +93,16 @@ def test_mpegv_holds_newtons_and_milliseconds(written):
     assert "1.0000 2.0000 -3.0000" in text
 
 
+def test_mpegv_is_valid_by_the_schema_of_2010(written, shared_data):
+    etree = pytest.importorskip("lxml.etree")
+    schema = shared_data / "interchange" / "mpegv-2010" / "MPEG-V-SEV.xsd"
+    if not schema.is_file():
+        pytest.skip("the schema (interchange/mpegv-2010) is not in the shared data")
+    parser = etree.XMLParser(no_network=True, resolve_entities=False)
+    rules = etree.XMLSchema(etree.parse(str(schema), parser))
+    assert rules.validate(etree.parse(str(written("mpegv")), parser))
+
+
 def test_mpegv_effects_of_others_are_read_and_the_rest_is_listed(read):
     effects = (
         '<Effect xsi:type="sev:PassiveKinestheticForceType" si:pts="1000" '

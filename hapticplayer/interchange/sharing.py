@@ -1,0 +1,65 @@
+"""Shares a sequence in one video file, with its force as hjif for other programs."""
+
+import io
+from pathlib import Path
+
+from hapticplayer.errors import InputError, Message
+from hapticplayer.interchange import hjif
+from hapticplayer.interchange.force_files import WriteChoices
+from hapticplayer.media.matroska import Attachment
+from hapticplayer.media.remux import Payload
+from hapticplayer.model import Feedback
+from hapticplayer.outputs import IsOurs
+from hapticplayer.sequence import files, open_sequence
+from hapticplayer.sequence.pack import pack
+from hapticplayer.sequence.travelling import Contents, attachment_of, contents
+
+NAME = "force_realistic.hjif"
+
+
+def force_for_others(folder: Path) -> tuple[Attachment, ...]:
+    """Return the realistic force as hjif; nothing if it does not fit that format.
+
+    Raises:
+        SequenceError: when the sequence is damaged.
+    """
+    sequence = open_sequence(folder)
+    track = sequence.tracks[Feedback.REALISTIC]
+    duration_s = float(sequence.description["clip"]["duration_s"])
+    out = io.BytesIO()
+    try:
+        hjif.write(track, out, WriteChoices(duration_s=duration_s))
+    except InputError:
+        return ()  # the list of contents shows that it is not there
+    return (attachment_of(NAME, out.getvalue()),)
+
+
+def shared_contents(
+    folder: Path,
+    *,
+    with_motion: bool = False,
+    progress: files.Progress = files.no_progress,
+) -> Contents:
+    """Return what `share` would write; see `sequence.travelling.contents`."""
+    progress(0.0, Message("writing {name}", name=NAME))
+    return contents(folder, with_motion=with_motion, extras=force_for_others(folder))
+
+
+def share(
+    folder: Path,
+    target: Path,
+    *,
+    with_motion: bool = False,
+    is_ours: IsOurs | None = None,
+    progress: files.Progress = files.no_progress,
+) -> Payload:
+    """Write a sequence as one video file with its force; see `sequence.pack.pack`."""
+    progress(0.0, Message("writing {name}", name=NAME))
+    return pack(
+        folder,
+        target,
+        with_motion=with_motion,
+        extras=force_for_others(folder),
+        is_ours=is_ours,
+        progress=progress,
+    )
