@@ -26,6 +26,7 @@ from hapticplayer.interchange.force_import import export_force
 from hapticplayer.model import Feedback
 from hapticplayer.outputs import FILE, refuse_existing
 from hapticplayer.sequence import files
+from hapticplayer.sequence.pack import CONTAINERS
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -34,7 +35,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "source",
         metavar="SEQUENCE_OR_RECORD",
-        help="a sequence, of which a force track is written, or a record of "
+        help="a sequence (folder or packed video), of which a force track is written, or a record of "
         "`play --record`, of which every tick is",
     )
     command.add_argument("-o", "--output", required=True, metavar="FILE")
@@ -58,7 +59,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Export a sequence, or convert a record."""
-    if Path(options.source).is_dir():
+    source = Path(options.source)
+    if source.is_dir() or source.suffix.lower() in CONTAINERS:
         return _export_sequence(options)
     return _export_record(options)
 

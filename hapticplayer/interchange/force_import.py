@@ -14,6 +14,7 @@ from hapticplayer.interchange.force_formats import (
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import files, open_sequence
 from hapticplayer.sequence.editing import add_track
+from hapticplayer.sequence.unpack import require_packed
 
 
 def import_force(
@@ -67,7 +68,7 @@ def export_force(
     """Write a force track of a sequence to a file, until the end of the clip.
 
     Args:
-        folder: of the sequence.
+        folder: of the sequence, or a video that it was packed into.
         feedback: name of the track.
         target: of the file.
         form: name of its format.
@@ -82,7 +83,8 @@ def export_force(
         InputError: when the track does not fit the format, or it cannot be written.
         SequenceError: when the sequence is damaged.
     """
-    sequence = open_sequence(folder)
+    is_folder = folder.is_dir()
+    sequence = open_sequence(folder) if is_folder else require_packed(folder).sequence
     track = sequence.tracks.get(feedback)
     if track is None:
         raise UsageError(

@@ -9,7 +9,6 @@ frequency. Only lines stay lines; everything else is sampled every millisecond.
 from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import Akima1DInterpolator
 
 from hapticplayer.model.arrays import Floats
 
@@ -70,6 +69,8 @@ def curve(effect: Effect, kind: str) -> Shape:
     if len(time_s) > 1 and kind in ("Cubic", "Akima"):
         dense_s = _milliseconds(time_s[-1], time_s)
         if kind == "Akima" and len(time_s) > 2:
+            from scipy.interpolate import Akima1DInterpolator
+
             value = Akima1DInterpolator(time_s, value)(np.maximum(dense_s, time_s[0]))
         else:
             value = _eased(dense_s, time_s, value)

@@ -71,7 +71,9 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
         force_n = track.at(ticks / 1000.0)
         if not force_n.any() and (wrote or last < end_ms(track, choices.duration_s)):
             continue
-        step_ms = _step_ms(ticks, force_n, choices.tolerance_n * 0.9)
+        step_ms = last - first
+        if force_n.any():
+            step_ms = _step_ms(ticks, force_n, choices.tolerance_n * 0.9)
         kept = force_n[::step_ms]
         rows, wrote = rows + len(kept), True
         out.write(_effect(first, last - first, kept, digits).encode())

@@ -13,7 +13,6 @@ from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import resample_poly
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.interchange.force_files import (
@@ -181,6 +180,8 @@ def _samples(form: _Form, data: bytes, where: str) -> Floats:
 
 def _slower(samples: Floats, rate_hz: int) -> Floats:
     """Return samples at the rate of the haptic loop."""
+    from scipy.signal import resample_poly
+
     common = math.gcd(rate_hz, _LOOP_HZ)
     slow = resample_poly(samples, _LOOP_HZ // common, rate_hz // common, axis=0)
     return np.asarray(slow)

@@ -48,6 +48,14 @@ def test_every_format_is_made_of_a_csv(name, told, tmp_path):
     assert set(report) >= {"kbit_s", "kbit_s_compressed", "track_kbit_s", "notes"}
 
 
+def test_a_packed_video_is_exported_like_its_folder(told, sequence_folder, tmp_path):
+    told("pack", sequence_folder, "-o", tmp_path / "ride.mkv")
+    one = told("export", sequence_folder, "-o", tmp_path / "a.wav")
+    two = told("export", tmp_path / "ride.mkv", "-o", tmp_path / "b.wav")
+    assert (tmp_path / "a.wav").read_bytes() == (tmp_path / "b.wav").read_bytes()
+    assert one["error_max_n"] == two["error_max_n"]
+
+
 def test_the_tolerance_is_kept_and_saves_bytes(told, sequence_folder, tmp_path):
     fine = told(
         "export", sequence_folder, "-o", tmp_path / "a.hjif", "--tolerance", 0.001
