@@ -76,7 +76,7 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         type=direction,
         default=_READ.direction,
         help="of what has none in the file; right, up, towards the user "
-        "(default: 0,1,0)",
+        "(default: 0,1,0; before a minus use =, as in --direction=-1,0,0)",
     )
     add_number(
         command,
