@@ -47,7 +47,7 @@ LIMITS_RATIO = {
 CANDIDATES = tuple(
     SmootherParameters(gyro_evidence=evidence, floor_sigmas=sigmas)
     for evidence in (1.0, 2.5, 5.0, 1e9)
-    for sigmas in (1.5, 2.0, 2.5, 3.0)
+    for sigmas in (1.5, 1.75, 2.0, 2.5)
 )
 LEAK_LIMIT_MPS2 = 0.05
 COVERAGE, SIGMA_LIMIT = (0.90, 0.99), 1.5

@@ -95,7 +95,7 @@ class SmootherParameters:
     velocity_floor_mps: float = 0.1
     scale_evidence: float = 0.5
     gyro_evidence: float = 2.5
-    floor_sigmas: float = 2.0
+    floor_sigmas: float = 1.75
     bound_half_width_s: float = 17.0
     vertical_half_width_s: float = 4.0
     solutions: int = 3

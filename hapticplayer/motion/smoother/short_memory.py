@@ -100,8 +100,11 @@ def _tilt(nodes: Nodes, frames: Pair, memory_s: float) -> Floats:
 
 
 def _mean(values: Floats, nodes: Nodes, memory_s: float) -> Floats:
-    """Return values of the intervals (..., K) at the nodes (..., K + 1), smoothed."""
+    """Return values of the intervals (..., K) at the nodes (..., K + 1), smoothed.
+
+    Mirrored at both ends, so that no single interval counts for all beyond.
+    """
     padded = np.concatenate([values[..., :1], values, values[..., -1:]], axis=-1)
     at_nodes = 0.5 * (padded[..., 1:] + padded[..., :-1])
     width = memory_s / float(np.median(nodes.duration_s))
-    return np.asarray(gaussian_filter1d(at_nodes, width, mode="nearest"))
+    return np.asarray(gaussian_filter1d(at_nodes, width, mode="mirror"))

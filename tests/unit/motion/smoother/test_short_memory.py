@@ -52,7 +52,8 @@ def test_a_vibration_is_averaged_out_as_by_a_gaussian():
 
 def test_the_smoother_is_kept_where_both_agree():
     nodes = moved(0.3 * np.sin(1.5 * TIME_S))
-    assert floor(LEVEL, nodes).weight.max() < 0.2
+    # at either end half of what is averaged is missing
+    assert floor(LEVEL, nodes).weight[30:-30].max() < 0.05
 
 
 def test_a_smoother_that_drifts_gives_way_where_it_drifts():
