@@ -62,6 +62,7 @@ COMMANDS = (
     Command("play", "play a sequence, or any video with any force track", "play"),
     Command("import", "make a sequence of a video and its motion", "importing"),
     Command("render", "give a sequence another mapping from motion to force", "render"),
+    Command("effects", "show and change the effects on the time line", "effects"),
     Command("events", "list what happens in a sequence, such as impacts", "events"),
     Command("sync", "synchronise a motion log with a clip", "sync"),
     Command(

@@ -14,7 +14,7 @@ from hapticplayer.cli.mapping_options import (
 )
 from hapticplayer.errors import SequenceError
 from hapticplayer.outputs import FOLDER, refuse_existing
-from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import copy_changed, fitted_gain, set_mapping
 from hapticplayer.sequence.excursion import excursion_texts
 from hapticplayer.sequence.presets import PRESETS, preset_of
@@ -34,6 +34,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
         choices=[preset.name for preset in PRESETS],
         help="; ".join(f"{preset.name}: {preset.text}" for preset in PRESETS)
         + " (a new sequence is faithful)",
+    )
+    command.add_argument(
+        "--effects",
+        metavar="FILE",
+        help="a list of effects in place of the sequence's own, such as an effects.json",
     )
     where = command.add_mutually_exclusive_group(required=True)
     where.add_argument("-o", "--output", metavar="DIR", help="a new sequence")
@@ -55,6 +60,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         mapping=mapping,
         fits_gain=fits_gain,
         preset=options.preset,
+        effects=store.read_effects(Path(options.effects)) if options.effects else None,
     )
     with interruptible(), shown_progress() as progress:
         if options.in_place:

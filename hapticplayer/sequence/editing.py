@@ -17,6 +17,7 @@ from hapticplayer import __version__, model, rendering
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
+from hapticplayer.rendering.effects import EffectList
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import preset_of, render_preset
@@ -124,6 +125,7 @@ def set_mapping(
     *,
     fits_gain: bool = False,
     preset: str | None = None,
+    effects: EffectList | None = None,
     progress: files.Progress = files.no_progress,
 ) -> None:
     """Render the realistic and the random track again with another mapping.
@@ -135,6 +137,7 @@ def set_mapping(
         mapping: axes, gain, limit, knee and lever arm.
         fits_gain: replace its gain by the one of `rendering.fit_gain`.
         preset: see `presets`; None keeps that of the realistic track.
+        effects: on the time line; None keeps those that the sequence has.
         progress: called while excursions are predicted; raises Cancelled to stop.
 
     Raises:
@@ -149,7 +152,10 @@ def set_mapping(
         gain = rendering.fit_gain(store.motion_of(sequence), mapping, duration_s, imu)
         mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
     name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    realistic = render_preset(store.motion_of(sequence), mapping, imu, name=name)
+    chosen = store.effects_of(sequence) if effects is None else effects
+    realistic = render_preset(
+        store.motion_of(sequence), mapping, imu, name=name, effects=chosen
+    )
     tracks = {
         condition.name: condition.track(
             rendering.Ingredients(realistic, _seed(sequence.tracks[condition.name])), {}
@@ -165,7 +171,22 @@ def set_mapping(
             "rendering": describe_rendering(fits_gain=fits_gain),
         },
     }
-    _replace_tracks(folder, description, tracks, progress)
+    _replace_tracks(folder, description, tracks, progress, effects)
+
+
+def set_effects(
+    folder: Path,
+    effects: EffectList,
+    *,
+    progress: files.Progress = files.no_progress,
+) -> None:
+    """Render the realistic and the random track again with other effects.
+
+    Raises:
+        SequenceError: when the sequence is damaged or cannot be written.
+    """
+    mapping = store.open_sequence(folder).mapping
+    set_mapping(folder, mapping, effects=effects, progress=progress)
 
 
 def _seed(track: ForceTrack) -> int:
@@ -185,7 +206,13 @@ def rendered_again(folder: Path, preset: str) -> ForceTrack:
         return realistic
     mapping = sequence.mapping
     imu = _angular_rate(sequence, mapping)
-    return render_preset(store.motion_of(sequence), mapping, imu, name=preset)
+    return render_preset(
+        store.motion_of(sequence),
+        mapping,
+        imu,
+        name=preset,
+        effects=store.effects_of(sequence),
+    )
 
 
 class Change(Protocol):
@@ -283,7 +310,13 @@ def preview_gain(
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
     imu = _angular_rate(sequence, mapping)
     name = preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    track = render_preset(store.motion_of(sequence), mapping, imu, name=name)
+    track = render_preset(
+        store.motion_of(sequence),
+        mapping,
+        imu,
+        name=name,
+        effects=store.effects_of(sequence),
+    )
     report = _reporter(progress, 0, 1)
     hands = predict(track, _duration_s(sequence.description), report)["hands"]
     return GainPreview(
@@ -326,6 +359,7 @@ def _replace_tracks(
     description: Mapping[str, Any],
     tracks: dict[str, ForceTrack],
     progress: files.Progress,
+    effects: EffectList | None = None,
 ) -> None:
     duration_s, feedbacks = _duration_s(description), dict(description["feedbacks"])
     made: dict[str, ForceTrack] = {}
@@ -336,7 +370,7 @@ def _replace_tracks(
         feedbacks[name] = store.describe_track(
             track, file, predict(track, duration_s, report)
         )
-    _put(folder, {**description, "feedbacks": feedbacks}, made)
+    _put(folder, {**description, "feedbacks": feedbacks}, made, effects)
 
 
 def _reporter(
@@ -348,21 +382,30 @@ def _reporter(
 
 
 def _put(
-    folder: Path, description: Mapping[str, Any], tracks: dict[str, ForceTrack]
+    folder: Path,
+    description: Mapping[str, Any],
+    tracks: dict[str, ForceTrack],
+    effects: EffectList | None = None,
 ) -> None:
-    """Write new tracks, then the description, then remove files it no longer names."""
+    """Write new tracks and effects, then the description, then remove files it no longer names."""
     written: list[Path] = []
     try:
         for file, track in tracks.items():
             written.append(folder / file)
             files.write_arrays(folder / file, **store.track_arrays(track))
+        if effects is not None:
+            path = _new_effects(folder, description)
+            files.write_json(path, rendering.effects.written(effects))
+            written.append(path)
+            description = {**description, store.EFFECTS: path.name}
         named = {
             one["file"] for one in description["feedbacks"].values() if "file" in one
         }
+        named.add(description.get(store.EFFECTS))
         listed = {
             name: entry
             for name, entry in description["files"].items()
-            if name in named or not name.startswith("force_")
+            if name in named or not name.startswith(("force_", store.EFFECTS))
         }
         for path in written:
             listed[path.name] = {
@@ -383,6 +426,13 @@ def _put(
         _remove(written)
         raise
     _remove([folder / name for name in dropped])
+
+
+def _new_effects(folder: Path, description: Mapping[str, Any]) -> Path:
+    """Return the path of `effects.json`, or another one while that is in use."""
+    usual = f"{store.EFFECTS}.json"
+    other = f"{store.EFFECTS}_{secrets.token_hex(4)}.json"
+    return folder / (other if usual in description["files"] else usual)
 
 
 def _remove(paths: list[Path]) -> None:

@@ -10,6 +10,13 @@ from hapticplayer import rendering
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ForceTrack, ImuLog, Mapping, MotionTrack, PresetName
+from hapticplayer.rendering.effects import (
+    NO_EFFECTS,
+    EffectList,
+    applied_to_force,
+    applied_to_motion,
+    described_effect,
+)
 from hapticplayer.rendering.washout import DesignHand, Washout, washed_out
 from hapticplayer.sequence.excursion import felt
 
@@ -53,8 +60,11 @@ def render_preset(
     imu: ImuLog | None = None,
     *,
     name: str,
+    effects: EffectList = NO_EFFECTS,
 ) -> ForceTrack:
     """Return the force track of a motion under a preset, see `render_force`.
+
+    Effects come before the washout; without one that is switched on nothing changes.
 
     Raises:
         InputError: as `render_force`.
@@ -68,7 +78,12 @@ def render_preset(
             names=", ".join(one.name for one in PRESETS),
         )
     mapping = mapping or Mapping()
+    motion = applied_to_motion(motion, effects)
     track = rendering.render_force(motion, mapping, imu)
+    track = applied_to_force(track, effects, mapping.force_limit_n)
+    if not effects.is_idle:
+        made_of = [described_effect(one) for one in effects.effects if one.enabled]
+        track = replace(track, provenance={**track.provenance, "effects": made_of})
     if preset.hands:
         track = washed_out(track, washout_of(preset, mapping.force_limit_n))
     return replace(track, provenance={**track.provenance, "preset": preset.name})

@@ -18,15 +18,24 @@ from hapticplayer.model import (
     Reconstruction,
     Sampling,
 )
-from hapticplayer.rendering import FEEDBACKS, Ingredients
+from hapticplayer.rendering import FEEDBACKS, Ingredients, effects
+from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence import files
-from hapticplayer.untrusted import HeldFile, without_controls
+from hapticplayer.untrusted import (
+    HeldFile,
+    parse_json,
+    read_regular,
+    without_controls,
+)
 
 SCHEMA = "hapticplayer.sequence"
 VERSION = 1
 DESCRIPTION = "sequence.json"
 MOTION = "motion.npz"
 IMU = "imu.npz"
+EFFECTS = "effects"
+"""Begins the names of lists of effects; in a description, the name of the one used."""
+
 OPTIONAL_IMU_FIELDS = ("magnetic_field_ut", "valid")
 _COPY_AGAIN = Message("copy the sequence again or import it again")
 
@@ -210,6 +219,37 @@ def motion_of(sequence: Sequence) -> MotionTrack:
             remedy="ask for a file that was packed with --with-motion",
         )
     return sequence.motion
+
+
+def effects_of(sequence: Sequence) -> EffectList:
+    """Return the effects of a sequence in a folder; none where it has no list.
+
+    Raises:
+        SequenceError: when the list is missing or another one.
+        InputError: for an entry that is not allowed.
+    """
+    name = sequence.description.get(EFFECTS)
+    if name is None:
+        return NO_EFFECTS
+    entry = sequence.description["files"].get(name)
+    if not isinstance(entry, dict):
+        raise SequenceError(
+            "is missing", where=str(sequence.folder / EFFECTS), remedy=_COPY_AGAIN
+        )
+    return read_effects(checked(sequence.folder, name, entry))
+
+
+def read_effects(path: Path) -> EffectList:
+    """Return the list of effects in an untrusted file.
+
+    Raises:
+        InputError: for a file that is no such list; names entry and field.
+    """
+    content = read_regular(path, effects.MAX_BYTES, SequenceError)
+    remedy = Message("give an effects.json")
+    return effects.parsed(
+        parse_json(content, str(path), SequenceError, remedy), str(path)
+    )
 
 
 def recorded_log(sequence: Sequence) -> ImuLog:

@@ -20,7 +20,12 @@ from hapticplayer.rendering.effects.apply import (
     applied_to_motion,
     faded_share,
 )
-from hapticplayer.rendering.effects.document import described_effect, parsed, written
+from hapticplayer.rendering.effects.document import (
+    MAX_BYTES,
+    described_effect,
+    parsed,
+    written,
+)
 from hapticplayer.rendering.effects.kinds import EFFECTS, EffectKind, kind_of
 from hapticplayer.rendering.effects.values import (
     NO_EFFECTS,
@@ -31,6 +36,7 @@ from hapticplayer.rendering.effects.values import (
 
 __all__ = [
     "EFFECTS",
+    "MAX_BYTES",
     "NO_EFFECTS",
     "Effect",
     "EffectKind",

@@ -8,7 +8,6 @@ import numpy as np
 from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
-from hapticplayer.rendering.effects.document import described_effect
 from hapticplayer.rendering.effects.kinds import kind_of
 from hapticplayer.rendering.effects.signals import RATE_HZ, Span
 from hapticplayer.rendering.effects.values import Effect, EffectList, Target
@@ -54,13 +53,7 @@ def applied_to_force(
     kept = ~is_changed[own]
     force_n = force.astype(np.float32)
     force_n[own[kept]] = track.force_n[kept]
-    made_of = {"effects": [described_effect(effect) for effect in chosen]}
-    return replace(
-        track,
-        time_s=time_s,
-        force_n=force_n,
-        provenance={**track.provenance, **made_of},
-    )
+    return replace(track, time_s=time_s, force_n=force_n)
 
 
 def faded_share(effect: Effect, time_s: Floats) -> Floats:

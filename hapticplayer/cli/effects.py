@@ -1,0 +1,154 @@
+"""The command `effects`: the effects on the time line of a sequence."""
+
+import argparse
+import json
+from dataclasses import replace
+from pathlib import Path
+
+from hapticplayer.cli.common import interruptible, say, shown_progress
+from hapticplayer.errors import UsageError
+from hapticplayer.rendering.condition import Value
+from hapticplayer.rendering.effects import (
+    EFFECTS,
+    Effect,
+    EffectList,
+    Target,
+    kind_of,
+    written,
+)
+from hapticplayer.sequence import open_sequence, store
+from hapticplayer.sequence.editing import set_effects
+
+_KINDS = "; ".join(
+    f"{kind.name}: {', '.join(one.name for one in kind.parameters) or 'no parameters'}"
+    for kind in EFFECTS
+)
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument(
+        "sequence", metavar="SEQUENCE", help="its motion never changes"
+    )
+    command.add_argument("--json", action="store_true", help="print the list as JSON")
+    actions = command.add_subparsers(dest="action", required=True, metavar="ACTION")
+    actions.add_parser("list", help="print the effects with their numbers")
+    _add_new(actions.add_parser("add", help=f"add one at the end. {_KINDS}"))
+    for name, text in (
+        ("remove", "remove one"),
+        ("enable", "switch one on"),
+        ("disable", "switch one off"),
+        ("move", "move one on the time line"),
+    ):
+        action = actions.add_parser(name, help=text)
+        action.add_argument("number", type=int, metavar="N", help="as listed, from 1")
+        if name == "move":
+            action.add_argument(
+                "--by",
+                type=float,
+                required=True,
+                metavar="S",
+                help="seconds; later > 0",
+            )
+
+
+def _add_new(new: argparse.ArgumentParser) -> None:
+    new.add_argument("kind", choices=[kind.name for kind in EFFECTS], help=_KINDS)
+    new.add_argument("--start", type=float, required=True, metavar="S")
+    new.add_argument("--end", type=float, required=True, metavar="S")
+    new.add_argument(
+        "--param",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="a parameter; the others have their defaults",
+    )
+    new.add_argument(
+        "--point",
+        action="append",
+        default=[],
+        metavar="S,VALUE",
+        help="control point of a gain or an engine, S after the start",
+    )
+    new.add_argument("--fade-in", type=float, default=0.0, metavar="S")
+    new.add_argument("--fade-out", type=float, default=0.0, metavar="S")
+    new.add_argument("--target", choices=list(Target), default=Target.FORCE)
+    new.add_argument(
+        "--direction",
+        default="0,1,0",
+        metavar="X,Y,Z",
+        help="of what is added; x right, y up, z towards the user for a force; "
+        "x right, y front, z up for the motion",
+    )
+
+
+def run(options: argparse.Namespace, _open_window: object) -> int:
+    """Show or change the effects of a sequence."""
+    folder = Path(options.sequence)
+    effects = store.effects_of(open_sequence(folder))
+    if options.action != "list":
+        effects = _changed(effects, options)
+        with interruptible(), shown_progress() as progress:
+            set_effects(folder, effects, progress=progress)
+    if options.json:
+        say(json.dumps({"sequence": options.sequence, **written(effects)}))
+        return 0
+    for number, effect in enumerate(effects.effects, 1):
+        say(f"{number:3d}  {effect.described()}{'' if effect.enabled else ' (off)'}")
+    say(f"{len(effects)} effects")
+    return 0
+
+
+def _changed(effects: EffectList, options: argparse.Namespace) -> EffectList:
+    every = list(effects.effects)
+    if options.action == "add":
+        return EffectList((*every, _new(options)))
+    row = options.number - 1
+    if not 0 <= row < len(every):
+        raise UsageError(
+            "there is no effect {number}; the list has {count}",
+            number=options.number,
+            count=len(every),
+        )
+    if options.action == "remove":
+        del every[row]
+    elif options.action == "move":
+        every[row] = every[row].moved(options.by)
+    else:
+        every[row] = replace(every[row], enabled=options.action == "enable")
+    return EffectList(tuple(every))
+
+
+def _new(options: argparse.Namespace) -> Effect:
+    known = {one.name: one for one in kind_of(options.kind).parameters}
+    parameters: dict[str, float] = {}
+    for text in options.param:
+        name, _, value = text.partition("=")
+        read: Value = known[name].read(value) if name in known else 0.0
+        parameters[name] = float(read) if isinstance(read, str) else read
+    x, y, z = _numbers(options.direction, 3)
+    points = tuple(_numbers(text, 2) for text in options.point)
+    return Effect(
+        options.kind,
+        options.start,
+        options.end,
+        Target(options.target),
+        (x, y, z),
+        options.fade_in,
+        options.fade_out,
+        parameters,
+        tuple((time_s, value) for time_s, value in points),
+    )
+
+
+def _numbers(text: str, count: int) -> list[float]:
+    try:
+        numbers = [float(part) for part in text.split(",")]
+    except ValueError:
+        numbers = []
+    if len(numbers) != count:
+        raise UsageError(
+            "{text!r} must be {count} numbers with commas", text=text[:40], count=count
+        )
+    return numbers

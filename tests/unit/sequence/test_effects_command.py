@@ -1,0 +1,107 @@
+"""The command `effects`, and `render --effects`."""
+
+import json
+
+import numpy as np
+import pytest
+
+from hapticplayer import cli
+from hapticplayer.capture.recording import Recording
+from hapticplayer.errors import SequenceError
+from hapticplayer.model import ClockMap
+from hapticplayer.sequence import open_sequence, store, verify_sequence
+from hapticplayer.sequence.build import Choices, write_sequence
+from hapticplayer.sequence.pack import pack
+from hapticplayer.sequence.packed import read_packed
+
+
+@pytest.fixture
+def folder(tmp_path, tiny_clip, swing):
+    ride = Recording(swing[0], ClockMap(offset_s=-3.0), "test camera", (), {})
+    return write_sequence(tiny_clip, ride, tmp_path / "ride", choices=Choices(seed=5))
+
+
+def do(folder, *words):
+    return cli.main(["effects", str(folder), *words])
+
+
+MUTE = ("add", "mute", "--start", "0.2", "--end", "0.6")
+
+
+def realistic(folder):
+    return open_sequence(folder).tracks["realistic"]
+
+
+def test_an_effect_changes_its_span_and_off_is_as_before(folder):
+    before, motion = realistic(folder), (folder / "motion.npz").read_bytes()
+    assert do(folder, *MUTE) == 0
+    verify_sequence(folder)
+    made = realistic(folder)
+    assert not made.at(np.linspace(0.21, 0.59, 50)).any()
+    assert before.at(np.linspace(0.21, 0.59, 50)).any()
+    assert made.provenance["effects"] == [
+        {"kind": "mute", "start_s": 0.2, "end_s": 0.6, "target": "force"}
+    ]
+    assert do(folder, "disable", "1") == 0
+    np.testing.assert_array_equal(realistic(folder).time_s, before.time_s)
+    np.testing.assert_array_equal(realistic(folder).force_n, before.force_n)
+    assert realistic(folder).provenance == {**before.provenance, "preset": "faithful"}
+    assert (folder / "motion.npz").read_bytes() == motion
+
+
+def test_a_list_is_changed_and_printed(folder, capsys):
+    words = ("--param", "amplitude=2.5", "--direction", "1,0,0", "--fade-out", "0.1")
+    assert do(folder, "add", "knock", "--start", "0.1", "--end", "0.4", *words) == 0
+    assert do(folder, *MUTE) == 0
+    assert do(folder, "move", "1", "--by", "0.5") == 0
+    assert do(folder, "remove", "2") == 0
+    capsys.readouterr()
+    assert cli.main(["effects", str(folder), "--json", "list"]) == 0
+    (only,) = json.loads(capsys.readouterr().out)["effects"]
+    assert only["kind"] == "knock"
+    assert only["start_s"] == pytest.approx(0.6)
+    assert only["parameters"] == {"amplitude": 2.5}
+    verify_sequence(folder)
+    assert len(list(folder.glob("effects*.json"))) == 1
+
+
+def test_what_is_not_allowed_changes_nothing(folder, capsys):
+    before = (folder / "sequence.json").read_bytes()
+    assert do(folder, "remove", "1") == 2
+    assert "there is no effect 1" in capsys.readouterr().err
+    assert do(folder, *MUTE, "--param", "size=3") == 2
+    assert "mute has no such parameter" in capsys.readouterr().err
+    assert (folder / "sequence.json").read_bytes() == before
+
+
+def test_render_takes_a_list_from_a_file(folder, tmp_path, capsys):
+    assert do(folder, *MUTE) == 0
+    listed, target = folder / "effects.json", tmp_path / "other"
+    content = json.loads(listed.read_text())
+    content["effects"][0]["end_s"] = 0.3
+    mine = tmp_path / "mine.json"
+    mine.write_text(json.dumps(content))
+    words = ["render", str(folder), "-o", str(target), "--effects", str(mine)]
+    assert cli.main(words) == 0
+    (effect,) = store.effects_of(open_sequence(target)).effects
+    assert effect.end_s == 0.3
+    content["effects"][0]["end_s"] = "late"
+    mine.write_text(json.dumps(content))
+    words[3] = str(tmp_path / "third")
+    assert cli.main(words) == 1
+    assert "effects[0]: end_s: must be a number" in capsys.readouterr().err
+
+
+def test_a_list_that_was_changed_by_hand_is_noticed(folder):
+    assert do(folder, *MUTE) == 0
+    listed = folder / "effects.json"
+    listed.write_text(listed.read_text().replace("0.6", "0.7"))
+    with pytest.raises(SequenceError, match="has changed since it was written"):
+        store.effects_of(open_sequence(folder))
+
+
+def test_a_list_travels_with_its_video(folder, tmp_path):
+    assert do(folder, *MUTE) == 0
+    pack(folder, tmp_path / "ride.mkv")
+    packed = read_packed(tmp_path / "ride.mkv")
+    assert packed.small["effects.json"] == (folder / "effects.json").read_bytes()
