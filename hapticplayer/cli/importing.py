@@ -2,15 +2,14 @@
 
 import argparse
 import json
-from collections.abc import Mapping as Dict
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
 
 from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
 from hapticplayer.cli.mapping_options import (
     FIT,
     add_mapping,
+    add_preset,
     chosen_mapping,
     mapping_text,
 )
@@ -28,10 +27,11 @@ from hapticplayer.cli.recording_options import (
 )
 from hapticplayer.errors import Cancelled, HapticPlayerError, UsageError
 from hapticplayer.media.telemetry import read_telemetry_packets
-from hapticplayer.model import Mapping, ranges
-from hapticplayer.sequence import open_sequence
+from hapticplayer.model import Feedback, ranges
+from hapticplayer.sequence import Sequence, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.files import Progress
+from hapticplayer.sequence.presets import DEFAULT_PRESET, preset_of
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -58,6 +58,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("-o", "--output", required=True, metavar="DIR")
     command.add_argument("--title", help="default: the name of the video")
     add_mapping(command)
+    add_preset(command, default=DEFAULT_PRESET)
     add_number(
         command,
         "--seed",
@@ -86,7 +87,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     if options.json:
         say(json.dumps({"sequence": str(folder), **description}, ensure_ascii=False))
         return 0
-    _say_imported(folder, description, sequence.mapping)
+    _say_imported(folder, sequence)
     return 0
 
 
@@ -97,6 +98,7 @@ def chosen_import(options: argparse.Namespace) -> Choices:
         title=options.title,
         mapping=mapping,
         fits_gain=fits_gain,
+        preset=options.preset,
         processing=chosen_processing(options),
         seed=options.seed,
         log=chosen_log(options),
@@ -105,7 +107,8 @@ def chosen_import(options: argparse.Namespace) -> Choices:
     )
 
 
-def _say_imported(folder: Path, description: Dict[str, Any], mapping: Mapping) -> None:
+def _say_imported(folder: Path, sequence: Sequence) -> None:
+    description = sequence.description
     made_of = description["provenance"]
     realistic = description["feedbacks"]["realistic"]
     fit = " (fit)" if made_of["rendering"]["gain_from"] == FIT else ""
@@ -113,7 +116,8 @@ def _say_imported(folder: Path, description: Dict[str, Any], mapping: Mapping) -
         f"{folder}: {description['clip']['duration_s']:.1f} s of "
         f"{made_of['camera'] or made_of['motion_source']} at "
         f"{made_of['imu_rate_hz']:.1f} Hz; force peak {realistic['peak_n']:.2f} N; "
-        f"{mapping_text(mapping)}{fit}; "
+        f"{mapping_text(sequence.mapping)}{fit}; "
+        f"preset {preset_of(sequence.tracks[Feedback.REALISTIC])}; "
         f"gravity removed by {made_of['gravity_removal']}; "
         f"accelerometer gain {made_of['accelerometer_gain']:.4f} "
         f"({made_of['accelerometer_gain_from']})"

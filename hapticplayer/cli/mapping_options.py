@@ -11,6 +11,7 @@ from hapticplayer.model import Mapping, ranges
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import SOFT_KNEE_N, AxisGains
 from hapticplayer.rendering import LEVER_ARMS_M
+from hapticplayer.sequence.presets import PRESETS
 
 FIT = "fit"
 _ROUNDING = 2e-3  # of matrices that people type with three digits
@@ -47,6 +48,17 @@ def add_mapping(command: argparse.ArgumentParser) -> None:
         action=argparse.BooleanOptionalAction,
         help=f"compress forces above {SOFT_KNEE_N:g} N smoothly instead of cutting them "
         "at the limit",
+    )
+
+
+def add_preset(command: argparse.ArgumentParser, default: str | None) -> None:
+    """Add the choice of a preset; None stands for the one that a sequence has."""
+    texts = " ".join(f"{preset.name}: {preset.text}" for preset in PRESETS)
+    command.add_argument(
+        "--preset",
+        choices=[preset.name for preset in PRESETS],
+        default=default,
+        help=f"{texts} Default: {default or 'as the sequence was rendered'}",
     )
 
 

@@ -9,6 +9,7 @@ from hapticplayer.cli.common import interruptible, say, shown_progress
 from hapticplayer.cli.mapping_options import (
     FIT,
     add_mapping,
+    add_preset,
     chosen_mapping,
     mapping_text,
 )
@@ -17,7 +18,7 @@ from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import copy_changed, fitted_gain, set_mapping
 from hapticplayer.sequence.excursion import excursion_texts
-from hapticplayer.sequence.presets import PRESETS, preset_of
+from hapticplayer.sequence.presets import preset_of
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -29,12 +30,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="what is not given stays as it is; added force tracks stay too",
     )
     add_mapping(command)
-    command.add_argument(
-        "--preset",
-        choices=[preset.name for preset in PRESETS],
-        help="; ".join(f"{preset.name}: {preset.text}" for preset in PRESETS)
-        + " (a new sequence is faithful)",
-    )
+    add_preset(command, default=None)
     command.add_argument(
         "--effects",
         metavar="FILE",

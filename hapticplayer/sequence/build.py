@@ -30,6 +30,7 @@ from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.editing import describe_rendering
 from hapticplayer.sequence.excursion import excursion_texts, predict
+from hapticplayer.sequence.presets import DEFAULT_PRESET, render_preset
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.report import (
     describe_notes,
@@ -51,6 +52,7 @@ class Choices:
         title: None for the name of the video.
         mapping: axes, gain, limit, knee and lever arm.
         fits_gain: replace its gain by the one of `rendering.fit_gain`.
+        preset: of the rendering, see `presets`.
         processing: conditioning, gravity removal and low-pass.
         seed: of the random feedback; None derives it from the clip's content.
         log: answers about a log that does not describe itself.
@@ -62,6 +64,7 @@ class Choices:
     title: str | None = None
     mapping: Mapping = dataclasses.field(default_factory=Mapping)
     fits_gain: bool = False
+    preset: str = DEFAULT_PRESET
     processing: Processing = dataclasses.field(default_factory=Processing)
     seed: int | None = None
     log: LogChoices | None = None
@@ -274,7 +277,7 @@ def _render(
     if choices.fits_gain:
         gain = rendering.fit_gain(track, mapping, clip.duration_s, imu)
         mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
-    realistic = rendering.render_force(track, mapping, imu)
+    realistic = render_preset(track, mapping, imu, name=choices.preset)
     seed = choices.seed
     if seed is None:
         # the same clip gives the same random track, on every machine

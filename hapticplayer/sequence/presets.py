@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from hapticplayer import rendering
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ForceTrack, ImuLog, Mapping, MotionTrack, PresetName
 from hapticplayer.rendering.effects import (
     NO_EFFECTS,
@@ -30,28 +30,44 @@ class Preset:
 
     Attributes:
         name: on the command line and in the provenance.
-        text: for people.
+        text: for people, in a sentence.
         hands: that stay within `reach_m`; none for the direct rendering.
         reach_m: 10 ms ahead, without the device's spring.
     """
 
     name: str
-    text: str
+    text: Message
     hands: tuple[Hand, ...] = ()
     reach_m: float = 0.0
 
 
 PRESETS: tuple[Preset, ...] = (
-    Preset(PresetName.FAITHFUL, "the rendering of the paper, unchanged"),
-    Preset(PresetName.BALANCED, "a relaxed hand stays within 26 mm", (RELAXED,), 0.026),
+    Preset(
+        PresetName.FAITHFUL,
+        Message("Force in proportion to the motion, as in the paper."),
+    ),
+    Preset(
+        PresetName.BALANCED,
+        Message(
+            "Changes only what would push a relaxed hand further than 26 mm from the "
+            "centre."
+        ),
+        (RELAXED,),
+        0.026,
+    ),
     Preset(
         PresetName.EQUAL,
-        "the same force for every participant: yielding and relaxed hands stay "
-        "within 22 mm",
+        Message(
+            "For studies: every participant gets nearly the same force, but long "
+            "pushes are much weaker."
+        ),
         (YIELDING, RELAXED),
         0.022,
     ),
 )
+
+DEFAULT_PRESET = PresetName.BALANCED
+"""Of new sequences."""
 
 
 def render_preset(
@@ -91,7 +107,7 @@ def render_preset(
 
 def preset_of(track: ForceTrack) -> str:
     """Return the name of the preset of a track; earlier versions had one."""
-    return str(track.provenance.get("preset", PRESETS[0].name))
+    return str(track.provenance.get("preset", PresetName.FAITHFUL))
 
 
 def washout_of(preset: Preset, force_limit_n: float) -> Washout:

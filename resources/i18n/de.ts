@@ -4949,6 +4949,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bremsen mit bis zu {level_mps2:.1f} m/s², {change_mps:.0f} m/s langsamer</translation>
     </message>
     <message>
+        <source>Changes only what would push a relaxed hand further than 26 mm from the centre.</source>
+        <translation>Ändert nur, was eine entspannte Hand weiter als 26 mm aus der Mitte drücken würde.</translation>
+    </message>
+    <message>
         <source>Cut-off frequency</source>
         <translation>Grenzfrequenz</translation>
     </message>
@@ -4967,6 +4971,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Engine</source>
         <translation>Motor</translation>
+    </message>
+    <message>
+        <source>For studies: every participant gets nearly the same force, but long pushes are much weaker.</source>
+        <translation>Für Studien: alle Teilnehmenden bekommen fast dieselbe Kraft, aber lang anhaltende Kräfte sind viel schwächer.</translation>
+    </message>
+    <message>
+        <source>Force in proportion to the motion, as in the paper.</source>
+        <translation>Kraft im Verhältnis zur Bewegung, wie im Artikel.</translation>
     </message>
     <message>
         <source>Frequency</source>

@@ -4949,6 +4949,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Freinage jusqu’à {level_mps2:.1f} m/s², {change_mps:.0f} m/s de moins</translation>
     </message>
     <message>
+        <source>Changes only what would push a relaxed hand further than 26 mm from the centre.</source>
+        <translation>Ne change que ce qui pousserait une main détendue à plus de 26 mm du centre.</translation>
+    </message>
+    <message>
         <source>Cut-off frequency</source>
         <translation>Fréquence de coupure</translation>
     </message>
@@ -4967,6 +4971,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Engine</source>
         <translation>Moteur</translation>
+    </message>
+    <message>
+        <source>For studies: every participant gets nearly the same force, but long pushes are much weaker.</source>
+        <translation>Pour les études&#xa0;: tous les participants reçoivent presque la même force, mais les poussées longues sont bien plus faibles.</translation>
+    </message>
+    <message>
+        <source>Force in proportion to the motion, as in the paper.</source>
+        <translation>Force proportionnelle au mouvement, comme dans l’article.</translation>
     </message>
     <message>
         <source>Frequency</source>

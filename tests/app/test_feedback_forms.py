@@ -117,10 +117,11 @@ def test_feedbacks_are_added_to_a_study_and_removed(editor, qtbot):
     listed.list.setCurrentRow(2)
     listed.remove_button.click()
     rows = [listed.list.item(row).text() for row in range(listed.list.count())]
-    assert rows == ["Realistic", "None", "strong: Scaled (gain 1.5)", "Shuffled"]
+    assert rows[0] == "Realistic (preset faithful)"  # as the paper did it
+    assert rows[1:] == ["None", "strong: Scaled (gain 1.5)", "Shuffled"]
     editor.save()
     assert json.loads(editor.study.content)["feedbacks"] == [
-        "realistic",
+        {"condition": "realistic", "parameters": {"preset": "faithful"}},
         "none",
         {"condition": "scaled", "parameters": {"gain": 1.5}, "key": "strong"},
         "shuffled",

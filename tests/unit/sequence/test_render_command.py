@@ -101,6 +101,17 @@ def test_fit_is_offered_by_value_and_recorded(folder, tmp_path, capsys):
     assert fitted.description["provenance"]["rendering"]["gain_from"] == "fit"
 
 
+def test_a_new_sequence_is_balanced_unless_asked(tmp_path, tiny_clip, ride):
+    presets = {}
+    for name, choices in {"new": Choices(), "old": Choices(preset="faithful")}.items():
+        made = write_sequence(tiny_clip, ride, tmp_path / name, choices=choices)
+        presets[name] = open_sequence(made).tracks["realistic"].provenance["preset"]
+    assert presets == {"new": "balanced", "old": "faithful"}
+    words = ["import", "v.mp4", "-o", "x", "--preset", "equal"]
+    options = cli.build_parser("import").parse_args(words)
+    assert chosen_import(options).preset == "equal"
+
+
 def test_an_import_takes_the_same_mapping(folder, ride, tiny_clip, tmp_path):
     choices = Choices(
         mapping=Mapping(lever_arm_m=(0.0, 0.0, 1.0)), fits_gain=True, seed=5

@@ -23,7 +23,10 @@ def test_the_built_in_study_is_the_protocol_of_the_paper(template):
         "car-turning",
         "car-braking",
     ]
-    assert study.feedbacks == ("realistic", "none", "random")
+    faithful, *others = study.feedbacks
+    assert (faithful.name, faithful.condition) == ("realistic", "realistic")
+    assert others == ["none", "random"]
+    assert template["feedbacks"][0]["parameters"] == {"preset": "faithful"}
     assert [q.key for q in study.factors] == [
         "realism",
         "sensory",
