@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog, folder_dialog, settings_filter
@@ -36,11 +37,12 @@ from hapticplayer.capture.mounting import (
     proposed_mounting,
     up_in_frame_a,
 )
-from hapticplayer.model import Mapping
+from hapticplayer.model import Mapping, PresetName
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import DEFAULT_GAIN_N_PER_MPS2, M_AD
 from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.library import free_name
+from hapticplayer.sequence.presets import DEFAULT_PRESET, PRESETS
 from hapticplayer.sequence.processing import Processing
 from hapticplayer.sequence.recognising import Recognised
 
@@ -211,6 +213,9 @@ class MountingPage(QWidget):
         self.gain.setToolTip(
             self.tr("Use the same gain for all sequences that you compare")
         )
+        self.preset = QComboBox()
+        self.preset.setAccessibleName(self.tr("Rendering"))
+        self.preset_text = paragraph(colour=theme.DIM, lines=2)
         self.calibration = QLineEdit()
         self.calibration.setAccessibleName(self.tr("Calibration"))
         self.calibration.setPlaceholderText(self.tr("None"))
@@ -227,6 +232,9 @@ class MountingPage(QWidget):
         self._fill()
         self._lay_out()
         self.mounting.currentIndexChanged.connect(self._on_mounting)
+        self.preset.currentIndexChanged.connect(self._on_preset)
+        self.preset.setCurrentIndex(self.preset.findData(DEFAULT_PRESET))
+        self._on_preset()
 
     def _fill(self) -> None:
         names = {
@@ -254,6 +262,13 @@ class MountingPage(QWidget):
         }
         for name, text in stands.items():
             self.device.addItem(text, name)
+        presets = {
+            PresetName.FAITHFUL: self.tr("Faithful"),
+            PresetName.BALANCED: self.tr("Balanced"),
+            PresetName.EQUAL: self.tr("Equal"),
+        }
+        for one in PRESETS:
+            self.preset.addItem(presets[PresetName(one.name)], one.name)
 
     def _lay_out(self) -> None:
         change = text_button(
@@ -267,6 +282,8 @@ class MountingPage(QWidget):
         form.addRow("", self.gravity)
         form.addRow(self.tr("&Device position"), self.device)
         form.addRow(self.tr("&Gain"), self.gain)
+        form.addRow(self.tr("&Rendering"), self.preset)
+        form.addRow("", self.preset_text)
         choose = text_button(self.tr("Choose\u2026"), self.tr("Choose a calibration"))
         choose.clicked.connect(self._choose_calibration)
         name, field = captioned(self.tr("&Calibration"), self.calibration)
@@ -301,6 +318,10 @@ class MountingPage(QWidget):
         turn = _TURNS[str(self.device.currentData())]
         return Mapping(turn @ M_AD, gain_n_per_mps2=self.gain.value())
 
+    def chosen_preset(self) -> PresetName:
+        """Return how the force is rendered."""
+        return PresetName(self.preset.currentData())
+
     def processing(self) -> Processing:
         """Return how gravity is removed.
 
@@ -313,6 +334,11 @@ class MountingPage(QWidget):
     def target(self) -> Path:
         """Return the folder that will be made."""
         return free_name(self.library, self.title.text())
+
+    def _on_preset(self) -> None:
+        chosen = self.chosen_preset()
+        text = next(one.text for one in PRESETS if one.name == chosen)
+        self.preset_text.setText(translated(text))
 
     def _on_mounting(self) -> None:
         self.triad.show_axes(self.axes, self._up)

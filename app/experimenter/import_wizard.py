@@ -259,6 +259,7 @@ class ImportWizard(QDialog):
         return Choices(
             title=self.mounting.title.text().strip() or None,
             mapping=self.mounting.mapping(),
+            preset=self.mounting.chosen_preset(),
             processing=self.mounting.processing(),
             log=self.files.choices(),
             sync=SyncChoices(accepted=self.sync.choice()),

@@ -1825,6 +1825,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Dieselbe Verstärkung für alle Sequenzen, die verglichen werden</translation>
     </message>
     <message>
+        <source>Rendering</source>
+        <translation>Rendering</translation>
+    </message>
+    <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
     </message>
@@ -1889,6 +1893,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>links von der Person</translation>
     </message>
     <message>
+        <source>Faithful</source>
+        <translation>Getreu</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Ausgewogen</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>Gleich</translation>
+    </message>
+    <message>
         <source>Choose another library folder</source>
         <translation>Anderen Ordner für die Bibliothek wählen</translation>
     </message>
@@ -1899,6 +1915,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>&amp;Gain</source>
         <translation>&amp;Verstärkung</translation>
+    </message>
+    <message>
+        <source>&amp;Rendering</source>
+        <translation>&amp;Rendering</translation>
     </message>
     <message>
         <source>Choose…</source>

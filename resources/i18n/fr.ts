@@ -1825,6 +1825,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Le même gain pour toutes les séquences à comparer</translation>
     </message>
     <message>
+        <source>Rendering</source>
+        <translation>Rendu</translation>
+    </message>
+    <message>
         <source>Calibration</source>
         <translation>Étalonnage</translation>
     </message>
@@ -1889,6 +1893,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>à gauche de l’utilisateur</translation>
     </message>
     <message>
+        <source>Faithful</source>
+        <translation>Fidèle</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Équilibré</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>Égal</translation>
+    </message>
+    <message>
         <source>Choose another library folder</source>
         <translation>Choisir un autre dossier de bibliothèque</translation>
     </message>
@@ -1899,6 +1915,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>&amp;Gain</source>
         <translation>&amp;Gain</translation>
+    </message>
+    <message>
+        <source>&amp;Rendering</source>
+        <translation>&amp;Rendu</translation>
     </message>
     <message>
         <source>Choose…</source>

@@ -319,6 +319,15 @@ def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
     assert page.triad.axes == "x,y,z"
 
 
+def test_the_chosen_rendering_is_explained_and_taken(wizard):
+    page = wizard.mounting
+    assert page.chosen_preset() == "balanced"
+    balanced = page.preset_text.text()
+    page.preset.setCurrentIndex(page.preset.findText("Equal"))
+    assert "every participant" in page.preset_text.text() != balanced
+    assert page.chosen_preset() == "equal"
+
+
 def test_problems_are_told_on_the_page(wizard, ride, wait_for, tmp_path):
     wizard.take([ride[0] / "ride.mp4"])  # a clip without motion
     wait_for(wizard.files.problem.isVisible)
