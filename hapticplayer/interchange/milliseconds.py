@@ -24,23 +24,28 @@ OF_FORCE = Message("force vector, every millisecond")
 
 
 def end_ms(track: ForceTrack, duration_s: float | None) -> int:
-    """Return where a track ends, at most at the end of the clip.
+    """Return the first millisecond at which a track, or the clip, has ended.
 
-    A HOLD track without a clip ends a millisecond after its last entry.
+    It is the first k with `k / 1000 >= end`, as `ForceTrack.at` compares, rounding or not.
+    A HOLD track without a clip ends a millisecond after its last entry has begun.
 
     Raises:
         InputError: when it is longer than any clip.
     """
-    last_s = float(track.time_s[-1])
-    own_s = last_s if track.reconstruction is Reconstruction.LINEAR else last_s + 0.001
-    until_s = own_s if duration_s is None else min(track.end_s, duration_s)
+    holds = duration_s is None and track.reconstruction is Reconstruction.HOLD
+    if duration_s is None:
+        until_s = float(track.time_s[-1])
+    else:
+        until_s = min(track.end_s, duration_s)
     if not until_s <= MAX_SECONDS:
         raise InputError(
             "the track ends at {end_s:.4g} s, after the longest clip ({most_s:.0f} s)",
             end_s=until_s,
             most_s=MAX_SECONDS,
         )
-    return max(0, math.ceil(round(until_s * 1000.0, 6)))
+    near_ms = max(0, round(until_s * 1000.0))
+    around = range(max(0, near_ms - 1), near_ms + 2)
+    return next(k for k in around if k / 1000.0 >= until_s) + holds
 
 
 def corners(track: ForceTrack, first_ms: int, last_ms: int) -> tuple[Ticks, Floats]:
