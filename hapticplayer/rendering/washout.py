@@ -17,6 +17,7 @@ at 50 Hz gives a correction u - F that is added to the track, which keeps its de
 """
 
 import math
+from collections import deque
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from typing import Any
@@ -45,6 +46,7 @@ _OVERSAMPLING = 8  # before the low-pass that comes before 50 Hz
 _RELAXATION, _FIRST_PENALTY, _PENALTY_STEP, _APART = 1.7, 2.0, 1.6, 5.0
 _CHECK_EVERY, _LEAST_ITERATIONS, _MOST_ITERATIONS = 10, 40, 400
 _EXCESS_SHARE, _ERROR_STEP = 0.005, 0.0005
+_KNOWN_VERSIONS = 4  # so that undo, and before and after, are quick
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +108,35 @@ class Washout:
         return np.asarray(np.stack(each) * ahead / self.reach_m)
 
 
-def washed_out(track: ForceTrack, washout: Washout) -> ForceTrack:
+class SolvedPieces:
+    """The pieces of a track and of its last versions, under one washout.
+
+    A piece that one of them has with the same force, bit for bit, is not solved again;
+    what comes out is what `solve` returns.
+    """
+
+    def __init__(self, washout: Washout) -> None:
+        self.washout = washout
+        self._versions: deque[dict[bytes, Floats]] = deque(maxlen=_KNOWN_VERSIONS)
+
+    def begin(self) -> None:
+        """Begin another version; the oldest is forgotten."""
+        self._versions.appendleft({})
+
+    def solved(self, force_n: Floats) -> Floats:
+        """Return u, (3, N) in N at 50 Hz, of a piece, see `solve`."""
+        key = force_n.tobytes()
+        known = (one[key] for one in self._versions if key in one)
+        found = next(known, None)
+        if found is None:
+            found = solve(force_n, self.washout)
+        self._versions[0][key] = found
+        return found
+
+
+def washed_out(
+    track: ForceTrack, washout: Washout, pieces: SolvedPieces | None = None
+) -> ForceTrack:
     """Return a LINEAR track under which every design hand stays within the limit.
 
     Where the hands stay within it anyway, the force is the track's own, bit for bit.
@@ -115,12 +145,16 @@ def washed_out(track: ForceTrack, washout: Washout) -> ForceTrack:
     Args:
         track: LINEAR, in frame D, N.
         washout: limits and hands.
+        pieces: of the last versions of the track, under the same washout; the result
+            is the same without them.
 
     Raises:
         InputError: for a HOLD track.
     """
     if track.reconstruction is not Reconstruction.LINEAR:
         raise InputError("a washout needs a track of straight lines, this one holds")
+    pieces = SolvedPieces(washout) if pieces is None else pieces
+    pieces.begin()
     start_s = float(track.time_s[0])
     count = math.ceil((float(track.time_s[-1]) - start_s) * SOLVE_HZ) + 1
     correction = np.zeros((3, count), np.float32)
@@ -128,7 +162,7 @@ def washed_out(track: ForceTrack, washout: Washout) -> ForceTrack:
         piece = slice(first, first + size)
         force = _sampled(track, start_s, first, size)
         force *= _ramps(first, size, count, (0.0, 0.0), _TAPER_S)
-        solved = solve(force, washout)
+        solved = pieces.solved(force)
         blend = _ramps(first, size, count, (RUN_UP_S, LOOK_AHEAD_S), BLEND_S)
         correction[:, piece] += blend * (solved - force)
     changed = np.any(correction != 0.0, axis=0)

@@ -12,12 +12,19 @@ from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ForceTrack, ImuLog, Mapping, MotionTrack, PresetName
 from hapticplayer.rendering.effects import (
     NO_EFFECTS,
+    Effect,
     EffectList,
+    Target,
     applied_to_force,
     applied_to_motion,
     described_effect,
 )
-from hapticplayer.rendering.washout import DesignHand, Washout, washed_out
+from hapticplayer.rendering.washout import (
+    DesignHand,
+    SolvedPieces,
+    Washout,
+    washed_out,
+)
 from hapticplayer.sequence.excursion import felt
 
 YIELDING = replace(RELAXED, yield_s=0.3, return_s=2.0)
@@ -86,23 +93,81 @@ def render_preset(
         InputError: as `render_force`.
         UsageError: for an unknown preset.
     """
-    preset = next((one for one in PRESETS if one.name == name), None)
-    if preset is None:
-        raise UsageError(
-            "{name!r} is not a preset; choose one of {names}",
-            name=name,
-            names=", ".join(one.name for one in PRESETS),
-        )
-    mapping = mapping or Mapping()
-    motion = applied_to_motion(motion, effects)
-    track = rendering.render_force(motion, mapping, imu)
-    track = applied_to_force(track, effects, mapping.force_limit_n)
-    if not effects.is_idle:
-        made_of = [described_effect(one) for one in effects.effects if one.enabled]
-        track = replace(track, provenance={**track.provenance, "effects": made_of})
-    if preset.hands:
-        track = washed_out(track, washout_of(preset, mapping.force_limit_n))
-    return replace(track, provenance={**track.provenance, "preset": preset.name})
+    return Rendering(motion, mapping, imu, name=name).track(effects)
+
+
+class Rendering:
+    """Renders a motion again and again while the effects on it are edited.
+
+    Only what an edit changes is computed again, and each track is the one that
+    `render_preset` returns, bit for bit. One thread at a time may use it.
+
+    Args:
+        motion: gravity-free acceleration, in media time.
+        mapping: axes, gain and limit; the default mapping if None.
+        imu: in media time; a lever arm needs its angular rate.
+        name: of the preset.
+
+    Raises:
+        UsageError: for an unknown preset.
+    """
+
+    def __init__(
+        self,
+        motion: MotionTrack,
+        mapping: Mapping | None = None,
+        imu: ImuLog | None = None,
+        *,
+        name: str,
+    ) -> None:
+        self.preset = preset_named(name)
+        self._motion, self._mapping, self._imu = motion, mapping or Mapping(), imu
+        self._direct: tuple[tuple[Effect, ...], ForceTrack] | None = None
+        self._pieces: SolvedPieces | None = None
+        if self.preset.hands:
+            washout = washout_of(self.preset, self._mapping.force_limit_n)
+            self._pieces = SolvedPieces(washout)
+
+    def track(self, effects: EffectList = NO_EFFECTS) -> ForceTrack:
+        """Return the force track under a list of effects.
+
+        Raises:
+            InputError: as `render_force`.
+        """
+        track = self._rendered(effects)
+        track = applied_to_force(track, effects, self._mapping.force_limit_n)
+        if not effects.is_idle:
+            made_of = [described_effect(one) for one in effects.effects if one.enabled]
+            track = replace(track, provenance={**track.provenance, "effects": made_of})
+        if self._pieces is not None:
+            track = washed_out(track, self._pieces.washout, self._pieces)
+        provenance = {**track.provenance, "preset": self.preset.name}
+        return replace(track, provenance=provenance)
+
+    def _rendered(self, effects: EffectList) -> ForceTrack:
+        """Return the track before effects on the force; the last one where it is that."""
+        chosen = effects.chosen(Target.MOTION)
+        if self._direct is None or self._direct[0] != chosen:
+            motion = applied_to_motion(self._motion, effects)
+            track = rendering.render_force(motion, self._mapping, self._imu)
+            self._direct = chosen, track
+        return self._direct[1]
+
+
+def preset_named(name: str) -> Preset:
+    """Return the preset of a name.
+
+    Raises:
+        UsageError: for an unknown one.
+    """
+    for one in PRESETS:
+        if one.name == name:
+            return one
+    raise UsageError(
+        "{name!r} is not a preset; choose one of {names}",
+        name=name,
+        names=", ".join(one.name for one in PRESETS),
+    )
 
 
 def preset_of(track: ForceTrack) -> str:
