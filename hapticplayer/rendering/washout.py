@@ -254,7 +254,8 @@ def _described(washout: Washout) -> dict[str, Any]:
 
 def _penalty_factor(primal: Floats, dual: Floats) -> float:
     """Return what brings the sizes of the residuals closer."""
-    sizes = float(np.linalg.norm(primal)), float(np.linalg.norm(dual))
+    # a sum in numpy's own order; that of a norm depends on the number of threads
+    sizes = [math.sqrt(float(np.square(one).sum())) for one in (primal, dual)]
     if sizes[0] > _APART * sizes[1]:
         return _PENALTY_STEP
     return 1.0 / _PENALTY_STEP if sizes[1] > _APART * sizes[0] else 1.0
