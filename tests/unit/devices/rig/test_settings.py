@@ -1,0 +1,59 @@
+"""What a person may write after `rig:`."""
+
+import pytest
+
+from hapticplayer.devices.rig.settings import LOOPBACK, rig_settings
+from hapticplayer.errors import DeviceError
+
+
+def test_nothing_is_outsim_to_this_machine():
+    settings = rig_settings("")
+    assert (settings.format.name, settings.address) == ("outsim", "127.0.0.1:4123")
+    assert (settings.rate_hz, settings.id, settings.gain) == (200.0, 0, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("name", "port"), [("outsim", 4123), ("codemasters", 20777), ("beamng", 4444)]
+)
+def test_each_format_has_its_port_and_stays_here(name, port):
+    settings = rig_settings(name)
+    assert (settings.format.name, settings.port) == (name, port)
+    assert settings.host == LOOPBACK
+
+
+def test_everything_can_be_said():
+    settings = rig_settings(
+        "codemasters,192.168.1.7:30500,rate=500,id=7,gain=0.5,latency_ms=40,"
+        "invert=sway+yaw,vectors=forward-right"
+    )
+    assert settings.address == "192.168.1.7:30500"
+    assert (settings.rate_hz, settings.id, settings.gain) == (500.0, 7, 0.5)
+    assert settings.latency_s == pytest.approx(0.040)
+    assert settings.invert == {"sway", "yaw"}
+    assert settings.forward_first
+
+
+def test_an_address_of_version_6_is_in_brackets():
+    settings = rig_settings("outsim,[::1]:4123")
+    assert (settings.host, settings.address) == ("::1", "[::1]:4123")
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("insim", "outsim or codemasters or beamng"),
+        ("outsim,4123", "not HOST:PORT"),
+        ("outsim,here:", "port must be a whole number"),
+        ("outsim,here:70000", "between 1 and 65535"),
+        ("outsim,rate=501", "between 50 and 500 Hz"),
+        ("outsim,rate=nan", "between 50 and 500 Hz"),
+        ("outsim,gain=-1", "between 0 and 4"),
+        ("outsim,invert=up", "surge, sway, heave, roll, pitch, yaw"),
+        ("outsim,vectors=left", "right-forward, forward-right"),
+        ("outsim,speed=3", "rate, id, gain, latency_ms, invert, vectors"),
+        ("outsim,", "not HOST:PORT"),
+    ],
+)
+def test_what_is_not_allowed_is_refused_with_what_is(text, why):
+    with pytest.raises(DeviceError, match=why):
+        rig_settings(text)
