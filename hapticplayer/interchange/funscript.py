@@ -1,14 +1,14 @@
 """funscript 1.0, 1.1 and 2.0: positions over time on three axes, 0 to 100.
 
-Written is the excursion that a normal hand would make; 50 is the centre, 0 and 100 the
-edge of the workspace. Read is the set-point of a centring spring: the force is that of
+Written is the excursion that a normal hand would make, as lines within one step; 50 is the
+centre, 0 and 100 the edge of the workspace. Read is the set-point of a centring spring: the force is that of
 the spring on a hand at the centre, stiffness times set-point. A file holds no newtons.
 Axes: L0 up, L1 (surge) forward, L2 (sway) to the left; others are not read.
 """
 
 import json
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import BinaryIO
 
 import numpy as np
 
@@ -25,12 +25,17 @@ from hapticplayer.interchange.force_files import (
     refuse_large,
 )
 from hapticplayer.interchange.json_fields import Fields, read_crowd
-from hapticplayer.interchange.milliseconds import end_ms
+from hapticplayer.interchange.milliseconds import Ticks, end_ms
+from hapticplayer.interchange.thinning import Polyline, thin
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence.excursion import travel_m
 
 REACH_M = limits_of(FALCON).workspace_m
+MAX_ACTIONS = 900_000
+"""What `read` takes."""
+
+_AT_ONCE = 1 << 14  # actions in memory as text
 _AXES = {"L0": (1, 1.0), "L1": (2, -1.0), "L2": (0, -1.0)}
 _CHANNELS = {"stroke": "L0", "surge": "L1", "sway": "L2"}
 _SUFFIXES = {".surge": "L1", ".sway": "L2"}
@@ -53,20 +58,23 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     refuse_large(track.force_n, "funscript")
     time_s, place_m = travel_m(track, end_ms(track, choices.duration_s) / 1000.0)
     axes = {
-        name: _actions(time_s, 50.0 + 50.0 * sign * place_m[:, column] / REACH_M)
+        name: _actions(time_s, 50.0 * sign * place_m[:, column] / REACH_M)
         for name, (column, sign) in _AXES.items()
     }
+    _refuse_many(sum(len(at_ms) for at_ms, _ in axes.values()))
     about = {"creator": f"{_MARK.decode()} {__version__}"}
-    text: dict[str, Any] = {"version": choices.funscript_version, "metadata": about}
-    text["actions"] = axes.pop("L0")
+    head = {"version": choices.funscript_version, "metadata": about}
+    out.write(json.dumps(head, separators=(",", ":")).encode().removesuffix(b"}"))
+    out.write(b',"actions":')
+    _write_actions(out, *axes.pop("L0"))
     if choices.funscript_version == "1.1":
-        text["axes"] = [{"id": name, "actions": one} for name, one in axes.items()]
+        heads = [f'{{"id":"{name}","actions":' for name in axes]
+        _write_axes(out, ',"axes":[', heads, list(axes.values()), "]")
     elif choices.funscript_version == "2.0":
         names = {axis: name for name, axis in _CHANNELS.items()}
-        text["channels"] = {
-            names[axis]: {"actions": actions} for axis, actions in axes.items()
-        }
-    out.write(json.dumps(text, separators=(",", ":")).encode())
+        heads = [f'"{names[axis]}":{{"actions":' for axis in axes]
+        _write_axes(out, ',"channels":{', heads, list(axes.values()), "}")
+    out.write(b"}")
 
 
 def no_newtons(_track: ForceTrack, _path: Path, _choices: WriteChoices) -> Loss:
@@ -138,13 +146,49 @@ def _positions(one: Fields) -> tuple[Floats, Floats]:
     ) is True else place
 
 
-def _actions(time_s: Floats, place: Floats) -> list[dict[str, int]]:
-    """Return actions where the position changes, and the points around them."""
-    whole = np.clip(np.round(place), 0, 100).astype(int)
-    change = np.flatnonzero(np.diff(whole))
-    kept = np.unique(np.concatenate([[0], change, change + 1, [len(whole) - 1]]))
-    at_ms = np.round(time_s[kept] * 1000.0).astype(int)
-    return [
-        {"at": at, "pos": pos}
-        for at, pos in zip(at_ms.tolist(), whole[kept].tolist(), strict=True)
-    ]
+def _actions(time_s: Floats, shift: Floats) -> Polyline:
+    """Return times (k,) ms and whole positions (k,) of lines near a curve.
+
+    Args:
+        time_s: (n,).
+        shift: (n,) from the centre; 50 is the edge.
+    """
+    ticks = np.round(time_s * 1000.0).astype(np.int64)
+    if len(ticks) == 1:
+        return ticks, np.array([50.0])
+    at_ms, whole = thin(ticks, np.clip(shift, -50.0, 50.0), 1.0, 1.0)
+    return at_ms, np.clip(whole + 50.0, 0.0, 100.0)
+
+
+def _write_axes(
+    out: BinaryIO, begin: str, heads: list[str], curves: list[Polyline], end: str
+) -> None:
+    for head, curve in zip(heads, curves, strict=True):
+        out.write((begin + head).encode())
+        _write_actions(out, *curve)
+        out.write(b"}")
+        begin = ","
+    out.write(end.encode())
+
+
+def _write_actions(out: BinaryIO, at_ms: Ticks, place: Floats) -> None:
+    out.write(b"[")
+    for first in range(0, len(at_ms), _AT_ONCE):
+        rows = zip(
+            at_ms[first : first + _AT_ONCE].tolist(),
+            place[first : first + _AT_ONCE].astype(int).tolist(),
+            strict=True,
+        )
+        text = ",".join(f'{{"at":{at},"pos":{pos}}}' for at, pos in rows)
+        out.write(("," * bool(first) + text).encode())
+    out.write(b"]")
+
+
+def _refuse_many(count: int) -> None:
+    if count > MAX_ACTIONS:
+        raise InputError(
+            "the track needs {count} positions (limit: {most})",
+            remedy=Message("choose another format"),
+            count=count,
+            most=MAX_ACTIONS,
+        )

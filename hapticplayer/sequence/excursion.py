@@ -36,10 +36,9 @@ WARM = 0.8
 
 RATE_HZ = 500.0
 TRAVEL_HZ = 50.0
-_SECOND_S, _RUN_UP_S = 1.0, 1.2
+_SECOND_S, _RUN_UP = 1.0, 600  # samples of 1.2 s
 _AFTER_S = 0.5  # the hand keeps moving after the force has ended
 _BATCH = 600  # seconds computed at a time
-_SAMPLES = 1 << 16  # sampled at a time
 _PROGRESS_STEPS = 100
 _HEAT_STEP_S = 0.1
 _STICK_MPS = 0.002  # below it dry friction decreases with the speed
@@ -78,7 +77,6 @@ def predict(
         highest), `thermal_share` (of the continuous force).
     """
     grip = Grip(list(HANDS.values()), LIMITS, centring_of(LIMITS))
-    force = _sampled(track, duration_s)
     starts = _starts(track, duration_s)
     parts = [_Response(*np.zeros((5, len(HANDS), 0)))]
     for first in range(0, len(starts), _BATCH):
@@ -87,7 +85,8 @@ def predict(
         def report(share: float, done: int = first, size: int = len(batch)) -> None:
             progress((done + share * size) / len(starts))
 
-        parts.append(_respond(grip, force, batch, report))
+        force_n = _planned(track, duration_s, batch)
+        parts.append(_respond(grip, force_n, batch, report))
     whole = _Response(
         *(np.concatenate(one, axis=1) for one in zip(*parts, strict=True))
     )
@@ -116,15 +115,14 @@ def travel_m(
         is no force.
     """
     grip = Grip([HANDS[hand]], LIMITS, centring_of(LIMITS))
-    force, starts = _sampled(track, duration_s), _starts(track, duration_s)
+    starts = _starts(track, duration_s)
     count, every = math.ceil(duration_s * TRAVEL_HZ) + 1, round(RATE_HZ / TRAVEL_HZ)
     place_m = np.zeros((count + round(2 * TRAVEL_HZ), 3))
-    run_up = round(_RUN_UP_S * RATE_HZ)
     for first in range(0, len(starts), _BATCH):
         batch = starts[first : first + _BATCH]
         grip.rest(len(batch))
-        for step in range(-run_up, round(_SECOND_S * RATE_HZ)):
-            grip.advance(force[:, batch + step + run_up])
+        for step, force_n in enumerate(_planned(track, duration_s, batch), -_RUN_UP):
+            grip.advance(force_n)
             if step >= 0 and step % every == 0:
                 rows = (batch + step) // every
                 inside = rows < len(place_m)
@@ -203,15 +201,14 @@ def _respond(
     report: Callable[[float], None],
 ) -> _Response:
     """Compute some seconds side by side, from their first samples on."""
-    run_up, steps = round(_RUN_UP_S * RATE_HZ), round(_SECOND_S * RATE_HZ)
     grip.rest(len(starts))
     shape = (len(HANDS), len(starts))
     found = _Response(*np.zeros((3, *shape)), *np.full((2, *shape), np.inf))
-    for step in range(-run_up, steps):
+    for step, planned_n in enumerate(force_n, -_RUN_UP):
         if step % _PROGRESS_STEPS == 0:
-            report((step + run_up) / (run_up + steps))
+            report((step + _RUN_UP) / len(force_n))
         at = starts + step
-        radius = grip.advance(force_n[:, np.clip(at + run_up, 0, None)])
+        radius = grip.advance(planned_n)
         if step < 0:
             continue
         at_s = np.broadcast_to(at / RATE_HZ, shape)
@@ -228,19 +225,15 @@ def _respond(
     return found
 
 
-def _sampled(track: ForceTrack, duration_s: float) -> Floats:
-    """Return the played force (3, n) at RATE_HZ, after the zeros of the run-up."""
-    run_up = round(_RUN_UP_S * RATE_HZ)
-    count = math.ceil((duration_s + _SECOND_S + _AFTER_S) * RATE_HZ) + 1
+def _planned(track: ForceTrack, duration_s: float, starts: NDArray[np.int64]) -> Floats:
+    """Return the force (steps, 3, seconds) at RATE_HZ in some seconds and run-ups."""
+    steps = np.arange(-_RUN_UP, round(_SECOND_S * RATE_HZ))
+    time_s = (starts[:, None] + steps).ravel() / RATE_HZ
     entry_s = LIMITS.entry_ticks / FALCON.rate_hz
-    sampled = np.zeros((3, run_up + count))
-    for start in range(0, count, _SAMPLES):
-        time_s = np.arange(start, min(start + _SAMPLES, count)) / RATE_HZ
-        force = track.at(time_s)
-        force *= np.minimum(1.0, time_s / entry_s)[:, None]
-        force[time_s >= duration_s] = 0.0
-        sampled[:, run_up + start : run_up + start + len(time_s)] = force.T
-    return sampled
+    force_n = track.at(time_s)
+    force_n *= np.clip(time_s / entry_s, 0.0, 1.0)[:, None]
+    force_n[time_s >= duration_s] = 0.0
+    return force_n.reshape(len(starts), len(steps), 3).transpose(1, 2, 0)
 
 
 def _starts(track: ForceTrack, duration_s: float) -> NDArray[np.int64]:

@@ -6277,6 +6277,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Spur braucht {count} Keyframes (Grenze: {most})</translation>
     </message>
     <message>
+        <source>the track needs {count} positions (limit: {most})</source>
+        <translation>die Spur braucht {count} Positionen (Grenze: {most})</translation>
+    </message>
+    <message>
         <source>the wavelet stream is not base64</source>
         <translation>der Wavelet-Strom ist kein Base64</translation>
     </message>

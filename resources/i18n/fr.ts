@@ -6277,6 +6277,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la piste nécessite {count} images clés (limite&#xa0;: {most})</translation>
     </message>
     <message>
+        <source>the track needs {count} positions (limit: {most})</source>
+        <translation>la piste nécessite {count} positions (limite&#xa0;: {most})</translation>
+    </message>
+    <message>
         <source>the wavelet stream is not base64</source>
         <translation>le flux d’ondelettes n’est pas en base64</translation>
     </message>

@@ -143,21 +143,20 @@ def test_xml_with_a_document_type_is_refused(read, head):
         read(head + SEM.format(""), ".xml")
 
 
+def positions(actions, time_s):
+    rows = [(one["at"] / 1000.0, one["pos"]) for one in actions]
+    return np.interp(time_s, *zip(*rows, strict=True))
+
+
 @pytest.mark.parametrize("version", ["1.0", "1.1", "2.0"])
 def test_a_funscript_holds_the_excursion_of_a_hand(written, version):
     push = ForceTrack([0.0, 2.0], [[0, 2, -2], [0, 0, 0]], Reconstruction.HOLD)
     path = written("funscript", push, duration_s=3.0, funscript_version=version)
     content = json.loads(path.read_text())
     time_s, place_m = travel_m(push, 3.0)
-    up = np.interp(
-        1.5,
-        [one["at"] / 1000.0 for one in content["actions"]],
-        [one["pos"] for one in content["actions"]],
-    )
-    assert up > 54.0  # pushed up, and held there
-    assert up == pytest.approx(
-        50 + 50 * np.interp(1.5, time_s, place_m[:, 1]) / 0.04, abs=2
-    )
+    up = positions(content["actions"], time_s)
+    assert up.max() > 54.0  # pushed up
+    np.testing.assert_allclose(up, 50 + 50 * place_m[:, 1] / 0.04, atol=1.0)
     if version == "2.0":
         surge = content["channels"]["surge"]["actions"]
         assert max(one["pos"] for one in surge) > 54  # forward is away from the user
@@ -171,6 +170,25 @@ def test_the_excursion_is_the_one_that_is_predicted():
     assert np.linalg.norm(place_m, axis=1).max() / 0.04 == pytest.approx(
         reach, rel=0.02
     )
+
+
+def test_a_funscript_has_few_positions_and_all_axes_are_near(written, rng):
+    force_n = np.cumsum(rng.normal(0.0, 0.3, (2000, 3)), axis=0)
+    track = ForceTrack(np.arange(2000) / 20.0, 2.0 * np.sin(force_n))
+    content = json.loads(written("funscript", track).read_text())
+    time_s, place_m = travel_m(track, float(track.time_s[-1]))
+    axes = [content, *content["axes"]]
+    for one, column, sign in zip(axes, (1, 2, 0), (1, -1, -1), strict=True):
+        exact = 50 + 50 * sign * place_m[:, column] / 0.04
+        there = positions(one["actions"], time_s)
+        np.testing.assert_allclose(there, exact, atol=1.0)
+        assert len(one["actions"]) < len(time_s) / 2
+
+
+def test_a_funscript_of_too_many_positions_is_refused(written, monkeypatch):
+    monkeypatch.setattr("hapticplayer.interchange.funscript.MAX_ACTIONS", 5)
+    with pytest.raises(InputError, match="positions"):
+        written("funscript")
 
 
 def test_a_funscript_is_a_spring_set_point_on_three_axes(read):
