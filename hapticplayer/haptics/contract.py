@@ -117,6 +117,8 @@ class State(NamedTuple):
     hand: Hand = Hand()  # the grip as last seen
     heat_n2: float = 0.0  # mean square force of the last seconds
     acted_s: float = -math.inf  # last time at which a force was allowed
+    track: LoadedTrack | None = None  # that was followed
+    switch_n: Vector = ZERO  # left of the difference to the track before
 
 
 class Situation(NamedTuple):

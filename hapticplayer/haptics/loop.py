@@ -32,6 +32,7 @@ REST_AFTER_S = 30.0
 REST_PERIOD_S = 0.020  # buttons and unplugging are noticed within two
 CHECKED_PER_TICK = 10_000  # numbers of a new track: 0.25 ms
 MISSED_OVER_TICKS = 10_000
+_NO_CLOCK = -1
 _RESTING = (Mode.IDLE, Mode.TRIPPED)
 
 
@@ -75,6 +76,7 @@ class Loop:
         self.count = 0
         self._tracks: dict[int, LoadedTrack] = {}
         self._unchecked: dict[int, LoadedTrack] = {}
+        self._newer: dict[int, LoadedTrack] = {}  # than the unchecked ones
         self._playback: PlaybackClock | None = None
         self._track: LoadedTrack | None = None
         self._clock_count = 0
@@ -232,6 +234,7 @@ class Loop:
         elif message.word is Word.FORGET:
             self._tracks.pop(int(message.text), None)
             self._unchecked.pop(int(message.text), None)
+            self._newer.pop(int(message.text), None)
         elif message.word is Word.STOP:
             self._request = Request.STOP
         elif message.word is Word.REARM:
@@ -247,22 +250,32 @@ class Loop:
         )
 
     def _load_track(self, track_id: int, descriptor: int) -> None:
+        # what is being checked is checked to its end: else a track that is edited
+        # without a pause would never play
+        waiting = self._newer if track_id in self._unchecked else self._unchecked
         try:
-            self._unchecked[track_id] = map_track(descriptor)
+            waiting[track_id] = map_track(descriptor)
         except (ValueError, OSError) as problem:
             self._reject(problem)
         finally:
             close_descriptor(descriptor)
 
     def _check_track(self) -> None:
-        """Check a part of a new track, which plays once all of it is checked."""
+        """Check a part of a new track, which plays once all of it is checked.
+
+        One that has the id of another takes its place then.
+        """
         track_id, track = next(iter(self._unchecked.items()))
         try:
-            if track.check(CHECKED_PER_TICK):
-                self._tracks[track_id] = self._unchecked.pop(track_id)
+            if not track.check(CHECKED_PER_TICK):
+                return
+            self._tracks[track_id] = track
+            self._clock_count = _NO_CLOCK  # it may be the one that the clock names
         except ValueError as problem:
-            del self._unchecked[track_id]
             self._reject(problem)
+        del self._unchecked[track_id]
+        if track_id in self._newer:
+            self._unchecked[track_id] = self._newer.pop(track_id)
 
     def _reject(self, problem: Exception) -> None:
         self.line.send(

@@ -22,7 +22,7 @@ ALARM_S = 0.05
 class Word(enum.Enum):
     """First byte of a message."""
 
-    TRACK = b"T"  # + track id; the descriptor of the track comes along
+    TRACK = b"T"  # + track id, new or of the track to replace; its descriptor too
     FORGET = b"F"  # + id of a track that is not needed any more
     STOP = b"S"
     REARM = b"A"

@@ -211,11 +211,22 @@ class HapticsProcesses:
             self._line.send(Word.FORGET, str(track_id))
         self._track_ids.clear()
         for name, track in tracks.items():
-            descriptor = to_shared_memory(track)
-            self._line.send(Word.TRACK, str(self._next_track_id), descriptor)
-            os.close(descriptor)
             self._track_ids[name] = self._next_track_id
             self._next_track_id += 1
+            self.replace(name, track)
+
+    def replace(self, name: str, track: ForceTrack) -> None:
+        """Hand over another version of a track, also while it plays.
+
+        The loop plays the old one until the new one is checked (10,000 numbers a tick,
+        four a row) and then changes over by 0.05 N a tick; what it refuses leaves the
+        old one in place. With further versions meanwhile, the newest is next.
+        """
+        if self._line is None:
+            return
+        descriptor = to_shared_memory(track)
+        self._line.send(Word.TRACK, str(self._track_ids[name]), descriptor)
+        os.close(descriptor)
 
     def publish(self, clock: PlaybackClock, track: str) -> None:
         """Publish the media position and the name of the track; "" for no track.

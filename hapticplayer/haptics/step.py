@@ -42,9 +42,13 @@ def step(situation: Situation) -> State:
     now_s, clock, track, state, hand, _, limits, _ = situation
     media_s = situation.media_s
     reaction, cause = assess(situation)
-    planned = pull = wanted = ZERO
+    planned = pull = wanted = switch = ZERO
     if reaction is Reaction.GO and track is not None:
         planned = track.force_at(media_s)
+        if track is not state.track or state.switch_n != ZERO:
+            switch = _left_of_switch(planned, situation)
+            (x, y, z), (dx, dy, dz) = planned, switch
+            planned = (x + dx, y + dy, z + dz)
         if not (is_finite(planned) and math.isfinite(media_s)):
             reaction, cause, planned = Reaction.TRIP, Cause.NOT_FINITE, ZERO
     if reaction is Reaction.GO:
@@ -68,7 +72,24 @@ def step(situation: Situation) -> State:
         hand,
         warmed(state.heat_n2, force, situation.gap_s, limits),
         now_s if is_entering or mode is Mode.FOLLOWING else state.acted_s,
+        track if reaction is Reaction.GO else None,
+        switch,
     )
+
+
+def _left_of_switch(planned_n: Vector, situation: Situation) -> Vector:
+    """Return the difference to the track before, which shrinks as slowly as an entry.
+
+    A track takes the place of another while it is followed when it was edited.
+    """
+    state, limits = situation.state, situation.limits
+    left_n = state.switch_n
+    if situation.track is not state.track:
+        if state.track is None:
+            return ZERO
+        (x, y, z), (bx, by, bz) = planned_n, state.planned_n
+        left_n = (bx - x, by - y, bz - z)
+    return limit(ZERO, left_n, limits.entry_slew_n, limits.force_cap_n)
 
 
 def _kept_inside(planned_n: Vector, situation: Situation) -> tuple[Vector, Vector]:

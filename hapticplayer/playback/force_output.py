@@ -95,6 +95,13 @@ class ForceOutput:
                 {name: adapted(track, capabilities) for name, track in tracks.items()}
             )
 
+    def replace(self, name: str, track: ForceTrack) -> None:
+        """Hand over another version of one of the tracks, also while it plays."""
+        self._tracks = {**self._tracks, name: track}
+        if self.processes.device != NO_DEVICE:
+            capabilities = find_device(self.processes.device).capabilities
+            self.processes.replace(name, adapted(track, capabilities))
+
     @property
     def problem(self) -> str:
         """What is wrong with device or processes, "" for nothing."""

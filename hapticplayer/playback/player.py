@@ -7,7 +7,7 @@ force with it.
 """
 
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,7 @@ from hapticplayer.devices import NO_DEVICE
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.model import ForceTrack
 from hapticplayer.playback.clip_playback import FASTEST, SLOWEST, ClipPlayback
 from hapticplayer.playback.clock import AudioReport
 from hapticplayer.playback.force_output import ForceOutput
@@ -147,6 +148,21 @@ class Player:
         self._feedback = name
         self._reporter.event("feedback", feedback=name)
         self._clip.interrupt_force()
+
+    def replace_track(self, name: str, track: ForceTrack) -> None:
+        """Put an edited version in the place of a force track, also while it plays.
+
+        The force changes over without a pause, by 0.05 N a millisecond at most beyond
+        what both versions do. The source of the snapshot has the new one from here on.
+        A name that the clip has no track of changes nothing.
+        """
+        source = self._clip.source
+        if source is None or name not in source.tracks:
+            return
+        tracks = {**source.tracks, name: track}
+        self._clip.source = replace(source, tracks=tracks)
+        self._force.replace(name, track)
+        self._reporter.event("track_replaced", feedback=name)
 
     def set_device(
         self, name: str, record: Path | None = None, *, takes_faults: bool = False

@@ -10,8 +10,11 @@ from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.frames import FrameConverter
 from hapticplayer.media.video import VideoDecoder
+from hapticplayer.model import ForceTrack
 from hapticplayer.playback import sound
 from hapticplayer.playback.clock import Source
+from hapticplayer.playback.force_output import ForceOutput
+from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.phases import Phase
 from tests.conftest import clip_of
 from tests.unit.playback.conftest import Theatre
@@ -164,6 +167,49 @@ def test_another_feedback_starts_a_new_epoch_and_video_continues(theatre):
 def test_a_feedback_that_is_not_there_changes_nothing(theatre):
     theatre.player.set_feedback("strong")
     assert theatre.player.snapshot().feedback == "realistic"
+
+
+def test_an_edited_track_is_taken_while_the_clip_plays(theatre):
+    theatre.player.play()
+    theatre.run(1.0)
+    before = theatre.player.snapshot()
+    edited = ForceTrack([0.0, 3.0], [[0, 2.0, 0], [0, 2.0, 0]])
+    theatre.player.replace_track("realistic", edited)
+    theatre.player.replace_track("missing", edited)
+    after = theatre.player.snapshot()
+    assert (after.epoch, after.phase) == (before.epoch, before.phase)
+    assert after.source.tracks["realistic"] is edited
+    assert set(after.source.tracks) == set(before.source.tracks)
+    assert before.source.tracks["realistic"] is not edited
+
+
+class GivenTracks:
+    """Processes that note the tracks they are given, newest last."""
+
+    def __init__(self, _clock, device, **_options):
+        self.device, self.given = device, []
+
+    def load(self, tracks):
+        self.given.extend(tracks.items())
+
+    def replace(self, name, track):
+        self.given.append((name, track))
+
+    def close(self):
+        pass
+
+
+def test_each_device_gets_the_edited_track(manual_clock):
+    reporter = Reporter(manual_clock)
+    output = ForceOutput(manual_clock, reporter, "simulated", None, GivenTracks)
+    track = ForceTrack([0.0, 3.0], [[0, 4.5, 0], [0, 4.5, 0]])
+    output.load({"realistic": track, "other": track})
+    edited = ForceTrack([0.0, 3.0], [[0, 2.0, 0], [0, 2.0, 0]])
+    output.replace("other", edited)
+    assert output.processes.given[-1] == ("other", edited)
+    output.use("gamepad")
+    assert dict(output.processes.given) == {"realistic": track, "other": edited}
+    output.wait_released()
 
 
 def test_closing_ends_all_threads(clip):
