@@ -56,6 +56,10 @@
         <translation>&amp;Protokoll abspielen…</translation>
     </message>
     <message>
+        <source>Edit &amp;effects…</source>
+        <translation>&amp;Effekte bearbeiten…</translation>
+    </message>
+    <message>
         <source>S&amp;hare…</source>
         <translation>&amp;Teilen…</translation>
     </message>
@@ -473,6 +477,10 @@
         <translation>Kräfte eines Protokolls abspielen</translation>
     </message>
     <message>
+        <source>Only the effects of a sequence can be edited: import the video first</source>
+        <translation>Nur die Effekte einer Sequenz lassen sich bearbeiten: Video zuerst importieren</translation>
+    </message>
+    <message>
         <source>Only a sequence can be shared: import the video first. A file that was shared with you can be sent on as it is.</source>
         <translation>Nur eine Sequenz kann geteilt werden: Importieren Sie das Video zuerst. Eine Datei, die mit Ihnen geteilt wurde, können Sie weitergeben, wie sie ist.</translation>
     </message>
@@ -491,6 +499,49 @@
     <message>
         <source>Import settings</source>
         <translation>Einstellungen importieren</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>Show less of the clip (+)</source>
+        <translation>Weniger vom Clip zeigen (+)</translation>
+    </message>
+    <message>
+        <source>Show more of the clip (−)</source>
+        <translation>Mehr vom Clip zeigen (−)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole clip</source>
+        <translation type="unfinished">&amp;Ganzer Clip</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation type="unfinished">Den ganzen Clip zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Edit effects</source>
+        <translation>Effekte bearbeiten</translation>
+    </message>
+    <message>
+        <source>Reading the sequence</source>
+        <translation>Sequenz wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -1425,6 +1476,49 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>Lanes</name>
+    <message>
+        <source>{time} s</source>
+        <translation type="unfinished">{time} s</translation>
+    </message>
+    <message>
+        <source>Force x (right)</source>
+        <translation>Kraft x (rechts)</translation>
+    </message>
+    <message>
+        <source>Force y (up)</source>
+        <translation>Kraft y (oben)</translation>
+    </message>
+    <message>
+        <source>Force z (towards you)</source>
+        <translation>Kraft z (zu Ihnen)</translation>
+    </message>
+    <message>
+        <source>± {peak} N</source>
+        <translation>± {peak} N</translation>
+    </message>
+    <message>
+        <source>The clip has no sound</source>
+        <translation>Der Clip hat keinen Ton</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation type="unfinished">Ton</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>No events found</source>
+        <translation>Keine Ereignisse gefunden</translation>
+    </message>
+    <message>
+        <source>No effects</source>
+        <translation>Keine Effekte</translation>
+    </message>
+</context>
+<context>
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
@@ -1670,6 +1764,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Choose the library folder</source>
         <translation>Ordner der Bibliothek wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Effects…</source>
+        <translation>&amp;Effekte…</translation>
+    </message>
+    <message>
+        <source>Edit the effects</source>
+        <translation>Effekte bearbeiten</translation>
     </message>
     <message>
         <source>Change the title</source>
@@ -4941,6 +5043,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kann nicht überschrieben werden ({reason})</translation>
     </message>
     <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A second or more without motion</source>
         <translation>Eine Sekunde oder länger ohne Bewegung</translation>
     </message>
@@ -4961,8 +5067,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Amplitude am Anfang</translation>
     </message>
     <message>
+        <source>Artefact</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>BeamNG MotionSim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Kurven mit mindestens 0,15 g zur Seite</translation>
+    </message>
+    <message>
+        <source>Braking</source>
+        <translation>Bremsen</translation>
     </message>
     <message>
         <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
@@ -4971,6 +5089,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Changes only what would push a relaxed hand further than 26 mm from the centre.</source>
         <translation>Ändert nur, was eine entspannte Hand weiter als 26 mm aus der Mitte drücken würde.</translation>
+    </message>
+    <message>
+        <source>Codemasters extradata=3</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cut-off frequency</source>
@@ -5017,6 +5139,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Hochpass</translation>
     </message>
     <message>
+        <source>Impact</source>
+        <translation>Stoß</translation>
+    </message>
+    <message>
         <source>Impact of {peak_mps2:.1f} m/s²</source>
         <translation>Stoß von {peak_mps2:.1f} m/s²</translation>
     </message>
@@ -5031,6 +5157,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Knock (decaying sine)</source>
         <translation>Schlag (abklingender Sinus)</translation>
+    </message>
+    <message>
+        <source>Live for Speed OutSim</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Low-pass</source>
@@ -5077,6 +5207,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Messwerte fehlen</translation>
     </message>
     <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
         <source>Scaled</source>
         <translation>Skaliert</translation>
     </message>
@@ -5105,6 +5239,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ausreißer eines einzelnen Messwerts, wie ihn ein fehlerhafter Logger schreibt</translation>
     </message>
     <message>
+        <source>Stillness</source>
+        <translation>Stillstand</translation>
+    </message>
+    <message>
         <source>The accelerometer is at the end of its range</source>
         <translation>Der Beschleunigungssensor ist am Ende seines Messbereichs</translation>
     </message>
@@ -5115,6 +5253,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Track</source>
         <translation>Spur</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
@@ -5311,6 +5453,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>feedback {feedback} has no parameters</source>
         <translation>das Feedback {feedback} hat keine Parameter</translation>
+    </message>
+    <message>
+        <source>finding events</source>
+        <translation>Ereignisse werden gesucht</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -5657,6 +5803,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Lese die Kopie</translation>
     </message>
     <message>
+        <source>reading the sequence</source>
+        <translation>Sequenz wird gelesen</translation>
+    </message>
+    <message>
+        <source>reading the sound</source>
+        <translation>Ton wird gelesen</translation>
+    </message>
+    <message>
         <source>ready</source>
         <translation>bereit</translation>
     </message>
@@ -5731,6 +5885,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>repeats</source>
         <translation>wiederholt sich</translation>
+    </message>
+    <message>
+        <source>rig:{text}: {reason}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>row {number}</source>
@@ -6295,6 +6453,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the {title} was unplugged; plug it in and choose the device again</source>
         <translation>das Gerät ({title}) wurde abgezogen; stecken Sie es an, und wählen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>{word!r} is unknown; use {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a track {name!r} exists; choose another name</source>
@@ -7153,6 +7315,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name!r} ist keine Art von Effekt; wählen Sie eine von {names}</translation>
     </message>
     <message>
+        <source>{name!r} is not a packet format; use {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} ist kein einfacher Dateiname</translation>
     </message>
@@ -7327,6 +7493,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} von {count} Sitzungen sind simuliert: Niemand saß dort</translation>
+    </message>
+    <message>
+        <source>{text!r} is not HOST:PORT</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{text!r} is not a parameter; write NAME=VALUE</source>

@@ -56,6 +56,10 @@
         <translation>Re&amp;jouer un journal…</translation>
     </message>
     <message>
+        <source>Edit &amp;effects…</source>
+        <translation>Modifier les &amp;effets…</translation>
+    </message>
+    <message>
         <source>S&amp;hare…</source>
         <translation>Parta&amp;ger…</translation>
     </message>
@@ -473,6 +477,10 @@
         <translation>Rejouer les forces d’un journal</translation>
     </message>
     <message>
+        <source>Only the effects of a sequence can be edited: import the video first</source>
+        <translation>Seuls les effets d’une séquence peuvent être modifiés&#xa0;: importez d’abord la vidéo</translation>
+    </message>
+    <message>
         <source>Only a sequence can be shared: import the video first. A file that was shared with you can be sent on as it is.</source>
         <translation>Seule une séquence peut être partagée&#xa0;: importez d’abord la vidéo. Un fichier qu’on a partagé avec vous peut être transmis tel quel.</translation>
     </message>
@@ -491,6 +499,49 @@
     <message>
         <source>Import settings</source>
         <translation>Importer des réglages</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Temps</translation>
+    </message>
+    <message>
+        <source>Show less of the clip (+)</source>
+        <translation>Montrer moins du clip (+)</translation>
+    </message>
+    <message>
+        <source>Show more of the clip (−)</source>
+        <translation>Montrer plus du clip (−)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole clip</source>
+        <translation type="unfinished">Clip &amp;entier</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation type="unfinished">Montrer tout le clip</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Agrandir</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Réduire</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Fermer</translation>
+    </message>
+    <message>
+        <source>Edit effects</source>
+        <translation>Modifier les effets</translation>
+    </message>
+    <message>
+        <source>Reading the sequence</source>
+        <translation>Lecture de la séquence</translation>
     </message>
 </context>
 <context>
@@ -1425,6 +1476,49 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>Lanes</name>
+    <message>
+        <source>{time} s</source>
+        <translation type="unfinished">{time} s</translation>
+    </message>
+    <message>
+        <source>Force x (right)</source>
+        <translation>Force x (droite)</translation>
+    </message>
+    <message>
+        <source>Force y (up)</source>
+        <translation>Force y (haut)</translation>
+    </message>
+    <message>
+        <source>Force z (towards you)</source>
+        <translation>Force z (vers vous)</translation>
+    </message>
+    <message>
+        <source>± {peak} N</source>
+        <translation>± {peak} N</translation>
+    </message>
+    <message>
+        <source>The clip has no sound</source>
+        <translation>Le clip n’a pas de son</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation type="unfinished">Son</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>Ligne de temps</translation>
+    </message>
+    <message>
+        <source>No events found</source>
+        <translation>Aucun événement trouvé</translation>
+    </message>
+    <message>
+        <source>No effects</source>
+        <translation>Aucun effet</translation>
+    </message>
+</context>
+<context>
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
@@ -1670,6 +1764,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Choose the library folder</source>
         <translation>Choisir le dossier de la bibliothèque</translation>
+    </message>
+    <message>
+        <source>&amp;Effects…</source>
+        <translation>&amp;Effets…</translation>
+    </message>
+    <message>
+        <source>Edit the effects</source>
+        <translation>Modifier les effets</translation>
     </message>
     <message>
         <source>Change the title</source>
@@ -4941,6 +5043,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne peut pas être remplacé ({reason})</translation>
     </message>
     <message>
+        <source>, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A second or more without motion</source>
         <translation>Une seconde ou plus sans mouvement</translation>
     </message>
@@ -4961,8 +5067,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Amplitude au début</translation>
     </message>
     <message>
+        <source>Artefact</source>
+        <translation>Artefact</translation>
+    </message>
+    <message>
+        <source>BeamNG MotionSim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Virages d’au moins 0,15 g de côté</translation>
+    </message>
+    <message>
+        <source>Braking</source>
+        <translation>Freinage</translation>
     </message>
     <message>
         <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
@@ -4971,6 +5089,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Changes only what would push a relaxed hand further than 26 mm from the centre.</source>
         <translation>Ne change que ce qui pousserait une main détendue à plus de 26 mm du centre.</translation>
+    </message>
+    <message>
+        <source>Codemasters extradata=3</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cut-off frequency</source>
@@ -5017,6 +5139,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Passe-haut</translation>
     </message>
     <message>
+        <source>Impact</source>
+        <translation>Choc</translation>
+    </message>
+    <message>
         <source>Impact of {peak_mps2:.1f} m/s²</source>
         <translation>Choc de {peak_mps2:.1f} m/s²</translation>
     </message>
@@ -5031,6 +5157,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Knock (decaying sine)</source>
         <translation>Choc (sinus amorti)</translation>
+    </message>
+    <message>
+        <source>Live for Speed OutSim</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Low-pass</source>
@@ -5077,6 +5207,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Des échantillons manquent</translation>
     </message>
     <message>
+        <source>Saturation</source>
+        <translation>Saturation</translation>
+    </message>
+    <message>
         <source>Scaled</source>
         <translation>Mise à l’échelle</translation>
     </message>
@@ -5105,6 +5239,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Pic d’un seul échantillon, comme en écrit un enregistreur défaillant</translation>
     </message>
     <message>
+        <source>Stillness</source>
+        <translation>Immobilité</translation>
+    </message>
+    <message>
         <source>The accelerometer is at the end of its range</source>
         <translation>L’accéléromètre est au bout de sa plage de mesure</translation>
     </message>
@@ -5115,6 +5253,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Track</source>
         <translation>Piste</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Virage</translation>
     </message>
     <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
@@ -5311,6 +5453,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>feedback {feedback} has no parameters</source>
         <translation>le retour {feedback} n’a pas de paramètres</translation>
+    </message>
+    <message>
+        <source>finding events</source>
+        <translation>recherche d’événements</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -5657,6 +5803,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>lecture de la copie</translation>
     </message>
     <message>
+        <source>reading the sequence</source>
+        <translation>lecture de la séquence</translation>
+    </message>
+    <message>
+        <source>reading the sound</source>
+        <translation>lecture du son</translation>
+    </message>
+    <message>
         <source>ready</source>
         <translation>prêt</translation>
     </message>
@@ -5731,6 +5885,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>repeats</source>
         <translation>se répète</translation>
+    </message>
+    <message>
+        <source>rig:{text}: {reason}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>row {number}</source>
@@ -6295,6 +6453,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the {title} was unplugged; plug it in and choose the device again</source>
         <translation>l’appareil ({title}) a été débranché&#xa0;; rebranchez-le et choisissez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>{word!r} is unknown; use {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a track {name!r} exists; choose another name</source>
@@ -7153,6 +7315,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name!r} n’est pas un type d’effet&#xa0;; choisissez parmi {names}</translation>
     </message>
     <message>
+        <source>{name!r} is not a packet format; use {known}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
     </message>
@@ -7327,6 +7493,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} séances sur {count} sont simulées&#xa0;: personne n’y était</translation>
+    </message>
+    <message>
+        <source>{text!r} is not HOST:PORT</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{text!r} is not a parameter; write NAME=VALUE</source>
