@@ -23,7 +23,7 @@ from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import Line, Received, Word, close_descriptor
 from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.step import step
-from hapticplayer.haptics.track import LoadedTrack, map_track
+from hapticplayer.haptics.track import AnyTrack, map_track
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import DeviceReading, Vector
 
@@ -74,11 +74,11 @@ class Loop:
     def __post_init__(self) -> None:
         self.state = State()
         self.count = 0
-        self._tracks: dict[int, LoadedTrack] = {}
-        self._unchecked: dict[int, LoadedTrack] = {}
-        self._newer: dict[int, LoadedTrack] = {}  # than the unchecked ones
+        self._tracks: dict[int, AnyTrack] = {}
+        self._unchecked: dict[int, AnyTrack] = {}
+        self._newer: dict[int, AnyTrack] = {}  # than the unchecked ones
         self._playback: PlaybackClock | None = None
-        self._track: LoadedTrack | None = None
+        self._track: AnyTrack | None = None
         self._clock_count = 0
         self._request = Request.NONE
         self._is_asked_to_quit = False

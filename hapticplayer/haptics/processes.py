@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
+from hapticplayer.haptics.filling import FillingTrack
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.messages import Line, Word, signal_alarm
 from hapticplayer.haptics.recorder import Recording
@@ -203,7 +204,7 @@ class HapticsProcesses:
         """Report that the main thread is alive; call it at least at 10 Hz."""
         self.block.beat(self._clock.now_s())
 
-    def load(self, tracks: Mapping[str, ForceTrack]) -> None:
+    def load(self, tracks: Mapping[str, ForceTrack | FillingTrack]) -> None:
         """Hand over tracks by name, in place of those before."""
         if self._line is None:
             return
@@ -215,7 +216,7 @@ class HapticsProcesses:
             self._next_track_id += 1
             self.replace(name, track)
 
-    def replace(self, name: str, track: ForceTrack) -> None:
+    def replace(self, name: str, track: ForceTrack | FillingTrack) -> None:
         """Hand over another version of a track, also while it plays.
 
         The loop plays the old one until the new one is checked (10,000 numbers a tick,
@@ -224,7 +225,10 @@ class HapticsProcesses:
         """
         if self._line is None:
             return
-        descriptor = to_shared_memory(track)
+        if isinstance(track, FillingTrack):
+            descriptor = track.to_shared_memory()
+        else:
+            descriptor = to_shared_memory(track)
         self._line.send(Word.TRACK, str(self._track_ids[name]), descriptor)
         os.close(descriptor)
 

@@ -7,13 +7,14 @@ import struct
 from bisect import bisect_right
 from typing import TYPE_CHECKING
 
+from hapticplayer.haptics.arriving import ARRIVING, ArrivingTrack
 from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.model.device import Vector
 
 if TYPE_CHECKING:  # the loop, which loads this, has no numpy
     from hapticplayer.model import ForceTrack
 
-_HEADER = struct.Struct("<QQQ")  # rows, spans, 1 when the track is HOLD
+_HEADER = struct.Struct("<QQQ")  # rows, spans, 1 when the track is HOLD; see `arriving`
 MAX_ROWS = 50_000_000  # fourteen hours at 1 kHz
 
 
@@ -88,6 +89,9 @@ class LoadedTrack:
         return row
 
 
+AnyTrack = LoadedTrack | ArrivingTrack
+
+
 def to_shared_memory(track: "ForceTrack") -> int:
     """Return the descriptor of a memory block that holds the track, owned by the caller."""
     from hapticplayer.model import Reconstruction
@@ -102,7 +106,7 @@ def to_shared_memory(track: "ForceTrack") -> int:
     return descriptor
 
 
-def map_track(descriptor: int) -> LoadedTrack:
+def map_track(descriptor: int) -> AnyTrack:
     """Return the track behind a descriptor; its numbers are still to be checked.
 
     Raises:
@@ -112,7 +116,8 @@ def map_track(descriptor: int) -> LoadedTrack:
     if size < _HEADER.size:
         raise ValueError("it does not match its shared memory")
     block = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
-    return LoadedTrack(block)
+    is_arriving = _HEADER.unpack_from(block, 0)[2] == ARRIVING
+    return ArrivingTrack(block) if is_arriving else LoadedTrack(block)
 
 
 def anonymous_memory(name: str, size: int) -> int:

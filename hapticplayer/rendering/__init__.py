@@ -20,7 +20,12 @@ from hapticplayer.rendering.feedback import (
     no_feedback,
     random_feedback,
 )
-from hapticplayer.rendering.force import adapted, fit_gain, render_force
+from hapticplayer.rendering.force import (
+    adapted,
+    device_gain,
+    fit_gain,
+    render_force,
+)
 from hapticplayer.rendering.lever_arm import LEVER_ARMS_M, at_point
 
 __all__ = [
@@ -38,6 +43,7 @@ __all__ = [
     "condition_named",
     "coverage_notice",
     "demonstration",
+    "device_gain",
     "fit_gain",
     "no_feedback",
     "random_feedback",
