@@ -1679,8 +1679,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>etwa {peak} N Spitze, {rms} N RMS…</translation>
     </message>
     <message>
-        <source>{peak} N peak, {rms} N RMS, {share} of the samples at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N Spitze, {rms} N RMS, {share} der Werte an der Grenze; genutzter Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
+        <source>{peak} N peak, {rms} N RMS, {share} of the time at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N Spitze, {rms} N RMS, {share} der Zeit an der Grenze; genutzter Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
     </message>
     <message>
         <source>the force would be stopped</source>

@@ -1679,8 +1679,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>environ {peak} N crête, {rms} N RMS…</translation>
     </message>
     <message>
-        <source>{peak} N peak, {rms} N RMS, {share} of the samples at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N crête, {rms} N RMS, {share} des valeurs à la limite&#xa0;; espace utilisé&#xa0;: main relâchée {relaxed}, normale {normal}, ferme {firm}</translation>
+        <source>{peak} N peak, {rms} N RMS, {share} of the time at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N crête, {rms} N RMS, {share} du temps à la limite&#xa0;; espace utilisé&#xa0;: main relâchée {relaxed}, normale {normal}, ferme {firm}</translation>
     </message>
     <message>
         <source>the force would be stopped</source>

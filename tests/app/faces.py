@@ -53,7 +53,7 @@ from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
 from hapticplayer.errors import DeviceError
 from hapticplayer.playback.player import Player
-from hapticplayer.sequence.editing import GainPreview
+from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.preflight import SessionCheck
 
@@ -155,7 +155,7 @@ def _library_with_gain(window: PlayerWindow) -> LibraryPage:
     page = LibraryPage(_library(window), window)
     reaches = {"relaxed": 0.88, "normal": 0.55, "firm": 0.44}
     page.details.show_preview(
-        GainPreview(4.5, 1.19, 0.037, reaches, ("relaxed", "normal"))
+        ForceFigures(4.5, 1.19, 0.037, reaches, ("relaxed", "normal"))
     )
     return page
 
