@@ -1,7 +1,7 @@
 """What each device can do; apart, so that choosing a device loads no driver."""
 
 from hapticplayer.devices.gamepad.rumble import FULL_N
-from hapticplayer.model.device import DeviceCapabilities
+from hapticplayer.model.device import DeviceCapabilities, Signal
 
 FALCON = DeviceCapabilities(
     axes=3,
@@ -19,4 +19,14 @@ GAMEPAD = DeviceCapabilities(
     workspace_radius_m=0.04,  # nominal: it stays in the middle
     rate_hz=100.0,
     latency_s=0.010,
+)
+
+RIG = DeviceCapabilities(
+    axes=6,  # surge, sway, heave, roll, pitch, yaw
+    peak_force_n=0.0,
+    continuous_force_n=0.0,
+    workspace_radius_m=0.0,
+    rate_hz=200.0,  # unless a person chooses another one, 50 to 500
+    latency_s=0.0,  # not known: the software of the rig decides
+    signal=Signal.MOTION,
 )

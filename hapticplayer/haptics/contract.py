@@ -295,9 +295,11 @@ TRANSITIONS: dict[Mode, tuple[Mode, Mode, Mode]] = {
 }
 
 
-def assess(situation: Situation) -> tuple[Reaction, Cause]:
+def assess(
+    situation: Situation, rules: tuple[Rule, ...] = RULES
+) -> tuple[Reaction, Cause]:
     """Return what the first rule that holds asks for."""
-    for cause, reaction, holds in RULES:
+    for cause, reaction, holds in rules:
         if holds(situation):
             return reaction, cause
     return Reaction.GO, Cause.NONE

@@ -1,9 +1,17 @@
 """What a haptic device can do, and snapshots that a front end polls."""
 
+import enum
 from dataclasses import dataclass
 from typing import NamedTuple
 
 Vector = tuple[float, float, float]
+
+
+class Signal(enum.StrEnum):
+    """What a device is told."""
+
+    FORCE = "force"
+    MOTION = "motion"
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,6 +25,7 @@ class DeviceCapabilities:
         workspace_radius_m: radius of the usable sphere around its centre.
         rate_hz: rate of the exchange.
         latency_s: from command to force, typical.
+        signal: a force in newtons, or a `RigMotion`; forces are 0 for the latter.
     """
 
     axes: int
@@ -25,6 +34,7 @@ class DeviceCapabilities:
     workspace_radius_m: float
     rate_hz: float
     latency_s: float
+    signal: Signal = Signal.FORCE
 
 
 class DeviceReading(NamedTuple):

@@ -27,6 +27,7 @@ from hapticplayer.rendering.force import (
     render_force,
 )
 from hapticplayer.rendering.lever_arm import LEVER_ARMS_M, at_point
+from hapticplayer.rendering.rig import rig_track
 
 __all__ = [
     "FEEDBACKS",
@@ -49,5 +50,6 @@ __all__ = [
     "random_feedback",
     "refuse_late",
     "render_force",
+    "rig_track",
     "shifted_and_scaled",
 ]
