@@ -3,7 +3,7 @@
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.devices.falcon.protocol import Command, Reply, Words
-from hapticplayer.devices.gamepad.ports import Port
+from hapticplayer.devices.paced import Port
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceReading, Vector
 from hapticplayer.simulation.falcon.packets import Act, Control
@@ -118,15 +118,17 @@ class BenchMechanics:
         return Reply(self.counts, self.buttons, self.homed)
 
 
-class DirectOutlet:
-    """Writes to a game pad in the caller's thread, which may have to wait."""
+class DirectWriter:
+    """Writes to a paced device in the caller's thread, which may have to wait."""
+
+    is_waiting = False
 
     def __init__(self, port: Port) -> None:
         self._port = port
 
-    def post(self, report: bytes) -> None:
-        """Send a report."""
-        self._port.write(report)
+    def post(self, command: bytes) -> None:
+        """Send a command."""
+        self._port.write(command)
 
     def stop(self) -> None:
         """There is nothing to poll."""

@@ -6,6 +6,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
 from app.player.homing_view import leg_names
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.devices.falcon.firmware import FirmwareMissingError
 from hapticplayer.devices.falcon.homing import Advice
 from hapticplayer.devices.falcon.setting_up import Progress, Step
@@ -148,7 +149,21 @@ def needs_nothing(device: str) -> tuple[str, str]:
             "Connect a DualSense or DualShock 4 by USB cable. Its vibration "
             "follows the strength of the force, not its direction.",
         )
-    return title, translate("SetupTexts", "The clip plays without force.")
+    if kind == "wheel":
+        return title, translate(
+            "SetupTexts",
+            "Connect a wheel or joystick with a motor. It exerts one axis of the force, "
+            "by default sideways; wheel:axis=y on the command line chooses another.",
+        )
+    if kind == "rumble":
+        return title, translate(
+            "SetupTexts",
+            "Connect a game pad that Linux can rumble. Its vibration follows the "
+            "strength of the force, not its direction.",
+        )
+    if kind == NO_DEVICE:
+        return title, translate("SetupTexts", "The clip plays without force.")
+    return title, translate("SetupTexts", "Connect it as its maker says.")
 
 
 def licence() -> str:

@@ -138,7 +138,8 @@ def info(options: argparse.Namespace) -> int:
         return 0
     say(f"{entry.title}")
     for name, value in report["capabilities"].items():
-        say(f"  {name:<22}{value:g}")
+        shown = ("no", "yes")[value] if isinstance(value, bool) else f"{value:g}"
+        say(f"  {name:<22}{shown}")
     for name in ("firmware", "kept_firmware", "homed", "position_m", "buttons"):
         if name in report:
             say(f"  {name:<22}{report[name]}")

@@ -6,7 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from hapticplayer.cli.common import interruptible, say, shown_progress
-from hapticplayer.cli.figures import say_figures
 from hapticplayer.errors import UsageError
 from hapticplayer.rendering.condition import Value
 from hapticplayer.rendering.effects import (
@@ -19,7 +18,6 @@ from hapticplayer.rendering.effects import (
 )
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import set_effects
-from hapticplayer.sequence.figures import sequence_figures
 
 _KINDS = "; ".join(
     f"{kind.name}: {', '.join(one.name for one in kind.parameters) or 'no parameters'}"
@@ -88,10 +86,8 @@ def _add_new(new: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Show or change the effects of a sequence."""
     folder = Path(options.sequence)
-    sequence = open_sequence(folder)
-    effects = store.effects_of(sequence)
-    is_changed = options.action != "list"
-    if is_changed:
+    effects = store.effects_of(open_sequence(folder))
+    if options.action != "list":
         effects = _changed(effects, options)
         with interruptible(), shown_progress() as progress:
             set_effects(folder, effects, progress=progress)
@@ -101,9 +97,6 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     for number, effect in enumerate(effects.effects, 1):
         say(f"{number:3d}  {effect.described()}{'' if effect.enabled else ' (off)'}")
     say(f"{len(effects)} effects")
-    if is_changed:
-        after = sequence_figures(open_sequence(folder))
-        say_figures(sequence_figures(sequence), after)
     return 0
 
 

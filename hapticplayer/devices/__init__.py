@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Protocol
 
-from hapticplayer.devices.capabilities import FALCON, GAMEPAD, RIG
+from hapticplayer.devices.capabilities import FALCON, GAMEPAD, RUMBLE, WHEEL
 from hapticplayer.errors import DeviceError, Message, joined
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
@@ -54,8 +54,9 @@ class DeviceEntry:
         capabilities: what it can do.
         driver: called with a descriptor, and with a serial number where there may be
             several, returns the `HapticDevice`, not yet open.
-        silencer: called with a descriptor by the guard, returns what writes one zero
-            command; False from it means that there is nothing left to silence.
+        silencer: called by the guard with what `driver` is called with, returns what
+            writes one zero command; False from it means that there is nothing left to
+            silence.
         server: module that is run as a process of its own; loop and guard both hold
             the other end of its line. "" for real hardware: then they hold the two
             ends of one line, along which the loop may pass what the guard needs.
@@ -65,12 +66,9 @@ class DeviceEntry:
         has_serials: whether it can be chosen as `name:serial`.
         is_for_developers: whether windows leave it out.
         patience_s: longest time that opening it may take.
-        release_s: longest time that bringing it to rest may take.
-        serial: the one that was chosen.
-        settings: called with what follows the name and a colon, in place of a serial
-            number; raises DeviceError for what is not allowed.
-        loop: class of the loop in the device's process; "" for the 1 kHz loop.
-        guard: what makes the loop's guard; "" for the one that writes zero.
+        record: called with what follows `name:`, returns the capabilities with these
+            options, or raises DeviceError; "" where they are always the same.
+        serial: the one that was chosen, or its options.
     """
 
     name: str
@@ -85,22 +83,21 @@ class DeviceEntry:
     has_serials: bool = False
     is_for_developers: bool = False
     patience_s: float = 10.0
-    release_s: float = 2.0
+    record: str = ""
     serial: str = ""
-    settings: str = ""
-    loop: str = ""
-    guard: str = ""
 
     def make(self, descriptor: int) -> HapticDevice:
         """Return the device, not yet open."""
-        more = (self.serial,) if self.serial else ()
-        made: HapticDevice = load(self.driver)(descriptor, *more)
+        made: HapticDevice = load(self.driver)(*self._chosen(descriptor))
         return made
 
     def silence(self, descriptor: int) -> Callable[[], bool]:
         """Return what writes one zero command."""
-        silencer: Callable[[], bool] = load(self.silencer)(descriptor)
+        silencer: Callable[[], bool] = load(self.silencer)(*self._chosen(descriptor))
         return silencer
+
+    def _chosen(self, descriptor: int) -> tuple[int] | tuple[int, str]:
+        return (descriptor, self.serial) if self.serial else (descriptor,)
 
 
 _SIMULATED = "hapticplayer.simulation"
@@ -147,26 +144,28 @@ _BUILT_IN = (
         "hapticplayer.devices.gamepad.driver:make",
         "hapticplayer.devices.gamepad.driver:silence",
     ),
+    DeviceEntry(
+        "wheel",
+        Message("Wheel"),
+        "wheel or joystick with a motor (Linux): one axis, no newtons",
+        WHEEL,
+        "hapticplayer.devices.evdev.driver:make_wheel",
+        "hapticplayer.devices.evdev.driver:silence_wheel",
+        has_serials=True,
+        record="hapticplayer.devices.evdev.options:capabilities_of",
+    ),
+    DeviceEntry(
+        "rumble",
+        Message("Rumble"),
+        "game pad or joystick that the kernel can rumble (Linux): vibration only",
+        RUMBLE,
+        "hapticplayer.devices.evdev.driver:make_rumble",
+        "hapticplayer.devices.evdev.driver:silence_rumble",
+        has_serials=True,
+    ),
 )
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
 """Those of this package; `installed_devices` has also those of others."""
-
-_RIG = "hapticplayer.haptics.rig"
-OUTLETS: dict[str, DeviceEntry] = {
-    "rig": DeviceEntry(
-        "rig",
-        Message("Motion rig"),
-        "software of a motion rig, spoken to as a game does by UDP",
-        RIG,
-        "hapticplayer.devices.rig.sender:make",
-        "",
-        release_s=4.0,
-        settings="hapticplayer.devices.rig.settings:rig_settings",
-        loop=f"{_RIG}.loop:RigLoop",
-        guard=f"{_RIG}.guard:make",
-    )
-}
-"""What plays beside a device, or without one, and takes no force."""
 
 
 @cache
@@ -199,22 +198,19 @@ def device_names() -> list[str]:
 
 
 def find_device(name: str) -> DeviceEntry:
-    """Return the device or outlet of that name, or name:serial, or name:settings.
-
-    Raises:
-        DeviceError: for others.
-    """
+    """Return the device of that name, or name:serial; raises DeviceError for others."""
     kind, _, serial = name.partition(":")
-    entry = DEVICES.get(kind) or OUTLETS.get(kind) or installed_devices().get(kind)
-    if entry is not None and entry.settings:
-        load(entry.settings)(serial)
-    elif entry is None or (serial and not entry.has_serials):
+    entry = DEVICES.get(kind) or installed_devices().get(kind)
+    if entry is None or (serial and not entry.has_serials):
         raise DeviceError(
             "device {name!r}: this version has no driver for it; use {known}",
             name=name,
             known=joined(Message(" or "), installed_devices()),
         )
-    return replace(entry, name=name, serial=serial) if serial else entry
+    if not serial:
+        return entry
+    record = load(entry.record)(serial) if entry.record else entry.capabilities
+    return replace(entry, name=name, serial=serial, capabilities=record)
 
 
 def load(where: str) -> Any:

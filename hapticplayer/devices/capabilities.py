@@ -1,7 +1,9 @@
 """What each device can do; apart, so that choosing a device loads no driver."""
 
+from dataclasses import replace
+
 from hapticplayer.devices.gamepad.rumble import FULL_N
-from hapticplayer.model.device import DeviceCapabilities, Signal
+from hapticplayer.model.device import DeviceCapabilities
 
 FALCON = DeviceCapabilities(
     axes=3,
@@ -19,14 +21,17 @@ GAMEPAD = DeviceCapabilities(
     workspace_radius_m=0.04,  # nominal: it stays in the middle
     rate_hz=100.0,
     latency_s=0.010,
+    has_newtons=False,
 )
 
-RIG = DeviceCapabilities(
-    axes=6,  # surge, sway, heave, roll, pitch, yaw
-    peak_force_n=0.0,
-    continuous_force_n=0.0,
-    workspace_radius_m=0.0,
-    rate_hz=200.0,  # unless a person chooses another one, 50 to 500
-    latency_s=0.0,  # not known: the software of the rig decides
-    signal=Signal.MOTION,
+WHEEL = DeviceCapabilities(
+    axes=1,
+    peak_force_n=FULL_N,  # nominal: all that its motor can
+    continuous_force_n=FULL_N,
+    workspace_radius_m=0.04,  # nominal: it stays in the middle
+    rate_hz=250.0,  # USB wheels take 100 to 500 updates a second
+    latency_s=0.008,
+    has_newtons=False,
 )
+
+RUMBLE = replace(GAMEPAD, latency_s=0.015)

@@ -1,17 +1,9 @@
 """What a haptic device can do, and snapshots that a front end polls."""
 
-import enum
 from dataclasses import dataclass
 from typing import NamedTuple
 
 Vector = tuple[float, float, float]
-
-
-class Signal(enum.StrEnum):
-    """What a device is told."""
-
-    FORCE = "force"
-    MOTION = "motion"
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,13 +11,15 @@ class DeviceCapabilities:
     """Limits of a device, SI.
 
     Attributes:
-        axes: number of axes with force.
+        axes: number of axes with force, of x, y, z from `first_axis` on.
         peak_force_n: largest force for a short time.
         continuous_force_n: largest force for ever.
         workspace_radius_m: radius of the usable sphere around its centre.
         rate_hz: rate of the exchange.
         latency_s: from command to force, typical.
-        signal: a force in newtons, or a `RigMotion`; forces are 0 for the latter.
+        first_axis: 0, 1, 2 for x, y, z.
+        has_newtons: whether a force of 1 N is 1 N; else it is a share of what the
+            device can do.
     """
 
     axes: int
@@ -34,7 +28,8 @@ class DeviceCapabilities:
     workspace_radius_m: float
     rate_hz: float
     latency_s: float
-    signal: Signal = Signal.FORCE
+    first_axis: int = 0
+    has_newtons: bool = True
 
 
 class DeviceReading(NamedTuple):

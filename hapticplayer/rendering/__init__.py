@@ -20,14 +20,8 @@ from hapticplayer.rendering.feedback import (
     no_feedback,
     random_feedback,
 )
-from hapticplayer.rendering.force import (
-    adapted,
-    device_gain,
-    fit_gain,
-    render_force,
-)
+from hapticplayer.rendering.force import adapted, fit_gain, render_force
 from hapticplayer.rendering.lever_arm import LEVER_ARMS_M, at_point
-from hapticplayer.rendering.rig import rig_track
 
 __all__ = [
     "FEEDBACKS",
@@ -44,12 +38,10 @@ __all__ = [
     "condition_named",
     "coverage_notice",
     "demonstration",
-    "device_gain",
     "fit_gain",
     "no_feedback",
     "random_feedback",
     "refuse_late",
     "render_force",
-    "rig_track",
     "shifted_and_scaled",
 ]

@@ -56,7 +56,8 @@ def demonstration(
             without direction only gets the strengths.
     """
     cap_n = min(DEFAULT_FORCE_LIMIT_N, capabilities.peak_force_n)
-    names = list(_DIRECTIONS)[: 2 * capabilities.axes] or [NO_DIRECTION]
+    first, axes = capabilities.first_axis, capabilities.axes
+    names = list(_DIRECTIONS)[2 * first : 2 * (first + axes)] or [NO_DIRECTION]
     length_s = 2 * RISE_S + HOLD_S
     steps, begin_s = [], LEAD_S
     for strength in STRENGTHS:

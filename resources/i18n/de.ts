@@ -56,10 +56,6 @@
         <translation>&amp;Protokoll abspielen…</translation>
     </message>
     <message>
-        <source>Edit &amp;effects…</source>
-        <translation>&amp;Effekte bearbeiten…</translation>
-    </message>
-    <message>
         <source>S&amp;hare…</source>
         <translation>&amp;Teilen…</translation>
     </message>
@@ -477,10 +473,6 @@
         <translation>Kräfte eines Protokolls abspielen</translation>
     </message>
     <message>
-        <source>Only the effects of a sequence can be edited: import the video first</source>
-        <translation>Nur die Effekte einer Sequenz lassen sich bearbeiten: Video zuerst importieren</translation>
-    </message>
-    <message>
         <source>Only a sequence can be shared: import the video first. A file that was shared with you can be sent on as it is.</source>
         <translation>Nur eine Sequenz kann geteilt werden: Importieren Sie das Video zuerst. Eine Datei, die mit Ihnen geteilt wurde, können Sie weitergeben, wie sie ist.</translation>
     </message>
@@ -499,49 +491,6 @@
     <message>
         <source>Import settings</source>
         <translation>Einstellungen importieren</translation>
-    </message>
-</context>
-<context>
-    <name>EditorPage</name>
-    <message>
-        <source>Time</source>
-        <translation type="unfinished">Zeit</translation>
-    </message>
-    <message>
-        <source>Show less of the clip (+)</source>
-        <translation>Weniger vom Clip zeigen (+)</translation>
-    </message>
-    <message>
-        <source>Show more of the clip (−)</source>
-        <translation>Mehr vom Clip zeigen (−)</translation>
-    </message>
-    <message>
-        <source>&amp;Whole clip</source>
-        <translation type="unfinished">&amp;Ganzer Clip</translation>
-    </message>
-    <message>
-        <source>Show the whole clip</source>
-        <translation type="unfinished">Den ganzen Clip zeigen</translation>
-    </message>
-    <message>
-        <source>Zoom in</source>
-        <translation>Vergrößern</translation>
-    </message>
-    <message>
-        <source>Zoom out</source>
-        <translation>Verkleinern</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
-    </message>
-    <message>
-        <source>Edit effects</source>
-        <translation>Effekte bearbeiten</translation>
-    </message>
-    <message>
-        <source>Reading the sequence</source>
-        <translation>Sequenz wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -1476,49 +1425,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
-    <name>Lanes</name>
-    <message>
-        <source>{time} s</source>
-        <translation type="unfinished">{time} s</translation>
-    </message>
-    <message>
-        <source>Force x (right)</source>
-        <translation>Kraft x (rechts)</translation>
-    </message>
-    <message>
-        <source>Force y (up)</source>
-        <translation>Kraft y (oben)</translation>
-    </message>
-    <message>
-        <source>Force z (towards you)</source>
-        <translation>Kraft z (zu Ihnen)</translation>
-    </message>
-    <message>
-        <source>± {peak} N</source>
-        <translation>± {peak} N</translation>
-    </message>
-    <message>
-        <source>The clip has no sound</source>
-        <translation>Der Clip hat keinen Ton</translation>
-    </message>
-    <message>
-        <source>Sound</source>
-        <translation type="unfinished">Ton</translation>
-    </message>
-    <message>
-        <source>Time line</source>
-        <translation>Zeitleiste</translation>
-    </message>
-    <message>
-        <source>No events found</source>
-        <translation>Keine Ereignisse gefunden</translation>
-    </message>
-    <message>
-        <source>No effects</source>
-        <translation>Keine Effekte</translation>
-    </message>
-</context>
-<context>
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
@@ -1679,8 +1585,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>etwa {peak} N Spitze, {rms} N RMS…</translation>
     </message>
     <message>
-        <source>{peak} N peak, {rms} N RMS, {share} of the time at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N Spitze, {rms} N RMS, {share} der Zeit an der Grenze; genutzter Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
+        <source>{peak} N peak, {rms} N RMS, {share} of the samples at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N Spitze, {rms} N RMS, {share} der Werte an der Grenze; genutzter Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
     </message>
     <message>
         <source>the force would be stopped</source>
@@ -1764,14 +1670,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Choose the library folder</source>
         <translation>Ordner der Bibliothek wählen</translation>
-    </message>
-    <message>
-        <source>&amp;Effects…</source>
-        <translation>&amp;Effekte…</translation>
-    </message>
-    <message>
-        <source>Edit the effects</source>
-        <translation>Effekte bearbeiten</translation>
     </message>
     <message>
         <source>Change the title</source>
@@ -2750,6 +2648,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Connect a DualSense or DualShock 4 by USB cable. Its vibration follows the strength of the force, not its direction.</source>
         <translation>Schließen Sie einen DualSense oder DualShock 4 per USB-Kabel an. Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
+    </message>
+    <message>
+        <source>Connect a wheel or joystick with a motor. It exerts one axis of the force, by default sideways; wheel:axis=y on the command line chooses another.</source>
+        <translation>Schließen Sie ein Lenkrad oder einen Joystick mit Motor an. Es übt eine Achse der Kraft aus, üblicherweise seitlich; wheel:axis=y auf der Kommandozeile wählt eine andere.</translation>
+    </message>
+    <message>
+        <source>Connect a game pad that Linux can rumble. Its vibration follows the strength of the force, not its direction.</source>
+        <translation>Schließen Sie ein Gamepad an, das Linux vibrieren lassen kann. Seine Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
+    </message>
+    <message>
+        <source>Connect it as its maker says.</source>
+        <translation>Schließen Sie es nach Anleitung des Herstellers an.</translation>
     </message>
     <message>
         <source>The Falcon&apos;s firmware belongs to Novint Technologies. libnifalcon distributes it under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): free of charge for personal, noncommercial use, binding for every recipient. Read that licence; by continuing you confirm that you may use this file. It stays on this computer.</source>
@@ -5047,6 +4957,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>/dev/input/{node}: it has no such force feedback; devices that have: {known}</source>
+        <translation>/dev/input/{node}: hat keine solche Kraftrückmeldung; Geräte, die sie haben: {known}</translation>
+    </message>
+    <message>
         <source>A second or more without motion</source>
         <translation>Eine Sekunde oder länger ohne Bewegung</translation>
     </message>
@@ -5067,20 +4981,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Amplitude am Anfang</translation>
     </message>
     <message>
-        <source>Artefact</source>
-        <translation>Störung</translation>
-    </message>
-    <message>
         <source>BeamNG MotionSim</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Kurven mit mindestens 0,15 g zur Seite</translation>
-    </message>
-    <message>
-        <source>Braking</source>
-        <translation>Bremsen</translation>
     </message>
     <message>
         <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
@@ -5137,10 +5043,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>High-pass</source>
         <translation>Hochpass</translation>
-    </message>
-    <message>
-        <source>Impact</source>
-        <translation>Stoß</translation>
     </message>
     <message>
         <source>Impact of {peak_mps2:.1f} m/s²</source>
@@ -5203,12 +5105,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Rampe</translation>
     </message>
     <message>
-        <source>Samples are missing</source>
-        <translation>Messwerte fehlen</translation>
+        <source>Rumble</source>
+        <translation>Vibration</translation>
     </message>
     <message>
-        <source>Saturation</source>
-        <translation>Sättigung</translation>
+        <source>Samples are missing</source>
+        <translation>Messwerte fehlen</translation>
     </message>
     <message>
         <source>Scaled</source>
@@ -5239,10 +5141,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ausreißer eines einzelnen Messwerts, wie ihn ein fehlerhafter Logger schreibt</translation>
     </message>
     <message>
-        <source>Stillness</source>
-        <translation>Stillstand</translation>
-    </message>
-    <message>
         <source>The accelerometer is at the end of its range</source>
         <translation>Der Beschleunigungssensor ist am Ende seines Messbereichs</translation>
     </message>
@@ -5255,10 +5153,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Spur</translation>
     </message>
     <message>
-        <source>Turn</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
         <translation>Linkskurve mit bis zu {level_mps2:.1f} m/s² für {length_s:.1f} s</translation>
     </message>
@@ -5269,6 +5163,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Up to</source>
         <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Lenkrad</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -5399,6 +5297,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>curve: {kind} nimmt höchstens {most} Punkte</translation>
     </message>
     <message>
+        <source>device option {part!r}: not known; use event5 (a name in /dev/input), axis=x, y or z, full=N (0.5 to 20 newtons of the track), sign=+ or -</source>
+        <translation>Geräteoption {part!r}: unbekannt; verwenden Sie event5 (ein Name in /dev/input), axis=x, y oder z, full=N (0,5 bis 20 Newton der Spur), sign=+ oder -</translation>
+    </message>
+    <message>
         <source>direction: must be three numbers that are not all zero</source>
         <translation>direction: muss aus drei Zahlen bestehen, die nicht alle null sind</translation>
     </message>
@@ -5453,10 +5355,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>feedback {feedback} has no parameters</source>
         <translation>das Feedback {feedback} hat keine Parameter</translation>
-    </message>
-    <message>
-        <source>finding events</source>
-        <translation>Ereignisse werden gesucht</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -5695,6 +5593,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>braucht eine zweite Sequenz, deren Kraft gespürt wird</translation>
     </message>
     <message>
+        <source>no device with such force feedback is plugged in; connect it, and see whether its driver is loaded</source>
+        <translation>kein Gerät mit solcher Kraftrückmeldung ist angeschlossen; schließen Sie es an und prüfen Sie, ob sein Treiber geladen ist</translation>
+    </message>
+    <message>
         <source>no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
         <translation>keine Richtung in der Datei: x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
     </message>
@@ -5801,14 +5703,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>reading the copy</source>
         <translation>Lese die Kopie</translation>
-    </message>
-    <message>
-        <source>reading the sequence</source>
-        <translation>Sequenz wird gelesen</translation>
-    </message>
-    <message>
-        <source>reading the sound</source>
-        <translation>Ton wird gelesen</translation>
     </message>
     <message>
         <source>ready</source>
@@ -6115,6 +6009,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Grenzfrequenz</translation>
     </message>
     <message>
+        <source>the device is not open; choose the device again</source>
+        <translation>das Gerät ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
         <source>the excursion that a normal hand would make; no newtons</source>
         <translation>die Auslenkung, die eine normale Hand machen würde; keine Newton</translation>
     </message>
@@ -6195,8 +6093,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Format von {name!r} ist unbekannt; wählen Sie eines von {known}</translation>
     </message>
     <message>
-        <source>the game pad is not open; choose the device again</source>
-        <translation>das Gamepad ist nicht geöffnet; wählen Sie das Gerät noch einmal</translation>
+        <source>{word!r} is unknown; use {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the grip did not give way to 1 N; hold it more loosely</source>
@@ -6453,10 +6351,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the {title} was unplugged; plug it in and choose the device again</source>
         <translation>das Gerät ({title}) wurde abgezogen; stecken Sie es an, und wählen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>{word!r} is unknown; use {known}</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a track {name!r} exists; choose another name</source>
@@ -7505,6 +7399,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{title} has no realistic feedback to make {name!r} of; import it first</source>
         <translation>{title} hat kein realistisches Feedback, aus dem {name!r} entstehen kann; importieren Sie den Clip zuerst</translation>
+    </message>
+    <message>
+        <source>{title} was unplugged; plug it in and choose the device again</source>
+        <translation>{title} wurde getrennt; schließen Sie es an und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>{title}: permission denied for {path}; add yourself to the group input and log in again</source>
+        <translation>{title}: kein Zugriff auf {path}; nehmen Sie sich in die Gruppe input auf und melden Sie sich neu an</translation>
     </message>
     <message>
         <source>{value!r} is not a sequence of this study</source>

@@ -56,10 +56,6 @@
         <translation>Re&amp;jouer un journal…</translation>
     </message>
     <message>
-        <source>Edit &amp;effects…</source>
-        <translation>Modifier les &amp;effets…</translation>
-    </message>
-    <message>
         <source>S&amp;hare…</source>
         <translation>Parta&amp;ger…</translation>
     </message>
@@ -477,10 +473,6 @@
         <translation>Rejouer les forces d’un journal</translation>
     </message>
     <message>
-        <source>Only the effects of a sequence can be edited: import the video first</source>
-        <translation>Seuls les effets d’une séquence peuvent être modifiés&#xa0;: importez d’abord la vidéo</translation>
-    </message>
-    <message>
         <source>Only a sequence can be shared: import the video first. A file that was shared with you can be sent on as it is.</source>
         <translation>Seule une séquence peut être partagée&#xa0;: importez d’abord la vidéo. Un fichier qu’on a partagé avec vous peut être transmis tel quel.</translation>
     </message>
@@ -499,49 +491,6 @@
     <message>
         <source>Import settings</source>
         <translation>Importer des réglages</translation>
-    </message>
-</context>
-<context>
-    <name>EditorPage</name>
-    <message>
-        <source>Time</source>
-        <translation type="unfinished">Temps</translation>
-    </message>
-    <message>
-        <source>Show less of the clip (+)</source>
-        <translation>Montrer moins du clip (+)</translation>
-    </message>
-    <message>
-        <source>Show more of the clip (−)</source>
-        <translation>Montrer plus du clip (−)</translation>
-    </message>
-    <message>
-        <source>&amp;Whole clip</source>
-        <translation type="unfinished">Clip &amp;entier</translation>
-    </message>
-    <message>
-        <source>Show the whole clip</source>
-        <translation type="unfinished">Montrer tout le clip</translation>
-    </message>
-    <message>
-        <source>Zoom in</source>
-        <translation>Agrandir</translation>
-    </message>
-    <message>
-        <source>Zoom out</source>
-        <translation>Réduire</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation type="unfinished">Fermer</translation>
-    </message>
-    <message>
-        <source>Edit effects</source>
-        <translation>Modifier les effets</translation>
-    </message>
-    <message>
-        <source>Reading the sequence</source>
-        <translation>Lecture de la séquence</translation>
     </message>
 </context>
 <context>
@@ -1476,49 +1425,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
-    <name>Lanes</name>
-    <message>
-        <source>{time} s</source>
-        <translation type="unfinished">{time} s</translation>
-    </message>
-    <message>
-        <source>Force x (right)</source>
-        <translation>Force x (droite)</translation>
-    </message>
-    <message>
-        <source>Force y (up)</source>
-        <translation>Force y (haut)</translation>
-    </message>
-    <message>
-        <source>Force z (towards you)</source>
-        <translation>Force z (vers vous)</translation>
-    </message>
-    <message>
-        <source>± {peak} N</source>
-        <translation>± {peak} N</translation>
-    </message>
-    <message>
-        <source>The clip has no sound</source>
-        <translation>Le clip n’a pas de son</translation>
-    </message>
-    <message>
-        <source>Sound</source>
-        <translation type="unfinished">Son</translation>
-    </message>
-    <message>
-        <source>Time line</source>
-        <translation>Ligne de temps</translation>
-    </message>
-    <message>
-        <source>No events found</source>
-        <translation>Aucun événement trouvé</translation>
-    </message>
-    <message>
-        <source>No effects</source>
-        <translation>Aucun effet</translation>
-    </message>
-</context>
-<context>
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
@@ -1679,8 +1585,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>environ {peak} N crête, {rms} N RMS…</translation>
     </message>
     <message>
-        <source>{peak} N peak, {rms} N RMS, {share} of the time at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N crête, {rms} N RMS, {share} du temps à la limite&#xa0;; espace utilisé&#xa0;: main relâchée {relaxed}, normale {normal}, ferme {firm}</translation>
+        <source>{peak} N peak, {rms} N RMS, {share} of the samples at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N crête, {rms} N RMS, {share} des valeurs à la limite&#xa0;; espace utilisé&#xa0;: main relâchée {relaxed}, normale {normal}, ferme {firm}</translation>
     </message>
     <message>
         <source>the force would be stopped</source>
@@ -1764,14 +1670,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Choose the library folder</source>
         <translation>Choisir le dossier de la bibliothèque</translation>
-    </message>
-    <message>
-        <source>&amp;Effects…</source>
-        <translation>&amp;Effets…</translation>
-    </message>
-    <message>
-        <source>Edit the effects</source>
-        <translation>Modifier les effets</translation>
     </message>
     <message>
         <source>Change the title</source>
@@ -2750,6 +2648,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Connect a DualSense or DualShock 4 by USB cable. Its vibration follows the strength of the force, not its direction.</source>
         <translation>Branchez une DualSense ou DualShock 4 par câble USB. La vibration suit l’intensité de la force, pas sa direction.</translation>
+    </message>
+    <message>
+        <source>Connect a wheel or joystick with a motor. It exerts one axis of the force, by default sideways; wheel:axis=y on the command line chooses another.</source>
+        <translation>Branchez un volant ou un joystick motorisé. Il exerce un axe de la force, par défaut latéral&#xa0;; wheel:axis=y en ligne de commande en choisit un autre.</translation>
+    </message>
+    <message>
+        <source>Connect a game pad that Linux can rumble. Its vibration follows the strength of the force, not its direction.</source>
+        <translation>Branchez une manette que Linux peut faire vibrer. Sa vibration suit l&apos;intensité de la force, pas sa direction.</translation>
+    </message>
+    <message>
+        <source>Connect it as its maker says.</source>
+        <translation>Branchez-le selon les instructions de son fabricant.</translation>
     </message>
     <message>
         <source>The Falcon&apos;s firmware belongs to Novint Technologies. libnifalcon distributes it under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): free of charge for personal, noncommercial use, binding for every recipient. Read that licence; by continuing you confirm that you may use this file. It stays on this computer.</source>
@@ -5047,6 +4957,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>/dev/input/{node}: it has no such force feedback; devices that have: {known}</source>
+        <translation>/dev/input/{node}&#xa0;: pas de tel retour de force&#xa0;; appareils qui en ont&#xa0;: {known}</translation>
+    </message>
+    <message>
         <source>A second or more without motion</source>
         <translation>Une seconde ou plus sans mouvement</translation>
     </message>
@@ -5067,20 +4981,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Amplitude au début</translation>
     </message>
     <message>
-        <source>Artefact</source>
-        <translation>Artefact</translation>
-    </message>
-    <message>
         <source>BeamNG MotionSim</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Virages d’au moins 0,15 g de côté</translation>
-    </message>
-    <message>
-        <source>Braking</source>
-        <translation>Freinage</translation>
     </message>
     <message>
         <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
@@ -5137,10 +5043,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>High-pass</source>
         <translation>Passe-haut</translation>
-    </message>
-    <message>
-        <source>Impact</source>
-        <translation>Choc</translation>
     </message>
     <message>
         <source>Impact of {peak_mps2:.1f} m/s²</source>
@@ -5203,12 +5105,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Rampe</translation>
     </message>
     <message>
-        <source>Samples are missing</source>
-        <translation>Des échantillons manquent</translation>
+        <source>Rumble</source>
+        <translation>Vibration</translation>
     </message>
     <message>
-        <source>Saturation</source>
-        <translation>Saturation</translation>
+        <source>Samples are missing</source>
+        <translation>Des échantillons manquent</translation>
     </message>
     <message>
         <source>Scaled</source>
@@ -5239,10 +5141,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Pic d’un seul échantillon, comme en écrit un enregistreur défaillant</translation>
     </message>
     <message>
-        <source>Stillness</source>
-        <translation>Immobilité</translation>
-    </message>
-    <message>
         <source>The accelerometer is at the end of its range</source>
         <translation>L’accéléromètre est au bout de sa plage de mesure</translation>
     </message>
@@ -5255,10 +5153,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Piste</translation>
     </message>
     <message>
-        <source>Turn</source>
-        <translation>Virage</translation>
-    </message>
-    <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
         <translation>Virage à gauche jusqu’à {level_mps2:.1f} m/s² pendant {length_s:.1f} s</translation>
     </message>
@@ -5269,6 +5163,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Up to</source>
         <translation>Jusqu’à</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Volant</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -5399,6 +5297,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>curve: {kind} prend au plus {most} points</translation>
     </message>
     <message>
+        <source>device option {part!r}: not known; use event5 (a name in /dev/input), axis=x, y or z, full=N (0.5 to 20 newtons of the track), sign=+ or -</source>
+        <translation>option d&apos;appareil {part!r}&#xa0;: inconnue&#xa0;; utilisez event5 (un nom dans /dev/input), axis=x, y ou z, full=N (0,5 à 20 newtons de la piste), sign=+ ou -</translation>
+    </message>
+    <message>
         <source>direction: must be three numbers that are not all zero</source>
         <translation>direction: doit être trois nombres qui ne sont pas tous nuls</translation>
     </message>
@@ -5453,10 +5355,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>feedback {feedback} has no parameters</source>
         <translation>le retour {feedback} n’a pas de paramètres</translation>
-    </message>
-    <message>
-        <source>finding events</source>
-        <translation>recherche d’événements</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -5695,6 +5593,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>demande une deuxième séquence, dont la force est ressentie</translation>
     </message>
     <message>
+        <source>no device with such force feedback is plugged in; connect it, and see whether its driver is loaded</source>
+        <translation>aucun appareil avec un tel retour de force n&apos;est branché&#xa0;; branchez-le et vérifiez que son pilote est chargé</translation>
+    </message>
+    <message>
         <source>no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
         <translation>pas de direction dans le fichier&#xa0;: x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
     </message>
@@ -5801,14 +5703,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>reading the copy</source>
         <translation>lecture de la copie</translation>
-    </message>
-    <message>
-        <source>reading the sequence</source>
-        <translation>lecture de la séquence</translation>
-    </message>
-    <message>
-        <source>reading the sound</source>
-        <translation>lecture du son</translation>
     </message>
     <message>
         <source>ready</source>
@@ -6115,6 +6009,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la fréquence de coupure</translation>
     </message>
     <message>
+        <source>the device is not open; choose the device again</source>
+        <translation>l&apos;appareil n&apos;est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
+    </message>
+    <message>
         <source>the excursion that a normal hand would make; no newtons</source>
         <translation>l’excursion que ferait une main normale&#xa0;; pas de newtons</translation>
     </message>
@@ -6195,8 +6093,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le format de {name!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
-        <source>the game pad is not open; choose the device again</source>
-        <translation>la manette n’est pas ouverte&#xa0;; choisissez de nouveau l’appareil</translation>
+        <source>{word!r} is unknown; use {known}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the grip did not give way to 1 N; hold it more loosely</source>
@@ -6453,10 +6351,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the {title} was unplugged; plug it in and choose the device again</source>
         <translation>l’appareil ({title}) a été débranché&#xa0;; rebranchez-le et choisissez-le de nouveau</translation>
-    </message>
-    <message>
-        <source>{word!r} is unknown; use {known}</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a track {name!r} exists; choose another name</source>
@@ -7505,6 +7399,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{title} has no realistic feedback to make {name!r} of; import it first</source>
         <translation>{title} n’a pas de retour réaliste dont faire {name!r}&#xa0;; importez d’abord la vidéo</translation>
+    </message>
+    <message>
+        <source>{title} was unplugged; plug it in and choose the device again</source>
+        <translation>{title} a été débranché&#xa0;; branchez-le et choisissez l&apos;appareil à nouveau</translation>
+    </message>
+    <message>
+        <source>{title}: permission denied for {path}; add yourself to the group input and log in again</source>
+        <translation>{title}&#xa0;: accès refusé à {path}&#xa0;; ajoutez-vous au groupe input et reconnectez-vous</translation>
     </message>
     <message>
         <source>{value!r} is not a sequence of this study</source>

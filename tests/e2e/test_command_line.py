@@ -155,7 +155,10 @@ def test_without_a_display_the_demo_plays_headless(clip, monkeypatch):
 def test_devices_and_doctor_report_as_json():
     listed = report_of(hapticplayer("device", "list", "--json"))
     names = [d["name"] for d in listed["devices"]]
-    assert names == ["simulated", "falcon", "falcon-simulated", "gamepad", "none"]
+    assert names == [
+        *("simulated", "falcon", "falcon-simulated", "gamepad", "wheel", "rumble"),
+        "none",
+    ]
     assert report_of(hapticplayer("doctor", "--json"))
 
 

@@ -3,29 +3,20 @@
 import importlib
 import sys
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
-from hapticplayer.devices.gamepad.reports import VENDOR_ID, Layout, layout_of
+from hapticplayer.devices.gamepad.reports import (
+    VENDOR_ID,
+    Layout,
+    PadRumble,
+    layout_of,
+)
+from hapticplayer.devices.paced import Port
 from hapticplayer.errors import DeviceError
 
 UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
 _BLUETOOTH = 2  # of hidapi's bus types
 _INPUT_BYTES = 64
-
-
-class Port(Protocol):
-    """One open pad; all methods raise DeviceError."""
-
-    layout: Layout
-
-    def write(self, report: bytes) -> None:
-        """Send a report; may take as long as the pad takes it, some ms."""
-
-    def read(self) -> bytes:
-        """Return the next report, b"" when there is none; never waits."""
-
-    def close(self) -> None:
-        """Let go of the pad; may be called again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,8 +31,11 @@ class Found:
 class HidPort:
     """A pad that hidapi has opened; raises DeviceError when it cannot be opened."""
 
+    is_quiet = False
+
     def __init__(self, found: Found) -> None:
         self.layout = found.layout
+        self.translator = PadRumble(found.layout)
         self._device = _hidapi().device()
         try:
             self._device.open_path(found.path)

@@ -7,6 +7,9 @@ lights and triggers stay as they are.
 
 from dataclasses import dataclass
 
+from hapticplayer.devices.gamepad.rumble import Rumble
+from hapticplayer.model.device import Vector
+
 VENDOR_ID = 0x054C
 INPUT_ID = 0x01
 _NEUTRAL = 8  # of the direction pad
@@ -85,3 +88,19 @@ def buttons_of(layout: Layout, report: bytes) -> int | None:
     third &= 0x07 if layout is DUALSENSE else 0x03  # a counter is above them
     is_directed = (first & 0x0F) < _NEUTRAL
     return first >> 4 | second << 4 | third << 12 | is_directed << 15
+
+
+class PadRumble:
+    """Rumble in the reports of one kind of pad (`paced.Translator`)."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout, self._rumble = layout, Rumble()
+        self.off = motors_report(layout, 0, 0)
+
+    def command(self, force_n: Vector, now_s: float) -> bytes:
+        """Return the report that shakes with a force."""
+        return motors_report(self._layout, *self._rumble.levels(force_n, now_s))
+
+    def buttons(self, report: bytes) -> int | None:
+        """Return what is pressed, None for other reports."""
+        return buttons_of(self._layout, report)

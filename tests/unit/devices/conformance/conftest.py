@@ -4,5 +4,6 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-for folder in (HERE, HERE.parent / "gamepad", HERE.parents[2] / "faults"):
+BESIDE = (HERE.parent / "gamepad", HERE.parent / "evdev", HERE.parents[2] / "faults")
+for folder in (HERE, *BESIDE):
     sys.path.insert(0, str(folder))

@@ -11,16 +11,21 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+from fake_input import FakeInput
 from fake_pad import FakePad
 from falcon_rig import FalconGrip
 
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices import DEVICES, find_device
+from hapticplayer.devices.capabilities import GAMEPAD
+from hapticplayer.devices.evdev import driver as evdev
 from hapticplayer.devices.falcon.silence import Silencer
-from hapticplayer.devices.gamepad import driver as gamepad
+from hapticplayer.devices.gamepad.driver import REFRESH_S as PAD_REFRESH_S
+from hapticplayer.devices.paced import PacedDriver, silencer
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
-from tests.doubles import DirectOutlet
+from tests.doubles import DirectWriter
 
 ROOT = Path(__file__).parents[4]
 ZERO = (0.0, 0.0, 0.0)
@@ -107,7 +112,9 @@ class Pad(World):
     def __init__(self):
         super().__init__()
         self.pad = FakePad()
-        self.device = gamepad.GamepadDriver(lambda: self.pad, DirectOutlet)
+        self.device = PacedDriver(
+            "gamepad", GAMEPAD, lambda: self.pad, PAD_REFRESH_S, DirectWriter
+        )
 
     def press(self, _buttons):
         self.pad.buttons = b"\x18\x00\x00"
@@ -125,10 +132,63 @@ class Pad(World):
         return self.pad.motors == (0, 0)
 
     def guard(self):
-        return gamepad.silence(-1, lambda: self.pad)
+        return silencer(lambda: self.pad)
 
     def kill(self):
         """Nothing: the pad keeps shaking."""
+
+
+class EventDevice(World):
+    """A wheel or a rumbling pad on a fake kernel."""
+
+    has_place = False
+
+    def __init__(self, name):
+        super().__init__()
+        self.patch = pytest.MonkeyPatch()
+        self.kernel = FakeInput(self.clock, self.patch)
+        self.name, self.is_stuck = name, False
+        self.device = DEVICES[name].make(-1)
+        self.device._make_writer = lambda port: Stuckable(port, self)
+
+    def press(self, _buttons):
+        self.kernel.press(0x122)
+
+    def fall_silent(self):
+        self.is_stuck = True
+
+    def talk_nonsense(self):
+        self.kernel.garbage = 10**6
+
+    def unplug(self):
+        self.kernel.is_plugged = False
+
+    def are_off(self):
+        return self.kernel.felt == (0, 0)
+
+    def guard(self):
+        return getattr(evdev, f"silence_{self.name}")(-1)
+
+    def kill(self):
+        """Nothing: the effect goes on until it ends by itself."""
+
+    def close(self):
+        super().close()
+        self.patch.undo()
+
+
+class Stuckable(DirectWriter):
+    """Writes, until its device takes nothing any more."""
+
+    def __init__(self, port, world):
+        super().__init__(port)
+        self._world = world
+
+    def post(self, command):
+        if self._world.is_stuck:
+            self.is_waiting = True
+        else:
+            super().post(command)
 
 
 class Process(World):
@@ -248,6 +308,8 @@ WORLDS = {
     "falcon": Falcon,
     "falcon-simulated": lambda: Process("falcon-simulated"),
     "gamepad": Pad,
+    "wheel": lambda: EventDevice("wheel"),
+    "rumble": lambda: EventDevice("rumble"),
     "example": Example,
 }
 

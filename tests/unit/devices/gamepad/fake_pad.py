@@ -1,14 +1,17 @@
 """A pad on USB that keeps what it is told; below hidapi's two functions."""
 
-from hapticplayer.devices.gamepad.reports import DUALSENSE, INPUT_ID
+from hapticplayer.devices.gamepad.reports import DUALSENSE, INPUT_ID, PadRumble
 from hapticplayer.errors import DeviceError
 
 
 class FakePad:
     """Answers each look with one input report, as long as it is plugged in."""
 
+    is_quiet = False
+
     def __init__(self, layout=DUALSENSE):
         self.layout = layout
+        self.translator = PadRumble(layout)
         self.written = []
         self.is_plugged, self.answers, self.is_open = True, True, True
         self.buttons = b"\x08\x00\x00"

@@ -8,12 +8,9 @@ import threading
 import pytest
 from fake_pad import FakePad
 
+from hapticplayer.devices.capabilities import GAMEPAD
 from hapticplayer.devices.gamepad import ports
-from hapticplayer.devices.gamepad.driver import (
-    GamepadDriver,
-    ThreadedOutlet,
-    silence,
-)
+from hapticplayer.devices.gamepad.driver import REFRESH_S
 from hapticplayer.devices.gamepad.reports import (
     DUALSENSE,
     DUALSHOCK4,
@@ -22,8 +19,9 @@ from hapticplayer.devices.gamepad.reports import (
     motors_report,
 )
 from hapticplayer.devices.gamepad.rumble import Rumble
+from hapticplayer.devices.paced import NewestWriter, PacedDriver, silencer
 from hapticplayer.errors import DeviceError
-from tests.doubles import DirectOutlet
+from tests.doubles import DirectWriter
 
 ZERO = (0.0, 0.0, 0.0)
 
@@ -99,7 +97,7 @@ def test_nothing_that_is_no_number_turns_anything():
 
 def test_at_most_100_reports_a_second_and_none_without_news():
     pad = FakePad()
-    device = GamepadDriver(lambda: pad, DirectOutlet)
+    device = PacedDriver("gamepad", GAMEPAD, lambda: pad, REFRESH_S, DirectWriter)
     device.open()
     for k in range(1000):
         t = k / 1000.0
@@ -132,7 +130,7 @@ def test_the_thread_sends_the_newest_and_tells_of_a_lost_pad():
         written.set()
 
     pad.write = slow_write
-    outlet = ThreadedOutlet(pad)
+    outlet = NewestWriter(pad)
     outlet.post(motors_report(DUALSENSE, 7, 0))
     assert written.wait(30)
     pad.is_plugged = False
@@ -151,7 +149,7 @@ def test_the_thread_sends_the_newest_and_tells_of_a_lost_pad():
 
 def test_the_guard_switches_off_beside_the_loop_and_after_it():
     pad = FakePad()
-    write_zero = silence(-1, lambda: pad)
+    write_zero = silencer(lambda: pad)
     pad.write(motors_report(DUALSENSE, 200, 100))
     assert write_zero()
     assert pad.motors == (0, 0)
@@ -164,11 +162,12 @@ def test_a_program_that_ends_without_closing_leaves_no_motor_on(tmp_path):
 import sys
 sys.path.insert(0, sys.argv[1])
 from fake_pad import FakePad
-from hapticplayer.devices.gamepad.driver import GamepadDriver
+from hapticplayer.devices.capabilities import GAMEPAD
+from hapticplayer.devices.paced import PacedDriver
 pad = FakePad()
 close = pad.close
 pad.close = lambda: (print("motors", *pad.motors), close())
-device = GamepadDriver(lambda: pad)
+device = PacedDriver('gamepad', GAMEPAD, lambda: pad, 0.5)
 device.open()
 for k in range(50):
     device.exchange((4.0, 0.0, 0.0), 1.0 + k / 1000.0)

@@ -1,0 +1,233 @@
+"""Devices without a place that are told a few hundred times a second: one driver.
+
+Game pads, wheels and vibrating toys differ in their bytes (`Translator`) and in how they
+are reached (`Port`). Pace, refreshing, the thread that writes, and the zero on every way
+out are the same for all, and are here.
+"""
+
+import atexit
+import contextlib
+import threading
+from collections.abc import Callable
+from typing import Protocol
+
+from hapticplayer.errors import DeviceError
+from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
+
+_MOST_READ = 16
+_STOP_S = 0.5
+_MIDDLE: Vector = (0.0, 0.0, 0.0)
+
+
+class Port(Protocol):
+    """One open device; all methods raise DeviceError.
+
+    Attributes:
+        translator: of forces and reports, for as long as the port is open.
+        is_quiet: whether it says nothing by itself, so that taking what it is told is
+            the only sign of life.
+    """
+
+    @property
+    def translator(self) -> "Translator":
+        """See above."""
+
+    @property
+    def is_quiet(self) -> bool:
+        """See above."""
+
+    def write(self, command: bytes) -> None:
+        """Send a command; may take as long as the device takes it, some ms."""
+
+    def read(self) -> bytes:
+        """Return the next report, b"" when there is none; never waits."""
+
+    def close(self) -> None:
+        """Let go of the device; may be called again."""
+
+
+class Translator(Protocol):
+    """From forces to commands and from reports to buttons, in one device's bytes."""
+
+    off: bytes
+
+    def command(self, force_n: Vector, now_s: float) -> bytes:
+        """Return the command for a force, `off` for none and for no number."""
+
+    def buttons(self, report: bytes) -> int | None:
+        """Return the pressed buttons as a mask of 16 bits; None for nonsense."""
+
+
+class Writer(Protocol):
+    """Where commands go.
+
+    Attributes:
+        is_waiting: whether the device has not yet taken the last command.
+    """
+
+    @property
+    def is_waiting(self) -> bool:
+        """See above."""
+
+    def post(self, command: bytes) -> None:
+        """Send a command; raises DeviceError when the device is gone."""
+
+    def stop(self) -> None:
+        """Send nothing more; the port stays open."""
+
+
+class NewestWriter:
+    """Never waits; of commands that were posted meanwhile only the last is sent."""
+
+    def __init__(self, port: Port) -> None:
+        self._port = port
+        self._newest: bytes | None = None
+        self._problem: DeviceError | None = None
+        self._is_stopping = False
+        self.is_waiting = False
+        self._changed = threading.Condition()
+        self._thread = threading.Thread(target=self._write, name="device", daemon=True)
+        self._thread.start()
+
+    def post(self, command: bytes) -> None:
+        """Leave a command for the thread."""
+        if self._problem is not None:
+            raise self._problem
+        with self._changed:
+            self._newest, self.is_waiting = command, True
+            self._changed.notify()
+
+    def stop(self) -> None:
+        """Let the thread end after what it is doing."""
+        with self._changed:
+            self._is_stopping = True
+            self._changed.notify()
+        self._thread.join(_STOP_S)
+
+    def _write(self) -> None:
+        while True:
+            with self._changed:
+                self.is_waiting = self._newest is not None
+                while self._newest is None and not self._is_stopping:
+                    self._changed.wait()
+                if self._is_stopping:
+                    return
+                command, self._newest = self._newest, None
+            assert command is not None
+            try:
+                self._port.write(command)
+            except DeviceError as problem:
+                self._problem = problem
+                return
+
+
+class PacedDriver:
+    """A `HapticDevice` without a place: it reads as homed, in the middle.
+
+    Args:
+        name: of the device.
+        capabilities: its record; commands go out at its `rate_hz` at most.
+        open_port: finds and opens it; raises DeviceError with what to do.
+        refresh_s: a command that stays the same is told again after so long, unless it
+            is `off`.
+        make_writer: `NewestWriter`; tests write in their own thread.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        capabilities: DeviceCapabilities,
+        open_port: Callable[[], Port],
+        refresh_s: float,
+        make_writer: Callable[[Port], Writer] = NewestWriter,
+    ) -> None:
+        self.name, self.capabilities = name, capabilities
+        self._open_port, self._make_writer = open_port, make_writer
+        self._period_s, self._refresh_s = 1.0 / capabilities.rate_hz, refresh_s
+        self._port: Port | None = None
+        self._writer: Writer | None = None
+        self._reading: DeviceReading | None = None
+        self._told, self._told_s = b"", 0.0
+
+    def open(self) -> None:
+        """Find the device; raises DeviceError with what to do."""
+        self.close()
+        self._port = self._open_port()
+        self._reading = None
+        self._told, self._told_s = self._port.translator.off, 0.0
+        atexit.register(self.close)
+
+    def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
+        """Tell a force, return what is pressed; raises DeviceError when it is gone."""
+        port = self._port
+        if port is None:
+            raise DeviceError("the device is not open; choose the device again")
+        writer = self._writer
+        if writer is None:  # not earlier, so that it runs with the loop's scheduling
+            writer = self._writer = self._make_writer(port)
+        reading = self._listen(port, writer, now_s)
+        command = port.translator.command(force_n, now_s)
+        age_s = now_s - self._told_s
+        is_refreshing = command != port.translator.off and age_s >= self._refresh_s
+        if (command != self._told or is_refreshing) and age_s >= self._period_s:
+            writer.post(command)
+            self._told, self._told_s = command, now_s
+        return reading
+
+    def close(self) -> None:
+        """Switch the device off and let go of it; may be called again."""
+        atexit.unregister(self.close)
+        port, writer = self._port, self._writer
+        self._port = self._writer = None
+        if port is None:
+            return
+        if writer is not None:
+            writer.stop()
+        try:
+            port.write(port.translator.off)
+        except DeviceError:
+            return  # it is gone, and its force with it
+        finally:
+            port.close()
+
+    def _listen(self, port: Port, writer: Writer, now_s: float) -> DeviceReading:
+        reading = self._reading or DeviceReading(_MIDDLE, 0, False, now_s)
+        if port.is_quiet and not writer.is_waiting:
+            reading = reading._replace(is_homed=True, replied_s=now_s)
+        for _ in range(_MOST_READ):
+            report = port.read()
+            if not report:
+                break
+            buttons = port.translator.buttons(report)
+            if buttons is not None:
+                reading = DeviceReading(_MIDDLE, buttons, True, now_s)
+            else:
+                reading = reading._replace(malformed=reading.malformed + 1)
+        self._reading = reading
+        return reading
+
+
+def silencer(open_port: Callable[[], Port]) -> Callable[[], bool]:
+    """Return what switches a device off for the guard, which opens it for itself.
+
+    For devices that several programs can open: so it works beside a loop that stands
+    still, and after its death.
+    """
+    opened: list[Port] = []
+    with contextlib.suppress(
+        DeviceError
+    ):  # then the loop has none either, and reports it
+        opened.append(open_port())  # now and not when time is short
+
+    def write_zero() -> bool:
+        try:
+            if not opened:
+                opened.append(open_port())
+            opened[0].write(opened[0].translator.off)
+        except DeviceError:
+            if opened:
+                opened.pop().close()
+            return False
+        return True
+
+    return write_zero
