@@ -153,8 +153,8 @@ def washed_out(
     """
     if track.reconstruction is not Reconstruction.LINEAR:
         raise InputError("a washout needs a track of straight lines, this one holds")
-    pieces = SolvedPieces(washout) if pieces is None else pieces
-    pieces.begin()
+    if pieces is not None:
+        pieces.begin()
     start_s = float(track.time_s[0])
     count = math.ceil((float(track.time_s[-1]) - start_s) * SOLVE_HZ) + 1
     correction = np.zeros((3, count), np.float32)
@@ -162,7 +162,7 @@ def washed_out(
         piece = slice(first, first + size)
         force = _sampled(track, start_s, first, size)
         force *= _ramps(first, size, count, (0.0, 0.0), _TAPER_S)
-        solved = pieces.solved(force)
+        solved = pieces.solved(force) if pieces else solve(force, washout)
         blend = _ramps(first, size, count, (RUN_UP_S, LOOK_AHEAD_S), BLEND_S)
         correction[:, piece] += blend * (solved - force)
     changed = np.any(correction != 0.0, axis=0)
