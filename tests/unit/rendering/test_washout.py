@@ -14,7 +14,7 @@ from scipy import fft, ndimage
 from hapticplayer.errors import InputError
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.rendering import washout as module
-from hapticplayer.rendering.washout import DesignHand, Washout, washed_out
+from hapticplayer.rendering.washout import DesignHand, SolvedPieces, Washout, washed_out
 
 HAND = DesignHand((0.45, 0.45, 0.69), (8.6, 8.6, 9.2), 150.0)
 YIELDING = dataclasses.replace(HAND, yield_s=0.3, return_s=2.0)
@@ -63,7 +63,7 @@ PRINTED = """
 import hashlib, sys
 import numpy as np
 from hapticplayer.model import ForceTrack
-from hapticplayer.rendering.washout import DesignHand, Washout, washed_out
+from hapticplayer.rendering.washout import DesignHand, SolvedPieces, Washout, washed_out
 
 t = np.arange(0.0, 50.0, 0.005)
 force = np.stack([np.sin(t), 2.0 * np.cos(0.3 * t), np.sin(2.0 * t)], axis=1)
@@ -91,20 +91,33 @@ def test_the_number_of_threads_changes_no_bit():
     assert len(printed) == 1
 
 
-def test_a_longer_track_takes_no_more_memory_to_solve():
+def grown_bytes(wash):
+    """Return how much more memory 20 min take than 4, and the size of the tracks."""
+    wash(turns(30.0))  # loads what is loaded once
     peaks, sizes = [], []
-    washed_out(turns(30.0), LIMITS)  # loads what is loaded once
     for minutes in (4.0, 20.0):
         track = turns(60.0 * minutes)
         tracemalloc.start()
-        done = washed_out(track, LIMITS)
+        done = wash(track)
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
         assert done.provenance["washout"]["changed_share"] > 0.5
         sizes.append(done.time_s.nbytes + done.force_n.nbytes)
+    return peaks[1] - peaks[0], sizes[1] - sizes[0]
+
+
+def test_a_longer_track_takes_no_more_memory_to_solve():
+    more, size = grown_bytes(lambda track: washed_out(track, LIMITS))
     # the result, the check of its values, and the correction at 50 Hz; solved in one
     # piece it would be 4 times as much
-    assert peaks[1] - peaks[0] < 3.0 * (sizes[1] - sizes[0])
+    assert more < 3.0 * size
+
+
+def test_pieces_that_are_kept_take_the_size_of_the_track():
+    more, size = grown_bytes(
+        lambda track: washed_out(track, LIMITS, SolvedPieces(LIMITS))
+    )
+    assert more < 4.5 * size
 
 
 def test_pieces_join_as_if_solved_in_one(monkeypatch):
