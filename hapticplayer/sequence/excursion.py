@@ -270,6 +270,10 @@ class Grip:
 
     Arrays are (3 axes, hands, moments).
 
+    Attributes:
+        cap_n: force cap, a number or (hands, moments); a warm device has a lower one.
+        sent_n: what `haptics.step` has sent in the last step.
+
     Args:
         hands: one row each.
         limits: of force, position and speed.
@@ -288,12 +292,18 @@ class Grip:
             [viscous + hand.damping_n_s_per_m for hand in hands], axis=1
         )[:, :, None]
         self._stiffness = np.array([hand.stiffness_n_per_m for hand in hands])[:, None]
+        self._give, self._back = (
+            -np.expm1([[-1.0 / (RATE_HZ * time_s)] for time_s in times_s])
+            for times_s in zip(*((h.yield_s, h.return_s) for h in hands), strict=True)
+        )
+        self.cap_n: float | Floats = limits.force_cap_n
         self.rest(1)
 
     def rest(self, moments: int) -> None:
         """Put all hands at rest at the centre."""
         shape = (3, len(self._stiffness), moments)
         self._place_m, self._speed_mps = np.zeros(shape), np.zeros(shape)
+        self._held_m, self.sent_n = np.zeros(shape), np.zeros(shape)
         self.is_fast = self.is_outside = np.zeros(shape[1:], dtype=bool)
 
     @property
@@ -308,12 +318,15 @@ class Grip:
             planned_n: (3, moments) of the track.
         """
         planned = planned_n[:, None, :]
-        force = self._sent(planned)
+        self.sent_n = force = self._sent(planned)
         place, speed, step = self._place_m, self._speed_mps, self._step_per_kg
         drag = self._viscous + self._dry_n / np.maximum(np.abs(speed), _STICK_MPS)
-        speed += step * (force - self._stiffness * place)
+        speed += step * (force - self._stiffness * (place - self._held_m))
         speed /= 1.0 + step * drag
         place += speed / RATE_HZ
+        if self._give.any():
+            self._held_m *= 1.0 - self._back
+            self._held_m += self._give * (place - self._held_m)
         radius_m = _size(place)
         self._judge(planned, radius_m)
         return np.asarray(radius_m / self._limits.workspace_m)
@@ -328,7 +341,7 @@ class Grip:
         width_m = (limits.fade_to - limits.fade_from) * limits.workspace_m
         lost = outward * np.clip((radius - begin_m) / width_m, 0.0, 1.0)
         force = planned - ((lost + pull_n(radius, centring)) / radius) * ahead
-        force *= np.minimum(1.0, limits.force_cap_n / np.maximum(_size(force), 1e-9))
+        force *= np.minimum(1.0, self.cap_n / np.maximum(_size(force), 1e-9))
         return np.asarray(force)
 
     def _judge(self, planned: Floats, radius_m: Floats) -> None:

@@ -4,6 +4,7 @@ import copy
 import json
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -86,6 +87,26 @@ def test_seconds_computed_side_by_side_are_those_of_one_long_run():
     assert found["reach"] == pytest.approx(max(radii), abs=1e-3)
     assert found["reach_at_s"] == pytest.approx(np.argmax(radii) * 0.002, abs=0.01)
     assert found["far_share"] == pytest.approx(np.mean(np.array(radii) > 0.6), abs=2e-3)
+
+
+def test_a_hand_that_gives_way_does_as_in_the_full_physics():
+    yielding = replace(RELAXED, yield_s=0.3, return_s=2.0)
+    grip = Grip([yielding, RELAXED], Limits(), Centring())
+    push = steady_push(1.5, 0, 5.0)
+    trial = Trial(push, yielding).run(4.9)
+    time_s = np.arange(0.0, 4.9, 0.002)
+    force = push.at(time_s) * np.minimum(1.0, time_s / 0.2)[:, None]
+    radii = np.array([grip.advance(one[:, None])[:, 0] for one in force])
+    assert radii[:, 0].max() == pytest.approx(trial.reach, abs=0.02)
+    assert radii[-1, 0] > 1.5 * radii[-1, 1]
+    assert np.linalg.norm(grip.sent_n[:, 0, 0] - trial.sent_n[-1]) < 0.05
+
+
+def test_a_lower_cap_is_sent():
+    grip = Grip([RELAXED], Limits(), Centring())
+    grip.cap_n = np.array([[1.0]])
+    grip.advance(np.array([[0.0], [3.0], [4.0]]))
+    assert grip.sent_n[:, 0, 0] == pytest.approx([0.0, 0.6, 0.8])
 
 
 def test_a_blow_that_no_hand_can_hold_is_a_trip():
