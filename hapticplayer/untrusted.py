@@ -24,6 +24,23 @@ MAX_ATTACHED_BYTES = 256 << 20
 
 MAX_ATTACHED_FILES = 64
 
+MAX_STREAM_S = 6 * 3600.0
+"""Longest clip that is streamed: its force at 1 kHz takes 260 MB once all has arrived."""
+
+MAX_STREAM_TRACKS = 16
+MAX_MANIFEST_BYTES = 1 << 16
+MAX_PACKETS_AT_ONCE = 64
+"""8 s of force, 100 kB."""
+
+MAX_CONNECTIONS, MAX_CONNECTIONS_OF_ONE = 64, 16
+"""Of a server, and of one address; a viewer needs four."""
+
+CONNECTION_S = 30.0
+"""How long a connection may wait for its next request, or take for one piece of an answer."""
+
+REQUEST_S = 5.0
+"""How long a client waits for a whole answer."""
+
 _CONTROLS = (*range(0x20), *range(0x7F, 0xA0))
 
 COPY_AGAIN = Message("copy it again from the camera, or choose another file")

@@ -40,12 +40,12 @@ from hapticplayer.interchange.force_files import ForceFormat, WriteChoices
 from hapticplayer.interchange.force_import import export_force, import_force
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import (
-    GainPreview,
     preview_gain,
     remove_track,
     rename_track,
     set_gain,
 )
+from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.sequence.library import Entry
 
 _LEAST_GAIN, _LARGEST_GAIN, _STEPS = 0.05, 1.0, 95
@@ -69,7 +69,7 @@ class LibraryDetails(QWidget):
         super().__init__()
         self._run = run
         self._entry: Entry | None = None
-        self._preview: Job[GainPreview] | None = None
+        self._preview: Job[ForceFigures] | None = None
         self._wait = 0
         self.report = QualityView()
         self.tracks = QTableWidget(0, 4)
@@ -249,10 +249,10 @@ class LibraryDetails(QWidget):
                 )
                 self._preview.start()
 
-    def show_preview(self, found: GainPreview) -> None:
+    def show_preview(self, found: ForceFigures) -> None:
         """Show a prediction."""
         text = self.tr(
-            "{peak} N peak, {rms} N RMS, {share} of the samples at the "
+            "{peak} N peak, {rms} N RMS, {share} of the time at the "
             "limit; workspace used: relaxed hand {relaxed}, normal "
             "{normal}, firm {firm}"
         ).format(

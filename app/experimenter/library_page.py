@@ -47,6 +47,7 @@ class LibraryPage(QDialog):
 
     open_wanted = Signal(object)
     import_wanted = Signal()
+    edit_wanted = Signal(object)
     library_chosen = Signal(object)
 
     def __init__(self, library: Path, parent: QWidget | None = None) -> None:
@@ -130,6 +131,7 @@ class LibraryPage(QDialog):
                 self.tr("Choose the library folder"),
                 "",
             ),
+            ("edit", self.tr("&Effects\u2026"), self.tr("Edit the effects"), ""),
             ("rename", self.tr("Re&name\u2026"), self.tr("Change the title"), ""),
             (
                 "check",
@@ -144,6 +146,7 @@ class LibraryPage(QDialog):
         slots = {
             "import": self._import,
             "folder": self._choose_library,
+            "edit": self._edit,
             "rename": self._rename,
             "check": self._check,
             "delete": self._delete,
@@ -216,7 +219,7 @@ class LibraryPage(QDialog):
         entry = self.chosen()
         self.details.show_entry(entry)
         is_whole = entry is not None and not entry.problem
-        for name in ("open", "rename"):
+        for name in ("open", "edit", "rename"):
             self.buttons[name].setEnabled(is_whole and not self.jobs.is_busy)
         for name in ("check", "delete"):
             self.buttons[name].setEnabled(entry is not None and not self.jobs.is_busy)
@@ -236,6 +239,12 @@ class LibraryPage(QDialog):
         if entry is not None and not entry.problem and not self.jobs.is_busy:
             self.accept()
             self.open_wanted.emit(entry.folder)
+
+    def _edit(self) -> None:
+        entry = self.chosen()
+        if entry is not None:
+            self.accept()
+            self.edit_wanted.emit(entry.folder)
 
     def _import(self) -> None:
         self.accept()

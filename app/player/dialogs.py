@@ -30,10 +30,12 @@ from hapticplayer.playback.source import Source
 from hapticplayer.rendering import FEEDBACKS
 
 if TYPE_CHECKING:
+    from app.editor.page import EditorPage
     from app.experimenter.import_wizard import ImportWizard
     from app.experimenter.library_page import LibraryPage
     from app.player.share_page import SharePage
 
+    Working = EditorPage | ImportWizard | LibraryPage | SharePage
 
 translate = QCoreApplication.translate
 
@@ -70,6 +72,7 @@ def about_dialog(parent: QWidget) -> QDialog:
 
 _FOLDER = "folder"
 LATER = (
+    "app.editor.page",
     "app.experimenter.import_wizard",
     "app.experimenter.library_page",
     "app.experimenter.study_editor",
@@ -98,7 +101,7 @@ class Dialogs(QObject):
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
         super().__init__(window)
-        self._working: list[ImportWizard | LibraryPage | SharePage] = []
+        self._working: list[Working] = []
         self._window = window
         self._session = session
         self._settings = settings
@@ -145,14 +148,35 @@ class Dialogs(QObject):
         if isinstance(paths, list):
             wizard.take(paths)
 
-    def library(self) -> None:
+    def library(self, clock: Clock) -> None:
         """Show the sequences that there are."""
         from app.experimenter.library_page import LibraryPage
 
         page = LibraryPage(library_folder(self._settings), self._window)
         page.open_wanted.connect(self._session.open_path)
         page.import_wanted.connect(self.import_recording)
+        page.edit_wanted.connect(lambda folder: self.edit_effects(clock, folder))
         page.library_chosen.connect(self._keep_library)
+        self._open_working(page)
+
+    def edit_effects(self, clock: Clock, folder: Path | None = None) -> None:
+        """Edit the effects of a sequence; of the one that is open if none is given."""
+        source = self._session.player.snapshot().source
+        if folder is None and source is not None and source.path.is_dir():
+            folder = source.path
+        if folder is None:
+            problem = self.tr(
+                "Only the effects of a sequence can be edited: import the video first"
+            )
+            self._session.gateway.report(HapticPlayerError(problem))
+            return
+        from app.editor.page import EditorPage, Means
+
+        device = self._session.player.snapshot().device
+        self._release()
+        means = Means(clock, device, self._settings, self._own_player)
+        page = EditorPage(folder, means, self._window)
+        page.finished.connect(lambda _: self._session.choose_device(device))
         self._open_working(page)
 
     def share(self) -> None:
@@ -194,7 +218,7 @@ class Dialogs(QObject):
             dialog.close_jobs()
         self._working.clear()
 
-    def _open_working(self, dialog: "ImportWizard | LibraryPage | SharePage") -> None:
+    def _open_working(self, dialog: "Working") -> None:
         self._working.append(dialog)
         dialog.finished.connect(lambda _result: self._forget(dialog))
         dialog.open()
@@ -218,7 +242,7 @@ class Dialogs(QObject):
         page.finished.connect(go_on)
         page.open()
 
-    def _forget(self, dialog: "ImportWizard | LibraryPage | SharePage") -> None:
+    def _forget(self, dialog: "Working") -> None:
         if dialog in self._working:
             self._working.remove(dialog)
         dialog.deleteLater()

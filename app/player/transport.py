@@ -2,9 +2,17 @@
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtGui import QStandardItemModel
-from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QSlider,
+    QWidget,
+)
 
 from app.player.choices import Choice
 from app.widgets import theme
@@ -14,8 +22,11 @@ from app.widgets.seek_slider import SeekSlider
 from app.widgets.texts import local, position_text
 from app.widgets.theme import control_icon
 
+translate = QCoreApplication.translate
+
 _COMBO_PX, _LEAST_CHARACTERS = 170, 6
 _VOLUME_PX, _LEAST_VOLUME_PX, _VOLUME_PAGE = 72, 30, 10
+_BESIDE_STOP_PX = 52
 _BEFORE_THE_GAP = 100  # stretch: the lists grow to their full width first
 
 
@@ -54,7 +65,6 @@ class Transport(QFrame):
         self.play = tool_button("play", "", "")
         self.play.clicked.connect(self.play_clicked)
         self.stop = text_button("", "", "stop")
-        self.stop.setIconSize(QSize(ICON_PX, ICON_PX))
         self.stop.clicked.connect(self.stop_clicked)
         self.time = ElidedLabel()
         self.time.setAccessibleName(self.tr("Time"))
@@ -86,7 +96,7 @@ class Transport(QFrame):
         self.set_duration(0.0)
 
     def _lay_out(self) -> None:
-        self.stop.setFixedWidth(self._widest_stop_px())
+        fix_stop_width(self.stop)
         controls = row_of(
             *(self.play, self.stop, self.time, self.speed, STRETCH),
             *(self.mute, self.volume, 6),
@@ -97,14 +107,6 @@ class Transport(QFrame):
             margins=(4, 0, 0, 0),
         )
         column_of(self.slider, controls, spacing=4, margins=(8, 4, 12, 8), of=self)
-
-    def _widest_stop_px(self) -> int:
-        texts = (self._stop_text(is_stopped=False), self._stop_text(is_stopped=True))
-        font = self.stop.font()
-        font.setBold(True)
-        self.stop.setFont(font)
-        metrics = self.stop.fontMetrics()
-        return max(metrics.horizontalAdvance(text) for text in texts) + 52
 
     def _combo(self, name: str, tip: str) -> "Combo":
         combo = Combo()
@@ -173,31 +175,11 @@ class Transport(QFrame):
 
     def show_playing(self, *, is_playing: bool) -> None:
         """Offer to pause or to play."""
-        name = self.tr("Pause") if is_playing else self.tr("Play")
-        self.play.setIcon(
-            control_icon("pause" if is_playing else "play", ICON_PX, theme.TEXT)
-        )
-        self.play.setAccessibleName(name)
-        self.play.setToolTip(self.tr("{name} (Space)").format(name=name))
+        offer_play(self.play, is_playing=is_playing)
 
     def show_stopped(self, *, is_stopped: bool) -> None:
         """Offer to stop the force, or to bring it back after a stop."""
-        self.stop.setText(self._stop_text(is_stopped=is_stopped))
-        self.stop.setIcon(
-            control_icon("rearm" if is_stopped else "stop", ICON_PX, "#ffffff")
-        )
-        set_role(self.stop, "rearm" if is_stopped else "stop")
-        self.stop.setToolTip(
-            self.tr("The force was stopped: re-arm it (Ctrl+R)")
-            if is_stopped
-            else self.tr("Stop the force immediately and pause (Esc)")
-        )
-        self.stop.setAccessibleName(
-            self.tr("Re-arm the force") if is_stopped else self.tr("Stop the force")
-        )
-
-    def _stop_text(self, *, is_stopped: bool) -> str:
-        return self.tr("Re-arm") if is_stopped else self.tr("STOP")
+        offer_stop(self.stop, is_stopped=is_stopped)
 
     def set_feedbacks(self, offered: Iterable[Choice]) -> None:
         """Offer these force tracks."""
@@ -246,3 +228,50 @@ def _caption(combo: QComboBox) -> QWidget:
     label = ElidedLabel(combo.accessibleName(), theme.DIM)
     label.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
     return label
+
+
+def offer_play(button: QPushButton, *, is_playing: bool) -> None:
+    """Let a button offer to pause or to play."""
+    name = (
+        translate("Transport", "Pause")
+        if is_playing
+        else translate("Transport", "Play")
+    )
+    button.setIcon(control_icon("pause" if is_playing else "play", ICON_PX, theme.TEXT))
+    button.setAccessibleName(name)
+    button.setToolTip(translate("Transport", "{name} (Space)").format(name=name))
+
+
+def offer_stop(button: QPushButton, *, is_stopped: bool) -> None:
+    """Let a button offer to stop the force, or to bring it back after a stop."""
+    button.setText(_stop_text(is_stopped=is_stopped))
+    button.setIcon(control_icon("rearm" if is_stopped else "stop", ICON_PX, "#ffffff"))
+    button.setIconSize(QSize(ICON_PX, ICON_PX))
+    set_role(button, "rearm" if is_stopped else "stop")
+    button.setToolTip(
+        translate("Transport", "The force was stopped: re-arm it (Ctrl+R)")
+        if is_stopped
+        else translate("Transport", "Stop the force immediately and pause (Esc)")
+    )
+    button.setAccessibleName(
+        translate("Transport", "Re-arm the force")
+        if is_stopped
+        else translate("Transport", "Stop the force")
+    )
+
+
+def fix_stop_width(button: QPushButton) -> None:
+    """Give such a button room for both of its texts."""
+    texts = (_stop_text(is_stopped=False), _stop_text(is_stopped=True))
+    font = button.font()
+    font.setBold(True)
+    button.setFont(font)
+    metrics = button.fontMetrics()
+    widest_px = max(metrics.horizontalAdvance(text) for text in texts)
+    button.setFixedWidth(widest_px + _BESIDE_STOP_PX)
+
+
+def _stop_text(*, is_stopped: bool) -> str:
+    if is_stopped:
+        return translate("Transport", "Re-arm")
+    return translate("Transport", "STOP")

@@ -157,7 +157,7 @@ class PlayerWindow(QMainWindow):
         page.open_clicked.connect(self.dialogs.open_sequence)
         page.import_clicked.connect(self.dialogs.import_recording)
         page.device_clicked.connect(self.commands.set_up_device.trigger)
-        page.library_clicked.connect(self.dialogs.library)
+        page.library_clicked.connect(self.commands.library.trigger)
         self._connect_commands()
 
     def _connect_commands(self) -> None:
@@ -166,7 +166,8 @@ class PlayerWindow(QMainWindow):
             (commands.open_sequence, self.dialogs.open_sequence),
             (commands.open_video, self.dialogs.open_video),
             (commands.import_recording, self.dialogs.import_recording),
-            (commands.library, self.dialogs.library),
+            (commands.library, lambda: self.dialogs.library(self.clock)),
+            (commands.edit_effects, lambda: self.dialogs.edit_effects(self.clock)),
             (commands.open_demo, session.open_demo),
             (commands.share, self.dialogs.share),
             (commands.quit, self.close),

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from hapticplayer.cli.common import interruptible, say, shown_progress
+from hapticplayer.cli.figures import say_figures
 from hapticplayer.errors import UsageError
 from hapticplayer.rendering.condition import Value
 from hapticplayer.rendering.effects import (
@@ -18,6 +19,7 @@ from hapticplayer.rendering.effects import (
 )
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import set_effects
+from hapticplayer.sequence.figures import sequence_figures
 
 _KINDS = "; ".join(
     f"{kind.name}: {', '.join(one.name for one in kind.parameters) or 'no parameters'}"
@@ -86,8 +88,10 @@ def _add_new(new: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Show or change the effects of a sequence."""
     folder = Path(options.sequence)
-    effects = store.effects_of(open_sequence(folder))
-    if options.action != "list":
+    sequence = open_sequence(folder)
+    effects = store.effects_of(sequence)
+    is_changed = options.action != "list"
+    if is_changed:
         effects = _changed(effects, options)
         with interruptible(), shown_progress() as progress:
             set_effects(folder, effects, progress=progress)
@@ -97,6 +101,9 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     for number, effect in enumerate(effects.effects, 1):
         say(f"{number:3d}  {effect.described()}{'' if effect.enabled else ' (off)'}")
     say(f"{len(effects)} effects")
+    if is_changed:
+        after = sequence_figures(open_sequence(folder))
+        say_figures(sequence_figures(sequence), after)
     return 0
 
 

@@ -1,10 +1,10 @@
 """The command `events`: what happens in a sequence, and what to make of it."""
 
 import argparse
-import dataclasses
 import json
 
 from hapticplayer.cli.common import interruptible, say
+from hapticplayer.rendering.effects import described_effect
 from hapticplayer.rendering.event import Event
 from hapticplayer.rendering.events import DETECTORS
 from hapticplayer.sequence.events import events_of
@@ -38,7 +38,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
             options.sequence, kinds=options.kind, with_sound=options.sound
         )
     if options.json:
-        listed = [dataclasses.asdict(event) for event in events]
+        listed = [_described(event) for event in events]
         content = {"sequence": options.sequence, "events": listed}
         say(json.dumps(content, ensure_ascii=False))
         return 0
@@ -46,6 +46,18 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         say(_line(event))
     say(f"{len(events)} events")
     return 0
+
+
+def _described(event: Event) -> dict[str, object]:
+    """Return what JSON holds; the effect is as in an `effects.json`."""
+    return {
+        "kind": event.kind,
+        "start_s": event.start_s,
+        "end_s": event.end_s,
+        "confidence": event.confidence,
+        "text": event.text,
+        "effect": described_effect(event.effect),
+    }
 
 
 def _line(event: Event) -> str:

@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 
 from hapticplayer.cli.common import interruptible, say, shown_progress
+from hapticplayer.cli.figures import described_figures, say_figures
 from hapticplayer.cli.mapping_options import (
     FIT,
     add_mapping,
@@ -18,6 +19,7 @@ from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import copy_changed, fitted_gain, set_mapping
 from hapticplayer.sequence.excursion import excursion_texts
+from hapticplayer.sequence.figures import sequence_figures
 from hapticplayer.sequence.presets import preset_of
 
 
@@ -50,7 +52,9 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     target = folder if options.in_place else Path(options.output)
     if not options.in_place:
         refuse_existing(target, FOLDER, error=SequenceError)
-    mapping, fits_gain = chosen_mapping(options, open_sequence(folder).mapping)
+    sequence = open_sequence(folder)
+    before = sequence_figures(sequence)
+    mapping, fits_gain = chosen_mapping(options, sequence.mapping)
     change = partial(
         set_mapping,
         mapping=mapping,
@@ -64,17 +68,22 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         else:
             copy_changed(folder, target, change, progress)
     made = open_sequence(target)
+    after = sequence_figures(made)
     if options.json:
-        content = {"sequence": str(target), **made.description}
+        content = {
+            "sequence": str(target),
+            **made.description,
+            "figures": described_figures(before, after),
+        }
         say(json.dumps(content, ensure_ascii=False))
         return 0
     realistic = made.description["feedbacks"]["realistic"]
     offer = FIT if fits_gain else f"--gain fit: {fitted_gain(target, made.mapping):.4g}"
     say(
         f"{target}: {mapping_text(made.mapping)} ({offer}); "
-        f"preset {preset_of(made.tracks['realistic'])}; "
-        f"force peak {realistic['peak_n']:.2f} N"
+        f"preset {preset_of(made.tracks['realistic'])}"
     )
+    say_figures(before, after)
     for note in excursion_texts(realistic["excursion"]):
         say(f"note: {note}")
     return 0

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Protocol
 
-from hapticplayer.devices.capabilities import FALCON, GAMEPAD, RUMBLE, WHEEL
+from hapticplayer.devices.capabilities import FALCON, GAMEPAD, RIG, RUMBLE, WHEEL
 from hapticplayer.errors import DeviceError, Message, joined
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
@@ -66,6 +66,11 @@ class DeviceEntry:
         has_serials: whether it can be chosen as `name:serial`.
         is_for_developers: whether windows leave it out.
         patience_s: longest time that opening it may take.
+        release_s: longest time that bringing it to rest may take.
+        settings: called with what follows the name and a colon, in place of a serial
+            number; raises DeviceError for what is not allowed.
+        loop: class of the loop in the device's process; "" for the 1 kHz loop.
+        guard: what makes the loop's guard; "" for the one that writes zero.
         record: called with what follows `name:`, returns the capabilities with these
             options, or raises DeviceError; "" where they are always the same.
         serial: the one that was chosen, or its options.
@@ -83,8 +88,12 @@ class DeviceEntry:
     has_serials: bool = False
     is_for_developers: bool = False
     patience_s: float = 10.0
+    release_s: float = 2.0
     record: str = ""
     serial: str = ""
+    settings: str = ""
+    loop: str = ""
+    guard: str = ""
 
     def make(self, descriptor: int) -> HapticDevice:
         """Return the device, not yet open."""
@@ -167,6 +176,23 @@ _BUILT_IN = (
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
 """Those of this package; `installed_devices` has also those of others."""
 
+_RIG = "hapticplayer.haptics.rig"
+OUTLETS: dict[str, DeviceEntry] = {
+    "rig": DeviceEntry(
+        "rig",
+        Message("Motion rig"),
+        "software of a motion rig, spoken to as a game does by UDP",
+        RIG,
+        "hapticplayer.devices.rig.sender:make",
+        "",
+        release_s=4.0,
+        settings="hapticplayer.devices.rig.settings:rig_settings",
+        loop=f"{_RIG}.loop:RigLoop",
+        guard=f"{_RIG}.guard:make",
+    )
+}
+"""What plays beside a device, or without one, and takes no force."""
+
 
 @cache
 def installed_devices() -> dict[str, DeviceEntry]:
@@ -198,10 +224,16 @@ def device_names() -> list[str]:
 
 
 def find_device(name: str) -> DeviceEntry:
-    """Return the device of that name, or name:serial; raises DeviceError for others."""
+    """Return the device or outlet of that name, or name:serial, or name:settings.
+
+    Raises:
+        DeviceError: for others.
+    """
     kind, _, serial = name.partition(":")
-    entry = DEVICES.get(kind) or installed_devices().get(kind)
-    if entry is None or (serial and not entry.has_serials):
+    entry = DEVICES.get(kind) or OUTLETS.get(kind) or installed_devices().get(kind)
+    if entry is not None and entry.settings:
+        load(entry.settings)(serial)
+    elif entry is None or (serial and not entry.has_serials):
         raise DeviceError(
             "device {name!r}: this version has no driver for it; use {known}",
             name=name,

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from hapticplayer.devices.gamepad.rumble import FULL_N
-from hapticplayer.model.device import DeviceCapabilities
+from hapticplayer.model.device import DeviceCapabilities, Signal
 
 FALCON = DeviceCapabilities(
     axes=3,
@@ -22,6 +22,16 @@ GAMEPAD = DeviceCapabilities(
     rate_hz=100.0,
     latency_s=0.010,
     has_newtons=False,
+)
+
+RIG = DeviceCapabilities(
+    axes=6,  # surge, sway, heave, roll, pitch, yaw
+    peak_force_n=0.0,
+    continuous_force_n=0.0,
+    workspace_radius_m=0.0,
+    rate_hz=200.0,  # unless a person chooses another one, 50 to 500
+    latency_s=0.0,  # not known: the software of the rig decides
+    signal=Signal.MOTION,
 )
 
 WHEEL = DeviceCapabilities(

@@ -3,9 +3,10 @@
 import argparse
 import socket
 import sys
+from typing import Any
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import find_device, load
+from hapticplayer.devices import HapticDevice, find_device, load
 from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import centring_of
@@ -14,6 +15,8 @@ from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.scheduling import (
+    FIFO_PRIORITY,
+    OUTLET_PRIORITY,
     CpuLatencyRequest,
     Scheduling,
     acquire,
@@ -42,31 +45,42 @@ def main(argv: list[str] | None = None) -> int:
     block = LoopBlock(options.block)
     end = socket.socket(fileno=options.line)
     line = Line(end, options.alarm)
+    entry = find_device(options.device)
     try:
-        device = find_device(options.device).make(options.handle)
+        device = entry.make(options.handle)
         device.open()
     except DeviceError as problem:
         line.send(Word.FAILED, message_of(problem))
         return 1
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
-        limits = limits_of(device.capabilities)
         hold(block.lifeline)  # until the end, which the guard sees
-        loop = _kind(options)(
-            SystemClock(),
-            block,
-            line,
-            device,
-            limits,
-            centring_of(limits),
-            cpu_latency=CpuLatencyRequest(),
-            lifeline=map_lifeline(options.lifeline),
-        )
-        line.send(Word.READY, acquire(wanted).value)
+        loop = _loop(options, block, line, device)
+        priority = OUTLET_PRIORITY if entry.loop else FIFO_PRIORITY
+        line.send(Word.READY, acquire(wanted, priority).value)
         loop.run()
     finally:
         device.close()
     return 0
+
+
+def _loop(
+    options: argparse.Namespace, block: LoopBlock, line: Line, device: HapticDevice
+) -> Any:
+    entry, lifeline = find_device(options.device), map_lifeline(options.lifeline)
+    if entry.loop:
+        return load(entry.loop)(SystemClock(), block, line, device, lifeline)
+    limits = limits_of(device.capabilities)
+    return _kind(options)(
+        SystemClock(),
+        block,
+        line,
+        device,
+        limits,
+        centring_of(limits),
+        cpu_latency=CpuLatencyRequest(),
+        lifeline=lifeline,
+    )
 
 
 def _kind(options: argparse.Namespace) -> type[Loop]:

@@ -8,6 +8,7 @@ never waits for; `shared` reads them. Without numpy: loop and guard load this.
 import mmap
 import os
 import struct
+from typing import Any
 
 from hapticplayer.haptics.lifeline import LIFELINE_BYTES
 from hapticplayer.haptics.slots import Slots
@@ -80,6 +81,14 @@ class LoopBlock:
     def last_tick_s(self) -> float:
         """Return the time of the loop's last exchange; 0 before the first."""
         return self._last_tick[0]
+
+    def last_tick(self) -> tuple[Any, ...] | None:
+        """Return the last tick of a loop that stands still, None before the first."""
+        count = self._head[0]
+        if not count:
+            return None
+        at = RING_AT + ((count - 1) % RING_TICKS) * TICK_FIELDS.size
+        return TICK_FIELDS.unpack_from(self._map, at)
 
     def beat_loop(self, now_s: float) -> None:
         """Report that a program without ticks is alive; 0: it holds no force (loop)."""

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.hand import Hand
 from hapticplayer.haptics.limiter import ZERO, Limits, is_finite, outward_n
-from hapticplayer.haptics.track import LoadedTrack
+from hapticplayer.haptics.track import AnyTrack
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import Vector
 
@@ -117,8 +117,9 @@ class State(NamedTuple):
     hand: Hand = Hand()  # the grip as last seen
     heat_n2: float = 0.0  # mean square force of the last seconds
     acted_s: float = -math.inf  # last time at which a force was allowed
-    track: LoadedTrack | None = None  # that was followed
+    track: AnyTrack | None = None  # that was followed
     switch_n: Vector = ZERO  # left of the difference to the track before
+    share: float = 1.0  # of the track's force, less where it has not arrived
 
 
 class Situation(NamedTuple):
@@ -127,7 +128,7 @@ class Situation(NamedTuple):
     now_s: float
     clock: PlaybackClock | None  # the newest playback clock, None before the first
     # the track that the clock names, None while it is not loaded
-    track: LoadedTrack | None
+    track: AnyTrack | None
     state: State  # what the last tick returned
     hand: Hand  # the grip as `observe` has it after the last exchange
     supervision: Supervision
@@ -294,9 +295,11 @@ TRANSITIONS: dict[Mode, tuple[Mode, Mode, Mode]] = {
 }
 
 
-def assess(situation: Situation) -> tuple[Reaction, Cause]:
+def assess(
+    situation: Situation, rules: tuple[Rule, ...] = RULES
+) -> tuple[Reaction, Cause]:
     """Return what the first rule that holds asks for."""
-    for cause, reaction, holds in RULES:
+    for cause, reaction, holds in rules:
         if holds(situation):
             return reaction, cause
     return Reaction.GO, Cause.NONE

@@ -9,9 +9,10 @@ import argparse
 import select
 import sys
 from collections.abc import Callable
+from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.devices import find_device
+from hapticplayer.devices import DeviceEntry, find_device, load
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.contract import GAP_RAMP_S
@@ -106,16 +107,21 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--handle", type=int, required=True, help="descriptor")
     options = parser.parse_args(argv)
     outlive_the_player()
+    block, own = LoopBlock(options.block), options.lifeline
     try:
-        send_zero = find_device(options.device).silence(options.handle)
+        guard = _guard(find_device(options.device), block, options.handle)
     except DeviceError:
         return 1  # the loop meets the same problem, and reports it
     acquire(priority=GUARD_PRIORITY)
-    block, own = LoopBlock(options.block), options.lifeline
     lifeline = Lifeline(block.lifeline) if own is None else map_lifeline(own)
-    loop = LoopProcess(options.loop_pidfd, lifeline)
-    Guard(SystemClock(), block, send_zero).run(loop)
+    guard.run(LoopProcess(options.loop_pidfd, lifeline))
     return 0
+
+
+def _guard(entry: DeviceEntry, block: LoopBlock, handle: int) -> Any:
+    if entry.guard:
+        return load(entry.guard)(SystemClock(), block, entry.make(handle))
+    return Guard(SystemClock(), block, entry.silence(handle))
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
+from hapticplayer.haptics.filling import FillingTrack
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.messages import Line, Word, signal_alarm
 from hapticplayer.haptics.recorder import Recording
@@ -26,7 +27,7 @@ from hapticplayer.haptics.spawn import (
     wait_for_end,
 )
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
-from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
 
 GUARD_LATE_S = 0.1  # it beats every 19 ms; only then the kernel is asked about it
 
@@ -75,6 +76,7 @@ class HapticsProcesses:
         self.scheduling = self.problem = ""
         self._clock, self._wanted_scheduling = clock, scheduling
         self._tail, self._next_track_id = 0, 1
+        self._release_s = 0.0
         self._track_ids: dict[str, int] = {}
         self._is_loop_ready = False
         self._processes: dict[str, Process] = {}
@@ -93,7 +95,7 @@ class HapticsProcesses:
                     "{device} is a real device and does not accept injected faults",
                     device=device,
                 )
-            self._patience_s = entry.patience_s
+            self._patience_s, self._release_s = entry.patience_s, entry.release_s
             self._recording = Recording(record, descriptor) if record else None
             if takes_faults:
                 act, acted_on = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -203,7 +205,7 @@ class HapticsProcesses:
         """Report that the main thread is alive; call it at least at 10 Hz."""
         self.block.beat(self._clock.now_s())
 
-    def load(self, tracks: Mapping[str, ForceTrack]) -> None:
+    def load(self, tracks: Mapping[str, ForceTrack | FillingTrack | RigTrack]) -> None:
         """Hand over tracks by name, in place of those before."""
         if self._line is None:
             return
@@ -215,7 +217,7 @@ class HapticsProcesses:
             self._next_track_id += 1
             self.replace(name, track)
 
-    def replace(self, name: str, track: ForceTrack) -> None:
+    def replace(self, name: str, track: ForceTrack | FillingTrack | RigTrack) -> None:
         """Hand over another version of a track, also while it plays.
 
         The loop plays the old one until the new one is checked (10,000 numbers a tick,
@@ -224,7 +226,10 @@ class HapticsProcesses:
         """
         if self._line is None:
             return
-        descriptor = to_shared_memory(track)
+        if isinstance(track, FillingTrack):
+            descriptor = track.to_shared_memory()
+        else:
+            descriptor = to_shared_memory(track)
         self._line.send(Word.TRACK, str(self._track_ids[name]), descriptor)
         os.close(descriptor)
 
@@ -285,7 +290,8 @@ class HapticsProcesses:
 
     def _wait_for_end(self) -> None:
         in_order = ("loop", "guard", "device")
-        wait_for_end(self._processes.get(name) for name in in_order)
+        processes = (self._processes.get(name) for name in in_order)
+        wait_for_end(processes, self._release_s)
         if self._recording:
             self._recording.finish()
 

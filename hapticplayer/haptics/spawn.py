@@ -79,13 +79,15 @@ def start_guard(
         os.close(watch)
 
 
-def wait_for_end(processes: Iterable[Process | None]) -> None:
+def wait_for_end(
+    processes: Iterable[Process | None], timeout_s: float = QUIT_TIMEOUT_S
+) -> None:
     """Wait for each to end by itself, and kill what does not."""
     for process in processes:
         if process is None:
             continue
         try:
-            process.wait(QUIT_TIMEOUT_S)
+            process.wait(timeout_s)
         except subprocess.TimeoutExpired:
             process.kill()
             process.wait()

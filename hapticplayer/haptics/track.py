@@ -1,4 +1,4 @@
-"""A force track as the loop reads it: one value at a time, from shared memory."""
+"""A track as a loop reads it, one value at a time, from shared memory: force, or motion."""
 
 import math
 import mmap
@@ -7,14 +7,16 @@ import struct
 from bisect import bisect_right
 from typing import TYPE_CHECKING
 
+from hapticplayer.haptics.arriving import ARRIVING, ArrivingTrack
 from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.model.device import Vector
 
 if TYPE_CHECKING:  # the loop, which loads this, has no numpy
-    from hapticplayer.model import ForceTrack
+    from hapticplayer.model import ForceTrack, RigTrack
 
-_HEADER = struct.Struct("<QQQ")  # rows, spans, 1 when the track is HOLD
+_HEADER = struct.Struct("<QQQ")  # rows, spans, 1 when the track is HOLD; see `arriving`
 MAX_ROWS = 50_000_000  # fourteen hours at 1 kHz
+FORCE_COLUMNS = 3
 
 
 class LoadedTrack:
@@ -24,9 +26,9 @@ class LoadedTrack:
     plain Python that is the difference.
     """
 
-    def __init__(self, block: mmap.mmap) -> None:
+    def __init__(self, block: mmap.mmap, columns: int = FORCE_COLUMNS) -> None:
         rows, spans, is_hold = _HEADER.unpack_from(block, 0)
-        if not 1 <= rows <= MAX_ROWS or len(block) != _size(rows, spans):
+        if not 1 <= rows <= MAX_ROWS or len(block) != _size(rows, spans, columns):
             raise ValueError("it does not match its shared memory")
         view = memoryview(block)
         times_at, spans_at = _HEADER.size, _HEADER.size + 8 * rows
@@ -35,7 +37,7 @@ class LoadedTrack:
         self._span_edges_s = view[spans_at:force_at].cast("d")
         self._force_n = view[force_at:].cast("f")
         self._is_hold = bool(is_hold)
-        self._last = rows - 1
+        self._last, self._columns = rows - 1, columns
         self._row = 0  # of the last call: the next one is near
         self._numbers, self._checked = (self._time_s, self._force_n), 0
         self.end_s = math.inf if is_hold else self._time_s[self._last]
@@ -79,6 +81,21 @@ class LoadedTrack:
             z + u * (force[at + 5] - z),
         )
 
+    def values_at(self, media_s: float) -> tuple[float, ...]:
+        """Return the numbers of a track with any number of columns, as `force_at`."""
+        columns = self._columns
+        if not bisect_right(self._span_edges_s, media_s) & 1:
+            return (0.0,) * columns
+        row = self._row_at(media_s)
+        at, values = columns * row, self._force_n
+        first = values[at : at + columns].tolist()
+        if self._is_hold or row >= self._last:
+            return tuple(first)
+        second = values[at + columns : at + 2 * columns].tolist()
+        t0, t1 = self._time_s[row], self._time_s[row + 1]
+        u = (media_s - t0) / (t1 - t0)
+        return tuple(a + u * (b - a) for a, b in zip(first, second, strict=True))
+
     def _row_at(self, media_s: float) -> int:
         """Return the last row that is not after `media_s`: most often the next one."""
         times, row = self._time_s, self._row + 1
@@ -88,31 +105,40 @@ class LoadedTrack:
         return row
 
 
-def to_shared_memory(track: "ForceTrack") -> int:
-    """Return the descriptor of a memory block that holds the track, owned by the caller."""
-    from hapticplayer.model import Reconstruction
+AnyTrack = LoadedTrack | ArrivingTrack
 
+
+def to_shared_memory(track: "ForceTrack | RigTrack") -> int:
+    """Return the descriptor of a memory block that holds the track, owned by the caller."""
+    from hapticplayer.model import ForceTrack, Reconstruction
+
+    if isinstance(track, ForceTrack):
+        values, is_hold = track.force_n, track.reconstruction is Reconstruction.HOLD
+    else:
+        values, is_hold = track.motion, False
     rows, spans = len(track.time_s), len(track.active_s)
-    descriptor = anonymous_memory("hapticplayer-track", _size(rows, spans))
-    with mmap.mmap(descriptor, _size(rows, spans)) as block:
-        is_hold = track.reconstruction is Reconstruction.HOLD
+    size = _size(rows, spans, values.shape[1])
+    descriptor = anonymous_memory("hapticplayer-track", size)
+    with mmap.mmap(descriptor, size) as block:
         block.write(_HEADER.pack(rows, spans, int(is_hold)))
-        for array in (track.time_s, track.active_s, track.force_n):
+        for array in (track.time_s, track.active_s, values):
             block.write(array.data)
     return descriptor
 
 
-def map_track(descriptor: int) -> LoadedTrack:
+def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> AnyTrack:
     """Return the track behind a descriptor; its numbers are still to be checked.
 
     Raises:
-        ValueError: when the block is not a track.
+        ValueError: when the block is not a track of so many columns.
     """
     size = os.fstat(descriptor).st_size
     if size < _HEADER.size:
         raise ValueError("it does not match its shared memory")
     block = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
-    return LoadedTrack(block)
+    if columns == FORCE_COLUMNS and _HEADER.unpack_from(block, 0)[2] == ARRIVING:
+        return ArrivingTrack(block)
+    return LoadedTrack(block, columns)
 
 
 def anonymous_memory(name: str, size: int) -> int:
@@ -122,5 +148,5 @@ def anonymous_memory(name: str, size: int) -> int:
     return descriptor
 
 
-def _size(rows: int, spans: int) -> int:
-    return _HEADER.size + 8 * rows + 16 * spans + 12 * rows
+def _size(rows: int, spans: int, columns: int) -> int:
+    return _HEADER.size + 8 * rows + 16 * spans + 4 * columns * rows

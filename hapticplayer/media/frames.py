@@ -99,6 +99,31 @@ class FrameConverter:
         )
         return _image(bgra, quarter_turns)
 
+    def convert_grey(
+        self, frame: DecodedFrame, width_px: int, height_px: int
+    ) -> NDArray[np.uint8]:
+        """Return a frame's brightness (height_px, width_px) as shown, after rotation.
+
+        Raises:
+            MediaError: when the size is absurd; PyAV's errors pass through.
+        """
+        if not 0 < width_px * height_px <= MAX_PIXELS:
+            raise MediaError(
+                "{width} x {height} pixels are too large for a frame",
+                width=width_px,
+                height=height_px,
+            )
+        native = frame.native
+        quarter_turns = rotation_of(native) // 90
+        size = (height_px, width_px) if quarter_turns % 2 else (width_px, height_px)
+        grey = self._reformatter.reformat(
+            native, *size, "gray", interpolation=_FAST, threads=_ONE_THREAD
+        )
+        plane = grey.planes[0]
+        rows = np.frombuffer(memoryview(plane), np.uint8)
+        rows = rows.reshape(-1, plane.line_size)[: grey.height, : grey.width]
+        return np.ascontiguousarray(np.rot90(rows, quarter_turns))
+
 
 def _image(bgra: VideoFrame, quarter_turns: int) -> BgraImage:
     """Wrap PyAV's memory without a copy; a rotated frame is copied once."""

@@ -21,12 +21,13 @@ if TYPE_CHECKING:
     from hapticplayer.model.imu import ImuLog, Sampling
     from hapticplayer.model.mapping import M_AD, Feedback, Mapping, PresetName
     from hapticplayer.model.motion import MotionTrack
+    from hapticplayer.model.rig_track import RigTrack
     from hapticplayer.model.timing import ClockMap, PlaybackClock
 
 STANDARD_GRAVITY_MPS2 = 9.80665
 """|g| of equation 1 (3rd CGPM, 1901); local gravity is within 0.3 % of it."""
 
-_MODULES = ("device", "timing", "force", "imu", "mapping", "motion")
+_MODULES = ("device", "timing", "force", "imu", "mapping", "motion", "rig_track")
 """Searched in this order: the first two load no numpy, which loop and guard do without."""
 
 __all__ = [
@@ -44,6 +45,7 @@ __all__ = [
     "PlaybackClock",
     "PresetName",
     "Reconstruction",
+    "RigTrack",
     "Sampling",
     "SyncStats",
 ]

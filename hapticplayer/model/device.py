@@ -1,9 +1,17 @@
 """What a haptic device can do, and snapshots that a front end polls."""
 
+import enum
 from dataclasses import dataclass
 from typing import NamedTuple
 
 Vector = tuple[float, float, float]
+
+
+class Signal(enum.StrEnum):
+    """What a device is told."""
+
+    FORCE = "force"
+    MOTION = "motion"
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,6 +25,7 @@ class DeviceCapabilities:
         workspace_radius_m: radius of the usable sphere around its centre.
         rate_hz: rate of the exchange.
         latency_s: from command to force, typical.
+        signal: a force in newtons, or a `RigMotion`; forces are 0 for the latter.
         first_axis: 0, 1, 2 for x, y, z.
         has_newtons: whether a force of 1 N is 1 N; else it is a share of what the
             device can do.
@@ -28,6 +37,7 @@ class DeviceCapabilities:
     workspace_radius_m: float
     rate_hz: float
     latency_s: float
+    signal: Signal = Signal.FORCE
     first_axis: int = 0
     has_newtons: bool = True
 

@@ -98,3 +98,5 @@ SIMULATED_PARTICIPANTS = Range(1, 200, is_whole=True)
 
 SEED = Range(0, 2**53, is_whole=True)
 """Whole numbers that JSON keeps exactly."""
+
+PORT = Range(0, 65535, is_whole=True)

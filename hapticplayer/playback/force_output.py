@@ -15,19 +15,21 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.filling import FillingTrack
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.model import ForceTrack, SyncStats
+from hapticplayer.model import DeviceCapabilities, ForceTrack, SyncStats
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.meters import SyncAlarm, SyncMeter, TickHistory
 from hapticplayer.playback.snapshot import Measurements, SyncTraces
-from hapticplayer.rendering import adapted
+from hapticplayer.rendering import adapted, device_gain
 
 SYNC_LOG_PERIOD_S = 1.0
 TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
 COMPARE_PERIOD_S = 0.2  # an alarm looks at half a second
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
 
+AnyForce = ForceTrack | FillingTrack
 MakeProcesses = Callable[..., HapticsProcesses]
 
 
@@ -48,7 +50,7 @@ class ForceOutput:
     ) -> None:
         self._clock, self._reporter = clock, reporter
         self._scheduling, self._make = scheduling, make
-        self._tracks: Mapping[str, ForceTrack] = {}
+        self._tracks: Mapping[str, AnyForce] = {}
         self._releasing: list[tuple[str, threading.Thread]] = []
         self._begin(device)
 
@@ -86,13 +88,13 @@ class ForceOutput:
             if not hardware_only or is_hardware(device):
                 thread.join()
 
-    def load(self, tracks: Mapping[str, ForceTrack]) -> None:
+    def load(self, tracks: Mapping[str, AnyForce]) -> None:
         """Hand over the tracks of a clip in place of those before."""
         self._tracks = tracks
         if self.processes.device != NO_DEVICE:
             capabilities = find_device(self.processes.device).capabilities
             self.processes.load(
-                {name: adapted(track, capabilities) for name, track in tracks.items()}
+                {name: _adapted(track, capabilities) for name, track in tracks.items()}
             )
 
     def replace(self, name: str, track: ForceTrack) -> None:
@@ -231,6 +233,13 @@ class ForceOutput:
                 monotonic_s=float(records["monotonic_s"][row]),
             )
         self._mode = Mode(int(modes[-1]))
+
+
+def _adapted(track: AnyForce, capabilities: DeviceCapabilities) -> AnyForce:
+    if isinstance(track, FillingTrack):
+        track.adapt(device_gain(capabilities))
+        return track
+    return adapted(track, capabilities)
 
 
 def is_hardware(device: str) -> bool:

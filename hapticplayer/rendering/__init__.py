@@ -20,8 +20,14 @@ from hapticplayer.rendering.feedback import (
     no_feedback,
     random_feedback,
 )
-from hapticplayer.rendering.force import adapted, fit_gain, render_force
+from hapticplayer.rendering.force import (
+    adapted,
+    device_gain,
+    fit_gain,
+    render_force,
+)
 from hapticplayer.rendering.lever_arm import LEVER_ARMS_M, at_point
+from hapticplayer.rendering.rig import rig_track
 
 __all__ = [
     "FEEDBACKS",
@@ -38,10 +44,12 @@ __all__ = [
     "condition_named",
     "coverage_notice",
     "demonstration",
+    "device_gain",
     "fit_gain",
     "no_feedback",
     "random_feedback",
     "refuse_late",
     "render_force",
+    "rig_track",
     "shifted_and_scaled",
 ]

@@ -1,7 +1,6 @@
 """What an event of a recording is, and what the detectors of events look at."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -11,6 +10,8 @@ from hapticplayer.errors import Message
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
+from hapticplayer.rendering.effects import Effect
+from hapticplayer.rendering.effects.values import MAX_EFFECT_S
 from hapticplayer.rendering.low_sound import LowSound
 from hapticplayer.rendering.window_means import dense_motion
 
@@ -21,26 +22,9 @@ GAP_STEPS, LEAST_GAP_S = 1.75, 0.02
 """One row of a 30 Hz log that is missing is a gap; stamps may jitter by a fifth."""
 
 LEAST_EFFECT_S = 0.001
+_LONGEST_S = MAX_EFFECT_S - 10.0  # with room for fades
 
 Flags = NDArray[np.bool_]
-
-
-@dataclass(frozen=True, slots=True)
-class SuggestedEffect:
-    """An effect that a person may make of an event.
-
-    Attributes:
-        kind: of the effect.
-        start_s, end_s: media time.
-        fade_s: at either end, within the span.
-        parameters: its numbers by name.
-    """
-
-    kind: str
-    start_s: float
-    end_s: float
-    fade_s: float = 0.0
-    parameters: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,32 +44,62 @@ class Event:
     end_s: float
     confidence: float
     text: Message
-    effect: SuggestedEffect
+    effect: Effect
 
     def within(self, end_s: float) -> "Event":
         """Return it without what lies before 0 or after the end of a clip.
 
         The effect keeps a millisecond at least, also where it would begin after the end.
         """
-        last_start_s = max(0.0, end_s - LEAST_EFFECT_S)
-        first_s = min(max(self.effect.start_s, 0.0), last_start_s)
-        last_s = min(max(self.effect.end_s, first_s + LEAST_EFFECT_S), end_s)
-        fade_s = min(self.effect.fade_s, 0.5 * (last_s - first_s))
-        return replace(
-            self,
-            start_s=max(self.start_s, 0.0),
-            end_s=min(self.end_s, end_s),
-            effect=replace(self.effect, start_s=first_s, end_s=last_s, fade_s=fade_s),
+        effect = self.effect
+        first_s = min(effect.start_s, max(0.0, end_s - LEAST_EFFECT_S))
+        last_s = min(max(effect.end_s, first_s + LEAST_EFFECT_S), end_s)
+        most_s = 0.5 * (last_s - first_s)
+        cut = replace(
+            effect,
+            start_s=first_s,
+            end_s=last_s,
+            fade_in_s=min(effect.fade_in_s, most_s),
+            fade_out_s=min(effect.fade_out_s, most_s),
         )
+        start_s, stop_s = max(self.start_s, 0.0), min(self.end_s, end_s)
+        return replace(self, start_s=start_s, end_s=stop_s, effect=cut)
+
+
+def effect_on(
+    kind: str, span_s: tuple[float, float], fade_s: float = 0.0, **parameters: float
+) -> Effect:
+    """Return an effect on the force with its fades inside a span.
+
+    It begins at 0 at the earliest and has a millisecond at least.
+    """
+    start_s = max(span_s[0], 0.0)
+    least_s, most_s = start_s + LEAST_EFFECT_S, start_s + _LONGEST_S
+    end_s = min(max(span_s[1], least_s), most_s)
+    fade_s = min(fade_s, 0.5 * (end_s - start_s))
+    return Effect(
+        kind,
+        start_s,
+        end_s,
+        fade_in_s=fade_s,
+        fade_out_s=fade_s,
+        parameters=parameters,
+    )
 
 
 def over(
     kind: str, span_s: tuple[float, float], fade_s: float, **parameters: float
-) -> SuggestedEffect:
-    """Return an effect on a span, a millisecond at least, with the fades outside of it."""
-    start_s = max(span_s[0] - fade_s, 0.0)
-    end_s = max(span_s[1], span_s[0] + LEAST_EFFECT_S) + fade_s
-    return SuggestedEffect(kind, start_s, end_s, min(fade_s, span_s[0]), parameters)
+) -> Effect:
+    """Return an effect on a span, with the fades outside of it."""
+    inside = effect_on(kind, span_s, **parameters)
+    before_s = min(fade_s, inside.start_s)
+    return replace(
+        inside,
+        start_s=inside.start_s - before_s,
+        end_s=inside.end_s + fade_s,
+        fade_in_s=before_s,
+        fade_out_s=fade_s,
+    )
 
 
 class Material:

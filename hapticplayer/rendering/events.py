@@ -22,24 +22,51 @@ class Detector:
 
     Attributes:
         name: of the kind.
-        text: for people.
+        title: for people, a word.
+        text: for people, what is found.
         find: returns the events in the order of time.
     """
 
     name: str
+    title: Message
     text: Message
     find: Callable[[Material], list[Event]]
 
 
 DETECTORS: tuple[Detector, ...] = (
     Detector(
-        "impact", Message("Shocks that stand out of what surrounds them"), impacts
+        "impact",
+        Message("Impact"),
+        Message("Shocks that stand out of what surrounds them"),
+        impacts,
     ),
-    Detector("braking", Message("Speed is lost at 0.3 g or more"), hard_braking),
-    Detector("turn", Message("Bends with 0.15 g or more sideways"), turns),
-    Detector("stillness", Message("A second or more without motion"), stillness),
-    Detector("saturation", Message("A sensor at the end of its range"), saturation),
-    Detector("artefact", Message("Missing samples and isolated spikes"), artefacts),
+    Detector(
+        "braking",
+        Message("Braking"),
+        Message("Speed is lost at 0.3 g or more"),
+        hard_braking,
+    ),
+    Detector(
+        "turn", Message("Turn"), Message("Bends with 0.15 g or more sideways"), turns
+    ),
+    Detector(
+        "stillness",
+        Message("Stillness"),
+        Message("A second or more without motion"),
+        stillness,
+    ),
+    Detector(
+        "saturation",
+        Message("Saturation"),
+        Message("A sensor at the end of its range"),
+        saturation,
+    ),
+    Detector(
+        "artefact",
+        Message("Artefact"),
+        Message("Missing samples and isolated spikes"),
+        artefacts,
+    ),
 )
 
 

@@ -6,12 +6,13 @@ import numpy as np
 
 from hapticplayer.errors import Message
 from hapticplayer.model.arrays import Floats
+from hapticplayer.rendering.effects import Effect
 from hapticplayer.rendering.event import (
     GRID_HZ,
     Event,
     Flags,
     Material,
-    SuggestedEffect,
+    effect_on,
     over,
 )
 
@@ -49,7 +50,7 @@ def stillness(material: Material) -> list[Event]:
         if end_s - start_s < LEAST_STILL_S - 0.5 / GRID_HZ:
             continue
         fade_s = min(FADE_S, 0.25 * (end_s - start_s))
-        effect = SuggestedEffect("mute", start_s, end_s, fade_s)
+        effect = effect_on("mute", (start_s, end_s), fade_s)
         found.append(Event("stillness", start_s, end_s, confidence, _STILL, effect))
     return found
 
@@ -84,7 +85,7 @@ def artefacts(material: Material) -> list[Event]:
     ]
 
 
-def _smoothed(span_s: tuple[float, float]) -> SuggestedEffect:
+def _smoothed(span_s: tuple[float, float]) -> Effect:
     return over("low-pass", span_s, SHORT_FADE_S, cutoff_hz=SMOOTH_BELOW_HZ)
 
 

@@ -143,8 +143,8 @@ def _described_shortening(mapping: Mapping, share: float) -> dict[str, float]:
     }
 
 
-def adapted(track: ForceTrack, capabilities: DeviceCapabilities) -> ForceTrack:
-    """Return a track for this device; the same object where nothing has to change.
+def device_gain(capabilities: DeviceCapabilities) -> Floats:
+    """Return by what a device's force differs from that of a track, (3,) per axis.
 
     Tracks are made for 3 axes and 4.5 N. A weaker device gets all of a track scaled by
     one factor that depends on the device alone, so that strong and gentle scenes keep
@@ -152,17 +152,24 @@ def adapted(track: ForceTrack, capabilities: DeviceCapabilities) -> ForceTrack:
     driver of a device without direction (a motor that vibrates) takes the magnitude.
 
     Args:
-        track: in frame D, N.
-        capabilities: of the device; its `axes` count from `first_axis` on.
+        capabilities: its `axes` count x, y, z in this order, from `first_axis` on.
     """
-    scale = min(1.0, capabilities.peak_force_n / DEFAULT_FORCE_LIMIT_N)
-    axes = capabilities.axes
-    if scale == 1.0 and axes in (0, 3):
+    gain = np.full(3, min(1.0, capabilities.peak_force_n / DEFAULT_FORCE_LIMIT_N))
+    if capabilities.axes:
+        first = capabilities.first_axis
+        gain[:first] = gain[first + capabilities.axes :] = 0.0
+    return gain
+
+
+def adapted(track: ForceTrack, capabilities: DeviceCapabilities) -> ForceTrack:
+    """Return a track (frame D, N) for this device; the same object for a gain of 1."""
+    gain = device_gain(capabilities)
+    if np.all(gain == 1.0):
         return track
-    force_n = scale * track.force_n.astype(np.float64)
-    if axes:
-        lacking = np.ones(3, dtype=bool)
-        lacking[capabilities.first_axis : capabilities.first_axis + axes] = False
-        force_n[:, lacking] = 0.0
-    provenance = {**track.provenance, "device_scale": scale, "device_axes": axes}
-    return replace(track, force_n=force_n.astype(np.float32), provenance=provenance)
+    provenance = {
+        **track.provenance,
+        "device_scale": float(gain.max()),
+        "device_axes": capabilities.axes,
+    }
+    force_n = (gain * track.force_n).astype(np.float32)
+    return replace(track, force_n=force_n, provenance=provenance)

@@ -20,7 +20,7 @@ from hapticplayer.rendering.event import (
     Event,
     Flags,
     Material,
-    SuggestedEffect,
+    effect_on,
 )
 from hapticplayer.rendering.low_sound import LOW_HZ, LowSound
 
@@ -214,5 +214,5 @@ def _event(shock: Shock) -> Event:
         "decay_s": KNOCK_DECAY_S,
     }
     end_s = shock.peak_s + KNOCK_DECAYS * KNOCK_DECAY_S
-    effect = SuggestedEffect("knock", shock.peak_s, end_s, 0.0, knock)
+    effect = effect_on("knock", (shock.peak_s, end_s), **knock)
     return Event("impact", shock.start_s, shock.end_s, confidence, text, effect)

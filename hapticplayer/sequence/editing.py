@@ -11,8 +11,6 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Protocol
 
-import numpy as np
-
 from hapticplayer import __version__, model, rendering
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError, UsageError
@@ -20,7 +18,8 @@ from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import EffectList
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import predict
-from hapticplayer.sequence.presets import preset_of, render_preset
+from hapticplayer.sequence.figures import ForceFigures, force_figures
+from hapticplayer.sequence.presets import Rendering, preset_of
 
 MAX_TITLE = 300
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
@@ -146,16 +145,13 @@ def set_mapping(
         SequenceError: when the sequence is damaged or cannot be written.
     """
     sequence = store.open_sequence(folder)
-    imu = _angular_rate(sequence, mapping)
     if fits_gain:
         duration_s = _duration_s(sequence.description)
+        imu = _angular_rate(sequence, mapping)
         gain = rendering.fit_gain(store.motion_of(sequence), mapping, duration_s, imu)
         mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
-    name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
     chosen = store.effects_of(sequence) if effects is None else effects
-    realistic = render_preset(
-        store.motion_of(sequence), mapping, imu, name=name, effects=chosen
-    )
+    realistic = rendering_of(sequence, preset, mapping).track(chosen)
     tracks = {
         condition.name: condition.track(
             rendering.Ingredients(realistic, _seed(sequence.tracks[condition.name])), {}
@@ -204,15 +200,29 @@ def rendered_again(folder: Path, preset: str) -> ForceTrack:
     realistic = sequence.tracks[model.Feedback.REALISTIC]
     if preset == preset_of(realistic):
         return realistic
-    mapping = sequence.mapping
+    return rendering_of(sequence, preset).track(store.effects_of(sequence))
+
+
+def rendering_of(
+    sequence: store.Sequence,
+    preset: str | None = None,
+    mapping: model.Mapping | None = None,
+) -> Rendering:
+    """Return what renders a sequence's motion under one list of effects or another.
+
+    Args:
+        sequence: with its motion.
+        preset: None for that of the realistic track.
+        mapping: None for the sequence's own.
+
+    Raises:
+        UsageError: for an unknown preset.
+        SequenceError: when the sequence was shared without its motion.
+    """
+    mapping = mapping or sequence.mapping
+    name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
     imu = _angular_rate(sequence, mapping)
-    return render_preset(
-        store.motion_of(sequence),
-        mapping,
-        imu,
-        name=preset,
-        effects=store.effects_of(sequence),
-    )
+    return Rendering(store.motion_of(sequence), mapping, imu, name=name)
 
 
 class Change(Protocol):
@@ -275,31 +285,12 @@ def _angular_rate(
     return store.recorded_log(sequence)
 
 
-@dataclasses.dataclass(frozen=True, slots=True)
-class GainPreview:
-    """The effect of another gain on a sequence.
-
-    Attributes:
-        peak_n: of the realistic track.
-        rms_n: of all axes together.
-        saturated_share: of its samples, at the force limit.
-        reaches: share of the workspace for each hand.
-        trips: hands that would cause a trip.
-    """
-
-    peak_n: float
-    rms_n: float
-    saturated_share: float
-    reaches: dict[str, float]
-    trips: tuple[str, ...]
-
-
 def preview_gain(
     folder: Path,
     gain_n_per_mps2: float,
     *,
     progress: files.Progress = files.no_progress,
-) -> GainPreview:
+) -> ForceFigures:
     """Return the effect of `set_gain` without writing anything.
 
     Raises:
@@ -308,23 +299,13 @@ def preview_gain(
     """
     sequence = store.open_sequence(folder)
     mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
-    imu = _angular_rate(sequence, mapping)
-    name = preset_of(sequence.tracks[model.Feedback.REALISTIC])
-    track = render_preset(
-        store.motion_of(sequence),
-        mapping,
-        imu,
-        name=name,
-        effects=store.effects_of(sequence),
-    )
-    report = _reporter(progress, 0, 1)
-    hands = predict(track, _duration_s(sequence.description), report)["hands"]
-    return GainPreview(
-        peak_n=track.peak_n(),
-        rms_n=float(np.linalg.norm(track.rms_n())),
-        saturated_share=float(track.provenance["saturated_share"]),
-        reaches={name: one["reach"] for name, one in hands.items()},
-        trips=tuple(name for name, one in hands.items() if one["trip"] is not None),
+    effects = store.effects_of(sequence)
+    track = rendering_of(sequence, mapping=mapping).track(effects)
+    return force_figures(
+        track,
+        _duration_s(sequence.description),
+        mapping.force_limit_n,
+        progress=_reporter(progress, 0, 1),
     )
 
 

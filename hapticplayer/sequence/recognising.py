@@ -129,13 +129,18 @@ def _sync(
         return (
             None,
             message_of(problem),
-            nothing if not clip.has_audio else _loudness(clip),
+            nothing if not clip.has_audio else loudness_of(clip),
         )
-    sound = nothing if found.method == "embedded" else _loudness(clip)
+    sound = nothing if found.method == "embedded" else loudness_of(clip)
     return found, "", sound
 
 
-def _loudness(clip: ClipInfo) -> Curve:
+def loudness_of(clip: ClipInfo) -> Curve:
+    """Return times (N,) in s and the loudness (N,) of a clip with sound.
+
+    Raises:
+        MediaError: when the sound cannot be read.
+    """
     from hapticplayer.capture.sync.events import loudness
     from hapticplayer.capture.sync.synchronize import read_sound
 

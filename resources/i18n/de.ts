@@ -56,6 +56,10 @@
         <translation>&amp;Protokoll abspielen…</translation>
     </message>
     <message>
+        <source>Edit &amp;effects…</source>
+        <translation>&amp;Effekte bearbeiten…</translation>
+    </message>
+    <message>
         <source>S&amp;hare…</source>
         <translation>&amp;Teilen…</translation>
     </message>
@@ -473,6 +477,10 @@
         <translation>Kräfte eines Protokolls abspielen</translation>
     </message>
     <message>
+        <source>Only the effects of a sequence can be edited: import the video first</source>
+        <translation>Nur die Effekte einer Sequenz lassen sich bearbeiten: Video zuerst importieren</translation>
+    </message>
+    <message>
         <source>Only a sequence can be shared: import the video first. A file that was shared with you can be sent on as it is.</source>
         <translation>Nur eine Sequenz kann geteilt werden: Importieren Sie das Video zuerst. Eine Datei, die mit Ihnen geteilt wurde, können Sie weitergeben, wie sie ist.</translation>
     </message>
@@ -491,6 +499,49 @@
     <message>
         <source>Import settings</source>
         <translation>Einstellungen importieren</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>Show less of the clip (+)</source>
+        <translation>Weniger vom Clip zeigen (+)</translation>
+    </message>
+    <message>
+        <source>Show more of the clip (−)</source>
+        <translation>Mehr vom Clip zeigen (−)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole clip</source>
+        <translation type="unfinished">&amp;Ganzer Clip</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation type="unfinished">Den ganzen Clip zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Edit effects</source>
+        <translation>Effekte bearbeiten</translation>
+    </message>
+    <message>
+        <source>Reading the sequence</source>
+        <translation>Sequenz wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -1425,6 +1476,49 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>Lanes</name>
+    <message>
+        <source>{time} s</source>
+        <translation type="unfinished">{time} s</translation>
+    </message>
+    <message>
+        <source>Force x (right)</source>
+        <translation>Kraft x (rechts)</translation>
+    </message>
+    <message>
+        <source>Force y (up)</source>
+        <translation>Kraft y (oben)</translation>
+    </message>
+    <message>
+        <source>Force z (towards you)</source>
+        <translation>Kraft z (zu Ihnen)</translation>
+    </message>
+    <message>
+        <source>± {peak} N</source>
+        <translation>± {peak} N</translation>
+    </message>
+    <message>
+        <source>The clip has no sound</source>
+        <translation>Der Clip hat keinen Ton</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation type="unfinished">Ton</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>No events found</source>
+        <translation>Keine Ereignisse gefunden</translation>
+    </message>
+    <message>
+        <source>No effects</source>
+        <translation>Keine Effekte</translation>
+    </message>
+</context>
+<context>
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
@@ -1585,8 +1679,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>etwa {peak} N Spitze, {rms} N RMS…</translation>
     </message>
     <message>
-        <source>{peak} N peak, {rms} N RMS, {share} of the samples at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N Spitze, {rms} N RMS, {share} der Werte an der Grenze; genutzter Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
+        <source>{peak} N peak, {rms} N RMS, {share} of the time at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N Spitze, {rms} N RMS, {share} der Zeit an der Grenze; genutzter Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
     </message>
     <message>
         <source>the force would be stopped</source>
@@ -1670,6 +1764,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Choose the library folder</source>
         <translation>Ordner der Bibliothek wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Effects…</source>
+        <translation>&amp;Effekte…</translation>
+    </message>
+    <message>
+        <source>Edit the effects</source>
+        <translation>Effekte bearbeiten</translation>
     </message>
     <message>
         <source>Change the title</source>
@@ -4981,12 +5083,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Amplitude am Anfang</translation>
     </message>
     <message>
+        <source>Artefact</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
         <source>BeamNG MotionSim</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Kurven mit mindestens 0,15 g zur Seite</translation>
+    </message>
+    <message>
+        <source>Braking</source>
+        <translation>Bremsen</translation>
     </message>
     <message>
         <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
@@ -5045,6 +5155,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Hochpass</translation>
     </message>
     <message>
+        <source>Impact</source>
+        <translation>Stoß</translation>
+    </message>
+    <message>
         <source>Impact of {peak_mps2:.1f} m/s²</source>
         <translation>Stoß von {peak_mps2:.1f} m/s²</translation>
     </message>
@@ -5081,6 +5195,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fehlende Messwerte und einzelne Ausreißer</translation>
     </message>
     <message>
+        <source>Motion rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mute (silence instead)</source>
         <translation>Stumm (stattdessen Stille)</translation>
     </message>
@@ -5113,6 +5231,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Messwerte fehlen</translation>
     </message>
     <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
         <source>Scaled</source>
         <translation>Skaliert</translation>
     </message>
@@ -5141,6 +5263,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ausreißer eines einzelnen Messwerts, wie ihn ein fehlerhafter Logger schreibt</translation>
     </message>
     <message>
+        <source>Stillness</source>
+        <translation>Stillstand</translation>
+    </message>
+    <message>
         <source>The accelerometer is at the end of its range</source>
         <translation>Der Beschleunigungssensor ist am Ende seines Messbereichs</translation>
     </message>
@@ -5151,6 +5277,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Track</source>
         <translation>Spur</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
@@ -5187,6 +5317,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>a matrix of forces is not three numbers a row</source>
         <translation>eine Matrix von Kräften hat nicht drei Zahlen je Zeile</translation>
+    </message>
+    <message>
+        <source>a rig track needs at least one row</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a row for each change of the force</source>
@@ -5245,6 +5379,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kann nicht nach {kind} kopiert werden, ohne dass sich das Video ändert</translation>
     </message>
     <message>
+        <source>cannot listen on port {port} ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>checking the clip</source>
         <translation>Prüfe das Video</translation>
     </message>
@@ -5259,6 +5397,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>choose a lower sample rate, or another format</source>
         <translation>eine niedrigere Abtastrate oder ein anderes Format wählen</translation>
+    </message>
+    <message>
+        <source>choose an address of this machine and a free port</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>choose another file, or replace it with --overwrite</source>
@@ -5355,6 +5497,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>feedback {feedback} has no parameters</source>
         <translation>das Feedback {feedback} hat keine Parameter</translation>
+    </message>
+    <message>
+        <source>finding events</source>
+        <translation>Ereignisse werden gesucht</translation>
+    </message>
+    <message>
+        <source>following the frames</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -5457,12 +5607,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält zwei Anhänge mit demselben Namen</translation>
     </message>
     <message>
+        <source>import it with its motion, or serve a file that was packed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision], which synchronises without pats and finds the mounting of a sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>ist eine FIT-Datei einer Sportuhr oder eines Fahrradcomputers</translation>
     </message>
     <message>
         <source>is a blackbox log of a flight controller</source>
         <translation>ist ein Blackbox-Protokoll eines Flugreglers</translation>
+    </message>
+    <message>
+        <source>is a stream of another version ({found})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is a table of {program} without the acceleration of three axes</source>
@@ -5483,6 +5645,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is compressed with gzip</source>
         <translation>ist mit gzip komprimiert</translation>
+    </message>
+    <message>
+        <source>is longer than {most_h:g} h</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is not MPEG-V (SEM)</source>
@@ -5705,6 +5871,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Lese die Kopie</translation>
     </message>
     <message>
+        <source>reading the sequence</source>
+        <translation>Sequenz wird gelesen</translation>
+    </message>
+    <message>
+        <source>reading the sound</source>
+        <translation>Ton wird gelesen</translation>
+    </message>
+    <message>
         <source>ready</source>
         <translation>bereit</translation>
     </message>
@@ -5785,6 +5959,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>rotation from frames needs OpenCV, which is not installed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>row {number}</source>
         <translation>Zeile {number}</translation>
     </message>
@@ -5807,6 +5985,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>save it as text in UTF-8</source>
         <translation>speichern Sie sie als Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>send it as a file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>session {code} cannot be used: {what}</source>
@@ -6091,6 +6273,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the format of {name!r} is unknown; choose one of {known}</source>
         <translation>das Format von {name!r} ist unbekannt; wählen Sie eines von {known}</translation>
+    </message>
+    <message>
+        <source>the rig at {address} cannot be reached ({reason}); check address and network, and choose the device again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rig is not open; choose the device again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>update hapticplayer here and where the clip is served</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>

@@ -56,6 +56,10 @@
         <translation>Re&amp;jouer un journal…</translation>
     </message>
     <message>
+        <source>Edit &amp;effects…</source>
+        <translation>Modifier les &amp;effets…</translation>
+    </message>
+    <message>
         <source>S&amp;hare…</source>
         <translation>Parta&amp;ger…</translation>
     </message>
@@ -473,6 +477,10 @@
         <translation>Rejouer les forces d’un journal</translation>
     </message>
     <message>
+        <source>Only the effects of a sequence can be edited: import the video first</source>
+        <translation>Seuls les effets d’une séquence peuvent être modifiés&#xa0;: importez d’abord la vidéo</translation>
+    </message>
+    <message>
         <source>Only a sequence can be shared: import the video first. A file that was shared with you can be sent on as it is.</source>
         <translation>Seule une séquence peut être partagée&#xa0;: importez d’abord la vidéo. Un fichier qu’on a partagé avec vous peut être transmis tel quel.</translation>
     </message>
@@ -491,6 +499,49 @@
     <message>
         <source>Import settings</source>
         <translation>Importer des réglages</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPage</name>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">Temps</translation>
+    </message>
+    <message>
+        <source>Show less of the clip (+)</source>
+        <translation>Montrer moins du clip (+)</translation>
+    </message>
+    <message>
+        <source>Show more of the clip (−)</source>
+        <translation>Montrer plus du clip (−)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole clip</source>
+        <translation type="unfinished">Clip &amp;entier</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation type="unfinished">Montrer tout le clip</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Agrandir</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Réduire</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Fermer</translation>
+    </message>
+    <message>
+        <source>Edit effects</source>
+        <translation>Modifier les effets</translation>
+    </message>
+    <message>
+        <source>Reading the sequence</source>
+        <translation>Lecture de la séquence</translation>
     </message>
 </context>
 <context>
@@ -1425,6 +1476,49 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>Lanes</name>
+    <message>
+        <source>{time} s</source>
+        <translation type="unfinished">{time} s</translation>
+    </message>
+    <message>
+        <source>Force x (right)</source>
+        <translation>Force x (droite)</translation>
+    </message>
+    <message>
+        <source>Force y (up)</source>
+        <translation>Force y (haut)</translation>
+    </message>
+    <message>
+        <source>Force z (towards you)</source>
+        <translation>Force z (vers vous)</translation>
+    </message>
+    <message>
+        <source>± {peak} N</source>
+        <translation>± {peak} N</translation>
+    </message>
+    <message>
+        <source>The clip has no sound</source>
+        <translation>Le clip n’a pas de son</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation type="unfinished">Son</translation>
+    </message>
+    <message>
+        <source>Time line</source>
+        <translation>Ligne de temps</translation>
+    </message>
+    <message>
+        <source>No events found</source>
+        <translation>Aucun événement trouvé</translation>
+    </message>
+    <message>
+        <source>No effects</source>
+        <translation>Aucun effet</translation>
+    </message>
+</context>
+<context>
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
@@ -1585,8 +1679,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>environ {peak} N crête, {rms} N RMS…</translation>
     </message>
     <message>
-        <source>{peak} N peak, {rms} N RMS, {share} of the samples at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N crête, {rms} N RMS, {share} des valeurs à la limite&#xa0;; espace utilisé&#xa0;: main relâchée {relaxed}, normale {normal}, ferme {firm}</translation>
+        <source>{peak} N peak, {rms} N RMS, {share} of the time at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
+        <translation>{peak} N crête, {rms} N RMS, {share} du temps à la limite&#xa0;; espace utilisé&#xa0;: main relâchée {relaxed}, normale {normal}, ferme {firm}</translation>
     </message>
     <message>
         <source>the force would be stopped</source>
@@ -1670,6 +1764,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Choose the library folder</source>
         <translation>Choisir le dossier de la bibliothèque</translation>
+    </message>
+    <message>
+        <source>&amp;Effects…</source>
+        <translation>&amp;Effets…</translation>
+    </message>
+    <message>
+        <source>Edit the effects</source>
+        <translation>Modifier les effets</translation>
     </message>
     <message>
         <source>Change the title</source>
@@ -4981,12 +5083,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Amplitude au début</translation>
     </message>
     <message>
+        <source>Artefact</source>
+        <translation>Artefact</translation>
+    </message>
+    <message>
         <source>BeamNG MotionSim</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Virages d’au moins 0,15 g de côté</translation>
+    </message>
+    <message>
+        <source>Braking</source>
+        <translation>Freinage</translation>
     </message>
     <message>
         <source>Braking at up to {level_mps2:.1f} m/s², {change_mps:.0f} m/s slower</source>
@@ -5045,6 +5155,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Passe-haut</translation>
     </message>
     <message>
+        <source>Impact</source>
+        <translation>Choc</translation>
+    </message>
+    <message>
         <source>Impact of {peak_mps2:.1f} m/s²</source>
         <translation>Choc de {peak_mps2:.1f} m/s²</translation>
     </message>
@@ -5081,6 +5195,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Échantillons manquants et pics isolés</translation>
     </message>
     <message>
+        <source>Motion rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mute (silence instead)</source>
         <translation>Muet (silence à la place)</translation>
     </message>
@@ -5113,6 +5231,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Des échantillons manquent</translation>
     </message>
     <message>
+        <source>Saturation</source>
+        <translation>Saturation</translation>
+    </message>
+    <message>
         <source>Scaled</source>
         <translation>Mise à l’échelle</translation>
     </message>
@@ -5141,6 +5263,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Pic d’un seul échantillon, comme en écrit un enregistreur défaillant</translation>
     </message>
     <message>
+        <source>Stillness</source>
+        <translation>Immobilité</translation>
+    </message>
+    <message>
         <source>The accelerometer is at the end of its range</source>
         <translation>L’accéléromètre est au bout de sa plage de mesure</translation>
     </message>
@@ -5151,6 +5277,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Track</source>
         <translation>Piste</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Virage</translation>
     </message>
     <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
@@ -5187,6 +5317,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>a matrix of forces is not three numbers a row</source>
         <translation>une matrice de forces n’a pas trois nombres par ligne</translation>
+    </message>
+    <message>
+        <source>a rig track needs at least one row</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a row for each change of the force</source>
@@ -5245,6 +5379,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne peut pas être copié en {kind} sans que sa vidéo change</translation>
     </message>
     <message>
+        <source>cannot listen on port {port} ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>checking the clip</source>
         <translation>vérification de la vidéo</translation>
     </message>
@@ -5259,6 +5397,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>choose a lower sample rate, or another format</source>
         <translation>choisissez une fréquence d’échantillonnage plus basse ou un autre format</translation>
+    </message>
+    <message>
+        <source>choose an address of this machine and a free port</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>choose another file, or replace it with --overwrite</source>
@@ -5355,6 +5497,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>feedback {feedback} has no parameters</source>
         <translation>le retour {feedback} n’a pas de paramètres</translation>
+    </message>
+    <message>
+        <source>finding events</source>
+        <translation>recherche d’événements</translation>
+    </message>
+    <message>
+        <source>following the frames</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -5457,12 +5607,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>contient deux pièces jointes du même nom</translation>
     </message>
     <message>
+        <source>import it with its motion, or serve a file that was packed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision], which synchronises without pats and finds the mounting of a sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>est un fichier FIT d&apos;une montre de sport ou d&apos;un compteur de vélo</translation>
     </message>
     <message>
         <source>is a blackbox log of a flight controller</source>
         <translation>est un journal blackbox d&apos;un contrôleur de vol</translation>
+    </message>
+    <message>
+        <source>is a stream of another version ({found})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is a table of {program} without the acceleration of three axes</source>
@@ -5483,6 +5645,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is compressed with gzip</source>
         <translation>est compressé avec gzip</translation>
+    </message>
+    <message>
+        <source>is longer than {most_h:g} h</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is not MPEG-V (SEM)</source>
@@ -5705,6 +5871,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>lecture de la copie</translation>
     </message>
     <message>
+        <source>reading the sequence</source>
+        <translation>lecture de la séquence</translation>
+    </message>
+    <message>
+        <source>reading the sound</source>
+        <translation>lecture du son</translation>
+    </message>
+    <message>
         <source>ready</source>
         <translation>prêt</translation>
     </message>
@@ -5785,6 +5959,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>rotation from frames needs OpenCV, which is not installed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>row {number}</source>
         <translation>ligne {number}</translation>
     </message>
@@ -5807,6 +5985,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>save it as text in UTF-8</source>
         <translation>enregistrez-le comme texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>send it as a file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>session {code} cannot be used: {what}</source>
@@ -6091,6 +6273,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the format of {name!r} is unknown; choose one of {known}</source>
         <translation>le format de {name!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
+    </message>
+    <message>
+        <source>the rig at {address} cannot be reached ({reason}); check address and network, and choose the device again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rig is not open; choose the device again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>update hapticplayer here and where the clip is served</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtCore import QEventLoop, QPoint, QRect, Qt
 from PySide6.QtGui import QAccessible, QImage, QTextDocument
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -27,6 +27,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.editor.lanes import Lanes
+from app.editor.page import EditorPage, Means
 from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
@@ -51,7 +53,7 @@ from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
 from hapticplayer.errors import DeviceError
 from hapticplayer.playback.player import Player
-from hapticplayer.sequence.editing import GainPreview
+from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.preflight import SessionCheck
 
@@ -65,6 +67,7 @@ CONTROLS = (
     QTextEdit,
     QPlainTextEdit,
     GripView,
+    Lanes,
     PlayheadPlot,
 )
 EVERY_PLACE = 80  # more stops of the Tab key than any page has
@@ -83,6 +86,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "library-empty": lambda: LibraryPage(folder, window),
         "library": lambda: LibraryPage(_library(window), window),
         "library-gain": lambda: _library_with_gain(window),
+        "effects": lambda: _editor(window),
         "keyboard": lambda: KeysDialog(window.settings, window),
         "about": lambda: about_dialog(window),
         "set-up": lambda: SetupPage(
@@ -114,7 +118,7 @@ def _no_export(_target, _form, _progress) -> list[str]:
 def close(face: QWidget) -> None:
     """Close a page; the window ends the work of those that it has opened."""
     face.close()
-    if isinstance(face, ImportWizard | LibraryPage):
+    if isinstance(face, EditorPage | ImportWizard | LibraryPage):
         face.close_jobs()
 
 
@@ -128,6 +132,20 @@ def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:
     return wizard
 
 
+def _editor(window: PlayerWindow) -> EditorPage:
+    """Return the editor of the clip that is open, once it is loaded."""
+    means = Means(window.clock, "none", window.settings, make_player)
+    page = EditorPage(window.player.snapshot().source.path, means, window)
+    loop = QEventLoop()
+    page.ready.connect(loop.quit)
+    loop.exec()
+    return page
+
+
+def make_player(clock, sink, device) -> Player:
+    return Player(clock, sink, device=device, audio=None)
+
+
 def _library(window: PlayerWindow):
     return window.player.snapshot().source.path.parent
 
@@ -137,7 +155,7 @@ def _library_with_gain(window: PlayerWindow) -> LibraryPage:
     page = LibraryPage(_library(window), window)
     reaches = {"relaxed": 0.88, "normal": 0.55, "firm": 0.44}
     page.details.show_preview(
-        GainPreview(4.5, 1.19, 0.037, reaches, ("relaxed", "normal"))
+        ForceFigures(4.5, 1.19, 0.037, reaches, ("relaxed", "normal"))
     )
     return page
 

@@ -39,7 +39,9 @@ def test_the_development_lock_holds_the_runtime_lock() -> None:
     assert runtime.items() <= development.items()
 
 
-@pytest.mark.parametrize(("lock", "extra"), [(LOCKS[0], []), (LOCKS[1], ["dev"])])
+@pytest.mark.parametrize(
+    ("lock", "extra"), [(LOCKS[0], []), (LOCKS[1], ["dev", "vision"])]
+)
 def test_locks_hold_what_the_project_asks_for(lock, extra) -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     wanted = [*project["build-system"]["requires"], *project["project"]["dependencies"]]

@@ -8,8 +8,9 @@ import pytest
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.follower import CHECKED_PER_TICK
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
-from hapticplayer.haptics.loop import CHECKED_PER_TICK, ZERO_TICKS_BEFORE_CLOSING
+from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING
 from hapticplayer.haptics.messages import Word
 from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.track import anonymous_memory

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.follower import CHECKED_PER_TICK
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
-from hapticplayer.haptics.loop import CHECKED_PER_TICK
 from hapticplayer.haptics.messages import Word
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory

@@ -34,8 +34,8 @@ def counted(monkeypatch):
     counts = {"forces": [], "limit": 0, "exchange": 0}
     original, limit = LoadedTrack.__init__, step_module.limit
 
-    def init(self, block):
-        original(self, block)
+    def init(self, block, *more):
+        original(self, block, *more)
         self._force_n = CountedReads(self._force_n)
         counts["forces"].append(self._force_n)
 
@@ -104,8 +104,8 @@ def test_without_skipping_the_commands_are_the_same(counted, monkeypatch):
     records = run(gentle(), counted)
     original = LoadedTrack.__init__
 
-    def unskipped(self, block):
-        original(self, block)
+    def unskipped(self, block, *more):
+        original(self, block, *more)
         self._span_edges_s = [-1.0]  # everything counts as active
 
     monkeypatch.setattr(LoadedTrack, "__init__", unskipped)

@@ -9,7 +9,9 @@ from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.motion import remove_gravity
-from hapticplayer.rendering.event import Material
+from hapticplayer.rendering.effects import Effect, EffectList, parsed, written
+from hapticplayer.rendering.effects.values import MAX_EFFECT_S
+from hapticplayer.rendering.event import Material, over
 from hapticplayer.rendering.events import DETECTORS, find_events
 from hapticplayer.rendering.low_sound import LowSound, low_sound
 from hapticplayer.rendering.shocks import find_shocks
@@ -214,12 +216,35 @@ def test_events_are_offered_and_change_nothing():
     assert all(one.effect.end_s > one.effect.start_s for one in events)
 
 
+def test_effects_of_events_go_into_a_list_as_they_are():
+    imu = log_of(along(2, blow(8.0, 20.0)))
+    events = find_events(motion_of(along(2, blow(8.0, 20.0))), imu)
+    effects = EffectList(tuple(one.effect for one in events))
+    assert {one.kind for one in effects.effects} == {"knock", "mute"}
+    assert parsed(written(effects), "here") == effects
+    assert over("gain", (10.0, 12.0), 0.5) == Effect(
+        "gain", 9.5, 12.5, fade_in_s=0.5, fade_out_s=0.5
+    )
+    assert over("gain", (0.2, 9e3), 0.5).duration_s <= MAX_EFFECT_S
+
+
+def test_what_happens_before_the_clip_is_found_too():
+    motion = motion_of(along(2, blow(8.0, 20.0)))
+    early = dataclasses.replace(motion, time_s=TIME_S - 15.0)
+    log = log_of(along(2, blow(8.0, 20.0)))
+    events = find_events(early, dataclasses.replace(log, time_s=TIME_S - 15.0))
+    kinds = [one.kind for one in events]
+    assert kinds == ["stillness", "impact", "stillness"]
+    assert events[1].start_s == pytest.approx(-7.0, abs=0.1)
+    assert all(one.effect.start_s >= 0.0 for one in events)
+
+
 def test_an_event_is_cut_to_its_clip():
     (event,) = found("stillness", motion_of(along(0, np.zeros(len(TIME_S)))))
     cut = event.within(0.3)
     assert (cut.start_s, cut.end_s) == (0.0, 0.3)
     assert cut.effect.end_s == 0.3
-    assert cut.effect.fade_s <= 0.15
+    assert cut.effect.fade_in_s == cut.effect.fade_out_s <= 0.15
 
 
 def test_an_effect_that_would_begin_after_the_clip_ends_in_it():

@@ -10,6 +10,7 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
+from hapticplayer.rendering.effects import parsed
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.build import write_sequence
 from hapticplayer.sequence.events import events_of, sound_of
@@ -49,7 +50,9 @@ def test_a_blow_is_found_at_its_media_time(knocked, capsys):
     assert event["kind"] == "impact"
     assert event["start_s"] == pytest.approx(HIT_S, abs=0.1)
     assert event["text"].endswith("heard too")
-    assert event["effect"]["kind"] == "knock"
+    effects = {"schema": "hapticplayer.effects", "version": 1}
+    (knock,) = parsed({**effects, "effects": [event["effect"]]}, "-").effects
+    assert (knock.kind, knock.parameters["frequency_hz"]) == ("knock", 60.0)
     assert cli.main(["events", str(knocked), "--kind", "impact", "--no-sound"]) == 0
     shown = capsys.readouterr().out
     assert "1 events" in shown

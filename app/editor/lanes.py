@@ -1,0 +1,275 @@
+"""The time line of the editor: force, sound, events and effects below each other."""
+
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.bridge.languages import translated
+from app.editor import lane_painter
+from app.editor.lane_painter import Boxes, boxes, row_box
+from app.editor.spans import rows_of
+from app.editor.view import TimeView
+from app.experimenter.sync_strip import Curve
+from app.widgets import theme
+from app.widgets.texts import local
+from hapticplayer.model import ForceTrack
+from hapticplayer.rendering.effects import NO_EFFECTS, Effect, EffectList, kind_of
+from hapticplayer.rendering.event import Event
+from hapticplayer.rendering.events import DETECTORS
+from hapticplayer.sequence.time_line import TimeLine
+
+LEAST_PX = QSize(320, 210)
+USUAL_FRAME_S = 1.0 / 30.0  # where a clip does not say
+_ZOOM = 1.25
+_CURSOR_PX = 3
+_LEAST_MARK_PX = 4.0  # of an event or effect that is shorter than a pixel
+_PAN = 0.2  # of the view, for a turn of the wheel
+
+_MARKS = {
+    "impact": "BAD",
+    "braking": "WARN",
+    "turn": "ACCENT",
+    "stillness": "GOOD",
+    "saturation": "BAD",
+    "artefact": "WARN",
+}
+"""Names of colours; the kind is written beside."""
+
+_EVENT_TITLES = {one.name: one.title for one in DETECTORS}
+
+
+class Lanes(QWidget):
+    """Shows a time line around a cursor that a person may move.
+
+    Click moves the cursor, as do the arrows, by a frame (Shift: 1 s), Home and End. The
+    wheel zooms around the pointer, with Shift it moves the view. `pointed` is media
+    time in s.
+    """
+
+    pointed = Signal(float)
+
+    def __init__(self, view: TimeView, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAccessibleName(self.tr("Time line"))
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumSize(LEAST_PX)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.view = view
+        self.cursor_s, self.frame_s = 0.0, USUAL_FRAME_S
+        self.track: ForceTrack | None = None
+        self.effects, self.events = NO_EFFECTS, tuple[Event, ...]()
+        self._loudness: Curve | None = None
+        self._rows: list[int] = []
+        self._still: QPixmap | None = None  # what does not move
+        view.changed.connect(self._redraw)
+
+    def show_clip(
+        self, track: ForceTrack, line: TimeLine, frame_rate_hz: float
+    ) -> None:
+        """Show the force and the time line of a sequence."""
+        self.track, self.events = track, line.events
+        self._loudness = line.loudness
+        self.frame_s = 1.0 / frame_rate_hz if frame_rate_hz else USUAL_FRAME_S
+        self.show_effects(line.effects)
+
+    def show_effects(self, effects: EffectList) -> None:
+        """Show other effects."""
+        self.effects = effects
+        self._rows = rows_of([(one.start_s, one.end_s) for one in effects.effects])
+        self._redraw()
+
+    def set_cursor(self, media_s: float) -> None:
+        """Show where the clip is."""
+        before, self.cursor_s = self.cursor_s, media_s
+        for at_s in (before, media_s):
+            x = round(self.view.x_of(at_s, self.width()))
+            self.update(QRect(x - _CURSOR_PX, 0, 2 * _CURSOR_PX + 1, self.height()))
+
+    def point_at(self, media_s: float) -> None:
+        """Put the cursor somewhere because a person wants it there."""
+        media_s = min(max(media_s, 0.0), self.view.duration_s)
+        self.set_cursor(media_s)
+        self.view.reveal(media_s)
+        self.pointed.emit(media_s)
+
+    @property
+    def lanes(self) -> Boxes:
+        """Where the lanes are now."""
+        return boxes(self.width(), self.height(), self._count_rows())
+
+    def effect_box(self, number: int) -> QRectF:
+        """Return where an effect is drawn."""
+        effect = self.effects.effects[number]
+        row = row_box(self.lanes.effects, self._rows[number], self._count_rows())
+        return self._mark(row, effect.start_s, effect.end_s)
+
+    def event_box(self, number: int) -> QRectF:
+        """Return where an event is drawn."""
+        event = self.events[number]
+        lane = self.lanes.events.adjusted(0, 2, 0, -1)
+        return self._mark(lane, event.start_s, event.end_s)
+
+    def _count_rows(self) -> int:
+        return max(self._rows, default=-1) + 1
+
+    def _mark(self, lane: QRectF, start_s: float, end_s: float) -> QRectF:
+        first = self.view.x_of(start_s, self.width())
+        width = self.view.x_of(end_s, self.width()) - first
+        return QRectF(first, lane.top(), max(_LEAST_MARK_PX, width), lane.height())
+
+    # --- a person's hands ------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Put the cursor where the pointer is."""
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        self.point_at(self.view.time_at(event.position().x(), self.width()))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Draw the cursor along."""
+        self.point_at(self.view.time_at(event.position().x(), self.width()))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom around the pointer, or move the view."""
+        turn = event.angleDelta()
+        steps = (turn.y() or turn.x()) / 120.0
+        if turn.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.view.pan(-_PAN * steps * self.view.span_s)
+        else:
+            at_s = self.view.time_at(event.position().x(), self.width())
+            self.view.zoom(_ZOOM**-steps, at_s)
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move the cursor, or zoom around it."""
+        if not self.take_key(Qt.Key(event.key()), event.modifiers()):
+            super().keyPressEvent(event)
+
+    def take_key(self, key: Qt.Key, held: Qt.KeyboardModifier) -> bool:
+        """Do what a key asks for; return whether it asks for anything here."""
+        keys = Qt.Key
+        step_s = 1.0 if held & Qt.KeyboardModifier.ShiftModifier else self.frame_s
+        to_s = {
+            keys.Key_Left: self.cursor_s - step_s,
+            keys.Key_Right: self.cursor_s + step_s,
+            keys.Key_Comma: self.cursor_s - self.frame_s,
+            keys.Key_Period: self.cursor_s + self.frame_s,
+            keys.Key_Home: 0.0,
+            keys.Key_End: self.view.duration_s,
+        }
+        zoom = {keys.Key_Plus: 1.0 / _ZOOM, keys.Key_Minus: _ZOOM}
+        if key in to_s:
+            self.point_at(to_s[key])
+        elif key in zoom:
+            self.view.zoom(zoom[key], self.cursor_s)
+        else:
+            return False
+        return True
+
+    # --- painting --------------------------------------------------------------
+
+    def resizeEvent(self, _event: QResizeEvent) -> None:
+        """Draw in the new size."""
+        self._still = None
+
+    def _redraw(self) -> None:
+        self._still = None
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Copy what stands still, and draw what moves over it."""
+        still = self._still
+        if still is None or still.devicePixelRatio() != self.devicePixelRatioF():
+            still = self._still = self._draw_still()
+        with QPainter(self) as painter:
+            painter.setClipRect(event.rect())
+            painter.drawPixmap(0, 0, still)
+            x = self.view.x_of(self.cursor_s, self.width())
+            painter.setPen(QPen(QColor(theme.TEXT), 1.5))
+            painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
+            if self.hasFocus():
+                painter.setPen(QPen(QColor(theme.FOCUS), 2))
+                painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
+
+    def _draw_still(self) -> QPixmap:
+        ratio = self.devicePixelRatioF()
+        made = QPixmap(self.size() * ratio)
+        made.setDevicePixelRatio(ratio)
+        made.fill(QColor(theme.PANEL))
+        lanes = self.lanes
+        with QPainter(made) as painter:
+            painter.setFont(theme.scaled(self.font(), 0.9))
+            lane_painter.paint_frame(painter, lanes, self.view)
+            lane_painter.paint_force(painter, lanes, self.view, self.track)
+            if self._loudness is not None:
+                lane_painter.paint_sound(
+                    painter, lanes.sound, self.view, self._loudness
+                )
+            self._paint_events(painter, lanes.events)
+            self._paint_effects(painter, lanes.effects)
+        return made
+
+    def _paint_events(self, painter: QPainter, lane: QRectF) -> None:
+        if not self.events:
+            lane_painter.paint_name(painter, lane, self.tr("No events found"))
+        for number, event in enumerate(self.events):
+            colour = QColor(getattr(theme, _MARKS.get(event.kind, "DIM")))
+            box = self.event_box(number)
+            painter.setPen(colour)
+            ground = QColor(colour)
+            ground.setAlpha(50)
+            painter.fillRect(box, ground)
+            painter.drawLine(box.topLeft(), box.bottomLeft())
+            self._write(painter, box, event_title(event), theme.TEXT)
+
+    def _paint_effects(self, painter: QPainter, lane: QRectF) -> None:
+        if not len(self.effects):
+            lane_painter.paint_name(painter, lane, self.tr("No effects"))
+        for number, effect in enumerate(self.effects.effects):
+            self._paint_effect(painter, number, effect)
+
+    def _paint_effect(self, painter: QPainter, number: int, effect: Effect) -> None:
+        box = self.effect_box(number)
+        if box.right() < 0 or box.left() > self.width():
+            return
+        colour = QColor(theme.PRIMARY if effect.enabled else theme.RAISED)
+        painter.setPen(QColor(theme.BORDER))
+        painter.setBrush(colour)
+        painter.drawRect(box)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        text = theme.PRIMARY_TEXT if effect.enabled else theme.DIM
+        self._write(painter, box, effect_title(effect), text)
+
+    def _write(self, painter: QPainter, box: QRectF, text: str, colour: str) -> None:
+        """Write a text into a box, as much as there is room for."""
+        inner = box.intersected(QRectF(self.rect())).adjusted(4, 0, -2, 0)
+        shown = painter.fontMetrics().elidedText(
+            text, Qt.TextElideMode.ElideRight, int(inner.width())
+        )
+        if len(shown) > 1 and inner.height() >= 0.7 * painter.fontMetrics().height():
+            painter.setPen(QColor(colour))
+            painter.drawText(inner, Qt.AlignmentFlag.AlignVCenter, shown)
+
+
+def event_title(event: Event) -> str:
+    """Return what kind of event this is."""
+    return translated(_EVENT_TITLES.get(event.kind, event.kind))
+
+
+def effect_title(effect: Effect) -> str:
+    """Return what kind of effect this is."""
+    return translated(kind_of(effect.kind).text)
+
+
+def span_text(start_s: float, end_s: float) -> str:
+    """Return a span of media time."""
+    return local(f"{start_s:.3f} \u2013 {end_s:.3f} s")

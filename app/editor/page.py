@@ -1,0 +1,344 @@
+"""The editor of effects: clip, force, sound, events and effects on one time line."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from PySide6.QtCore import QKeyCombination, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QDialog, QScrollBar, QSplitter, QVBoxLayout, QWidget
+
+from app.bridge.jobs import Jobs, Progress, in_child
+from app.bridge.pump import Cadence, Pump
+from app.bridge.settings import Settings, latencies_of, screen_name
+from app.editor.lanes import Lanes
+from app.editor.view import TimeView
+from app.player.fullscreen import EscapeFilter
+from app.player.session import Session
+from app.player.transport import fix_stop_width, offer_play, offer_stop
+from app.player.video_surface import SurfaceSink, VideoSurface
+from app.widgets import theme
+from app.widgets.buttons import text_button, tool_button
+from app.widgets.layout import (
+    STRETCH,
+    ElidedLabel,
+    column_of,
+    fill_page,
+    framed,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
+from app.widgets.messages import JobBar, MessageBar
+from app.widgets.texts import position_text, titled
+from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE
+from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.model import Feedback
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.source import Source, open_source
+from hapticplayer.sequence.time_line import TimeLine, time_line_of
+
+WIDTH_PX, HEIGHT_PX = 1180, 860
+DRAW_HZ, WATCH_HZ, POLL_MS = 30.0, 15.0, 40
+_VIDEO_PX = 150  # high, at least
+_STAGE_PX, _LANES_PX = 330, 420  # only the proportion counts
+_ZOOM = 1.6
+_REARM = QKeyCombination(Qt.KeyboardModifier.ControlModifier, Qt.Key.Key_R)
+_PER_S = 1000  # steps of the scroll bar
+
+
+class Means(NamedTuple):
+    """What the page plays with: a device by name, and what makes a player."""
+
+    clock: Clock
+    device: str
+    settings: Settings
+    make_player: Callable[[Clock, SurfaceSink, str], Player]
+
+
+class Loaded(NamedTuple):
+    """A sequence as the page shows it."""
+
+    source: Source
+    line: TimeLine
+
+
+class EditorPage(QDialog):
+    """Shows the time line of a sequence and plays it on a player of its own.
+
+    The window has to let go of the device before. Escape stops the force at once; where
+    nothing plays it closes the page.
+    """
+
+    ready = Signal()
+    """The sequence is shown."""
+
+    def __init__(
+        self, folder: Path, means: Means, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.folder, self._means = folder, means
+        self.session: Session | None = None
+        self.pump: Pump | None = None
+        self.loaded: Loaded | None = None
+        self.jobs = Jobs(self._on_failed)
+        self.view = TimeView()
+        self.surface, self.lanes = VideoSurface(), Lanes(self.view)
+        self.messages, self.job_bar = MessageBar(), JobBar()
+        self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
+        self._has_just_stopped = False
+        self._make_parts()
+        self._lay_out()
+        self._escape = EscapeFilter(self._on_escape, self)
+        self._escape.install()
+        self._poll_timer = QTimer(self)
+        self._poll_timer.timeout.connect(self._poll_jobs)
+        self._poll_timer.start(POLL_MS)
+        self._load()
+
+    # --- building ------------------------------------------------------------
+
+    def _make_parts(self) -> None:
+        self.play_button = tool_button("play", "", "")
+        self.stop_button = text_button("", "", "stop")
+        fix_stop_width(self.stop_button)
+        offer_play(self.play_button, is_playing=False)
+        offer_stop(self.stop_button, is_stopped=False)
+        self.time = ElidedLabel()
+        self.time.setAccessibleName(self.tr("Time"))
+        self._show_time(0.0)
+        self.closer = text_button("+", self.tr("Show less of the clip (+)"), "tool")
+        self.wider = text_button(
+            "\u2212", self.tr("Show more of the clip (\u2212)"), "tool"
+        )
+        self.whole = text_button(self.tr("&Whole clip"), self.tr("Show the whole clip"))
+        self.closer.setAccessibleName(self.tr("Zoom in"))
+        self.wider.setAccessibleName(self.tr("Zoom out"))
+        for button in (self.closer, self.wider):
+            button.setMinimumWidth(36)
+        self.close_button = text_button(self.tr("Close"), "")
+        self.bar = QScrollBar(Qt.Orientation.Horizontal)
+        self.note = paragraph(colour=theme.DIM)
+        self.note.setTextFormat(Qt.TextFormat.PlainText)
+        self._connect_parts()
+        self._set_usable(is_usable=False)
+
+    def _connect_parts(self) -> None:
+        self.play_button.clicked.connect(self.toggle)
+        self.stop_button.clicked.connect(self.stop_or_rearm)
+        self.closer.clicked.connect(lambda: self._zoom(1.0 / _ZOOM))
+        self.wider.clicked.connect(lambda: self._zoom(_ZOOM))
+        self.whole.clicked.connect(self.view.show_whole)
+        self.close_button.clicked.connect(self.close)
+        self.bar.valueChanged.connect(self._on_scrolled)
+        self.view.changed.connect(self._show_scroll)
+        self.lanes.pointed.connect(self._on_pointed)
+        self.job_bar.cancelled.connect(self.reject)
+
+    def _lay_out(self) -> None:
+        self.setWindowTitle(self.tr("Edit effects"))
+        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
+        self.surface.setMinimumHeight(_VIDEO_PX)
+        stage, below, split = QWidget(), QWidget(), QSplitter(Qt.Orientation.Vertical)
+        row_of((framed(self.surface), 1), of=stage)
+        controls = row_of(
+            *(self.play_button, self.stop_button, self.time, STRETCH),
+            *(self.wider, self.closer, self.whole),
+            spacing=8,
+        )
+        column_of(controls, (framed(self.lanes), 1), self.bar, spacing=6, of=below)
+        for part in (stage, below):
+            split.addWidget(part)
+        split.setSizes([_STAGE_PX, _LANES_PX])
+        split.setChildrenCollapsible(False)
+        buttons = row_of((self.note, 1), self.close_button, spacing=8)
+        whole: QVBoxLayout = fill_page(
+            self, self.messages, self.job_bar, (split, 1), buttons, spacing=8
+        )
+        whole.setContentsMargins(12, 10, 12, 10)
+
+    def _set_usable(self, *, is_usable: bool) -> None:
+        for widget in (
+            *(self.play_button, self.stop_button, self.lanes),
+            *(self.closer, self.wider, self.whole),
+        ):
+            widget.setEnabled(is_usable)
+
+    # --- beginning and end ---------------------------------------------------
+
+    def _load(self) -> None:
+        folder = self.folder
+
+        def work(progress: Progress) -> Loaded:
+            line = in_child(time_line_of, folder, progress=progress)
+            return Loaded(open_source(folder), line)
+
+        self.jobs.run(self.tr("Reading the sequence"), work, self._take)
+
+    def _take(self, loaded: Loaded) -> None:
+        self.loaded = loaded
+        source, line = loaded
+        self.setWindowTitle(titled(self.tr("Edit effects"), source.title))
+        self.view.set_duration(source.clip.duration_s)
+        track = source.tracks[Feedback.REALISTIC.value]
+        self.lanes.show_clip(track, line, source.clip.frame_rate_hz)
+        self._show_scroll()
+        self._show_time(0.0)
+        if line.problem:
+            self.messages.show_text(line.problem)
+        self._set_usable(is_usable=True)
+        self._begin_player(source)
+        self.lanes.setFocus()
+        self.ready.emit()
+
+    def _begin_player(self, source: Source) -> None:
+        player = self._made_player()
+        if player is None:
+            self.play_button.setEnabled(False)
+            self.stop_button.setEnabled(False)
+            return
+        self.session = Session(player, self.messages.show_text)
+        self.session.changed.connect(self._show_state)
+        screen = screen_name(self)
+        player.set_latencies(latencies_of(self._means.settings, screen))
+        self.surface.set_clip_size(source.clip.width, source.clip.height)
+        player.open(source)
+        self.pump = Pump(player.poll, self._means.clock, self._on_gap, self)
+        self.pump.start()
+
+    def _made_player(self) -> Player | None:
+        """Return a player, without a device where that cannot be taken."""
+        clock, device, _settings, make = self._means
+        sink = SurfaceSink(self.surface)
+        for name in (device, NO_DEVICE):
+            try:
+                return make(clock, sink, name)
+            except HapticPlayerError as problem:
+                self._on_failed(problem)
+        return None
+
+    def _on_failed(self, problem: BaseException) -> None:
+        if not isinstance(problem, HapticPlayerError):
+            raise problem
+        self.messages.show_text(message_of(problem))
+
+    def reject(self) -> None:
+        """Stop before anything else; Escape comes here too."""
+        self._end()
+        super().reject()
+
+    def close_jobs(self) -> None:
+        """End what runs; the window is about to close."""
+        self._end()
+
+    def _end(self) -> None:
+        self._escape.remove()
+        self._poll_timer.stop()
+        session, self.session = self.session, None
+        if session is not None:
+            session.stop()
+            if self.pump is not None:
+                self.pump.stop()
+            session.close()
+        self.jobs.close()
+
+    # --- what a person does --------------------------------------------------
+
+    def toggle(self) -> None:
+        """Play or pause."""
+        if self.session is not None:
+            self.session.player.toggle()
+
+    def stop_or_rearm(self) -> None:
+        """Take the force away at once, or let it come back."""
+        if self.session is not None:
+            self.session.stop_or_rearm()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Play and pause by the space bar; Escape that stopped something ends here."""
+        is_rearm = event.keyCombination() == _REARM
+        if event.key() == Qt.Key.Key_Space:
+            self.toggle()
+        elif is_rearm and self.session is not None:
+            self.session.rearm()
+        elif event.key() == Qt.Key.Key_Escape and self._stops():
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
+    def _stops(self) -> bool:
+        """Stop the force; return whether there was anything to stop."""
+        self._on_escape()
+        has_stopped, self._has_just_stopped = self._has_just_stopped, False
+        return has_stopped
+
+    def _on_escape(self) -> None:
+        """Stop, whichever menu or field has the keyboard."""
+        session = self.session
+        if session is None or not session.player.snapshot().is_playing:
+            return
+        session.stop()
+        self._has_just_stopped = True
+        # the same press comes to the page after this, if at all
+        QTimer.singleShot(0, self, self._forget_escape)
+
+    def _forget_escape(self) -> None:
+        self._has_just_stopped = False
+
+    def _zoom(self, factor: float) -> None:
+        self.view.zoom(factor, self.lanes.cursor_s)
+
+    def _on_pointed(self, media_s: float) -> None:
+        self._show_time(media_s)
+        if self.session is not None:
+            self.session.player.seek(media_s)
+
+    def _on_scrolled(self, value: int) -> None:
+        begin_s = value / _PER_S
+        self.view.show_span(begin_s, begin_s + self.view.span_s)
+
+    # --- what is shown -------------------------------------------------------
+
+    def _poll_jobs(self) -> None:
+        self.job_bar.show_state(self.jobs.state(), self._means.clock.now_s())
+        self.jobs.poll()
+        if not self.jobs.is_busy:
+            self.job_bar.hide()
+
+    def _on_gap(self) -> None:
+        session, now_s = self.session, self._means.clock.now_s()
+        if session is None:
+            return
+        if self._watch_cadence.is_due(now_s):
+            session.watch()
+        if self._draw_cadence.is_due(now_s):
+            now = session.player.snapshot()
+            if now.is_playing:
+                self.lanes.set_cursor(now.media_s)
+                self.view.reveal(now.media_s)
+                self._show_time(now.media_s)
+
+    def _show_state(self) -> None:
+        if self.session is None:
+            return
+        now = self.session.player.snapshot()
+        offer_play(self.play_button, is_playing=now.is_playing)
+        offer_stop(self.stop_button, is_stopped=self.session.is_stopped)
+
+    def _show_time(self, media_s: float) -> None:
+        text = position_text(media_s, self.view.duration_s)
+        if len(text) != len(self.time.text()):
+            widest = "".join("8" if c.isdigit() else c for c in text)
+            self.time.fix_width(self.time.fontMetrics().horizontalAdvance(widest) + 4)
+        self.time.set_text(text)
+
+    def _show_scroll(self) -> None:
+        view, bar = self.view, self.bar
+        bar.blockSignals(True)
+        bar.setRange(0, round(_PER_S * (view.duration_s - view.span_s)))
+        bar.setPageStep(max(1, round(_PER_S * view.span_s)))
+        bar.setSingleStep(max(1, round(0.1 * _PER_S * view.span_s)))
+        bar.setValue(round(_PER_S * view.begin_s))
+        bar.setEnabled(bar.maximum() > 0)
+        bar.blockSignals(False)

@@ -1,0 +1,125 @@
+"""Rotation and direction of travel of a camera between two frames.
+
+A static world moves in the frame by a part that depends on the rotation alone, and by a
+part along lines through the focus of expansion that depends on the distance of each point
+(H. C. Longuet-Higgins and K. Prazdny, The interpretation of a moving retinal image, 1980).
+Only what is across those lines is fitted, so that distances need not be known (A. R. Bruss
+and B. K. P. Horn, Passive navigation, 1983). The direction of travel barely changes from
+frame to frame in the camera's own frame, which tells a turn from a step aside.
+
+Coordinates are the camera's: x right, y down, z ahead; points are at z = 1.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.model.arrays import Floats
+
+AHEAD = np.array([0.0, 0.0, 1.0])
+
+_COARSE_PX = (1000.0, 8.0, 4.0, 2.0, 1.0, 0.5)
+_FINE_PX = (2.0, 1.0, 0.5, 0.3, 0.3, 0.3)
+"""Scales of the robust weight, from coarse to fine."""
+
+_NOISE_PX = 0.15  # of a match
+_CHANGE_RAD = 0.03  # of the direction of travel, from its recent mean
+_SLOWEST = 0.05  # distance from the focus of expansion at which its lines lose meaning
+_INLIER = 0.25  # least weight
+_MOST_STEP_RAD = 0.3
+
+
+class Egomotion(NamedTuple):
+    """Motion from a frame to the next.
+
+    Attributes:
+        rotation_rad: (3,) rotation vector of the camera.
+        travel: (3,) unit vector; its sign is open.
+        is_inlier: (M,) which matches agree.
+    """
+
+    rotation_rad: Floats
+    travel: Floats
+    is_inlier: NDArray[np.bool_]
+
+
+def egomotion(before: Floats, after: Floats, travel: Floats, px: float) -> Egomotion:
+    """Fit rotation and direction of travel.
+
+    Args:
+        before: (M, 2) points of the first frame, three or more.
+        after: (M, 2) the same points of the second one.
+        travel: (3,) recent mean of the direction.
+        px: size of a pixel at z = 1.
+    """
+    middle, flow = (before + after) / 2.0, after - before
+    of_rotation = _rotation_flow(middle)
+    rotation = rotation_alone(middle, flow, px)
+    expected, weight = travel, np.ones(len(flow))
+    for scale_px in _FINE_PX:
+        left = flow - of_rotation @ rotation
+        across, moment = _across(middle, left, travel)
+        error = np.einsum("mi,mi->m", across, left)
+        weight = _weight(error**2, scale_px * px)
+        tangent = _tangent(travel)
+        jacobian = np.column_stack(
+            [-np.einsum("mi,mij->mj", across, of_rotation), moment @ tangent]
+        )
+        weighted = (jacobian * weight[:, None]).T / (_NOISE_PX * px) ** 2
+        normal, right = weighted @ jacobian, -weighted @ error
+        normal[3:, 3:] += np.eye(2) / _CHANGE_RAD**2
+        right[3:] += tangent.T @ (expected - travel) / _CHANGE_RAD**2
+        step = np.linalg.solve(normal + 1e-6 * np.eye(5), right)
+        rotation = rotation + step[:3]
+        travel = travel + tangent @ np.clip(step[3:], -_MOST_STEP_RAD, _MOST_STEP_RAD)
+        travel = travel / np.linalg.norm(travel)
+    return Egomotion(rotation, travel, weight > _INLIER)
+
+
+def rotation_alone(middle: Floats, flow: Floats, px: float) -> Floats:
+    """Return the rotation vector (3,) that explains most of the flow (M, 2) by itself."""
+    of_rotation = _rotation_flow(middle)
+    rotation: Floats = np.zeros(3)
+    for scale_px in _COARSE_PX:
+        left = flow - of_rotation @ rotation
+        weight = _weight((left**2).sum(axis=1), scale_px * px)
+        weighted = (of_rotation * weight[:, None, None]).reshape(-1, 3).T
+        normal = weighted @ of_rotation.reshape(-1, 3) + 1e-9 * np.eye(3)
+        rotation = np.asarray(np.linalg.solve(normal, weighted @ flow.reshape(-1)))
+    return rotation
+
+
+def _weight(square: Floats, scale: float) -> Floats:
+    """Return Geman and McClure's robust weights."""
+    return np.asarray(1.0 / (1.0 + square / scale**2) ** 2)
+
+
+def _rotation_flow(points: Floats) -> Floats:
+    """Return (M, 2, 3): the flow of each point per unit of rotation about x, y, z."""
+    x, y = points.T
+    across = np.stack([x * y, -(1.0 + x * x), y], axis=1)
+    down = np.stack([1.0 + y * y, -x * y, -x], axis=1)
+    return np.stack([across, down], axis=1)
+
+
+def _across(points: Floats, left: Floats, travel: Floats) -> tuple[Floats, Floats]:
+    """Return the unit vectors across the lines of travel (M, 2).
+
+    And the derivative (M, 3) of the flow across by the direction of travel.
+    """
+    x, y = points.T
+    along = np.stack([x * travel[2] - travel[0], y * travel[2] - travel[1]], axis=1)
+    length = np.sqrt((along**2).sum(axis=1) + _SLOWEST**2)[:, None]
+    across = np.stack([-along[:, 1], along[:, 0]], axis=1) / length
+    u, v = left.T
+    moment = np.stack([-v, u, x * v - y * u], axis=1) / length
+    return across, moment
+
+
+def _tangent(direction: Floats) -> Floats:
+    """Return two unit vectors (3, 2) across a unit vector."""
+    least = np.eye(3)[int(np.argmin(np.abs(direction)))]
+    first = np.cross(direction, least)
+    first /= np.linalg.norm(first)
+    return np.stack([first, np.cross(direction, first)], axis=1)

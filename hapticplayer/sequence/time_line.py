@@ -1,0 +1,60 @@
+"""What an editor shows of a sequence besides its tracks: effects, events, loudness."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from hapticplayer.errors import HapticPlayerError, Message, message_of
+from hapticplayer.media.clip_info import probe
+from hapticplayer.rendering.effects import EffectList
+from hapticplayer.rendering.event import Event
+from hapticplayer.sequence import files, store
+from hapticplayer.sequence.events import events_of
+from hapticplayer.sequence.recognising import Curve, loudness_of
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TimeLine:
+    """Effects, events and sound of a sequence, in media time.
+
+    Attributes:
+        effects: that the sequence has.
+        events: found in its motion; none where `problem` says why.
+        loudness: times (N,) in s and values (N,); empty without sound.
+        problem: why there are no events, or "".
+    """
+
+    effects: EffectList
+    events: tuple[Event, ...]
+    loudness: Curve
+    problem: Message | str = ""
+
+
+def time_line_of(
+    folder: Path, *, progress: files.Progress = files.no_progress
+) -> TimeLine:
+    """Return the time line of a sequence whose force can be rendered again.
+
+    Args:
+        folder: of the sequence.
+        progress: called between the steps; raises Cancelled to stop.
+
+    Raises:
+        MediaError: when the clip cannot be read.
+        SequenceError: when the sequence is damaged, or was shared without its motion.
+        InputError: for a list of effects that is not allowed.
+    """
+    progress(0.0, Message("reading the sequence"))
+    sequence = store.open_sequence(folder)
+    store.motion_of(sequence)
+    effects = store.effects_of(sequence)
+    clip = probe(sequence.clip)
+    progress(0.2, Message("reading the sound"))
+    silence = np.zeros(0), np.zeros(0)
+    loudness = loudness_of(clip) if clip.has_audio else silence
+    progress(0.5, Message("finding events"))
+    try:
+        return TimeLine(effects, events_of(folder), loudness)
+    except HapticPlayerError as problem:  # the effects can be edited all the same
+        return TimeLine(effects, (), loudness, message_of(problem))

@@ -1,0 +1,1 @@
+"""A felt video over HTTP: what `serve` offers, and what `play --allow-network` takes."""

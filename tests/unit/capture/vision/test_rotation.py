@@ -1,0 +1,135 @@
+import importlib.util
+import weakref
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.signal import butter, sosfiltfilt
+from scipy.spatial.transform import Rotation
+
+from hapticplayer.capture.vision import rotation
+from hapticplayer.errors import Cancelled, InputError
+from hapticplayer.media.encode import write_clip
+from hapticplayer.media.frames import FrameConverter
+from tests.unit.capture.vision.conftest import FRAME_RATE_HZ, film, turning
+
+FOCAL_GAIN = np.tan(np.radians(40.0)) / np.tan(np.radians(42.0))
+"""Of the assumed field of view, 80 degrees, and that of the simulator's camera, 84."""
+
+
+@pytest.fixture(autouse=True)
+def _needs_opencv() -> None:
+    pytest.importorskip("cv2", reason="OpenCV is not installed")
+
+
+def high_passed(values: np.ndarray) -> np.ndarray:
+    return sosfiltfilt(
+        butter(2, 0.4, "high", fs=FRAME_RATE_HZ, output="sos"), values, axis=0
+    )
+
+
+def write(path: Path, frames: list[np.ndarray]) -> Path:
+    write_clip(path, frames, frame_rate_hz=FRAME_RATE_HZ)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("scene", "axes", "least", "most_error_degps"),
+    [("horse", (0, 1), 0.99, 1.5), ("bike", (1,), 0.97, 1.5)],
+)
+def test_rotation_of_a_ride(ride_film, scene, axes, least, most_error_degps) -> None:
+    found = rotation(ride_film(scene, 10.0, 6.0))
+
+    trajectory = film(scene).scene.trajectory
+    step_s = 1.0 / FRAME_RATE_HZ
+    truth = trajectory.mean_rate_radps(10.0 + found.end_s, step_s)
+    told = high_passed(found.rotation_rad) / step_s
+    truth = high_passed(truth)
+    assert len(found) == 6 * FRAME_RATE_HZ - 1
+    assert np.degrees(np.std(told - truth, axis=0)).max() < most_error_degps
+    for axis in axes:
+        assert np.corrcoef(told[:, axis], truth[:, axis])[0, 1] > least
+
+
+def test_each_axis_has_its_sign_and_gain(tmp_path, standing_m) -> None:
+    time_s = np.arange(90) / FRAME_RATE_HZ
+    angles = 0.1 * np.sin(2 * np.pi * np.outer(time_s, (0.7, 1.1, 1.7)))
+    turned = Rotation.from_rotvec(angles)
+    truth = (turned[:-1].inv() * turned[1:]).as_rotvec()
+
+    found = rotation(write(tmp_path / "turning.mp4", turning(turned, standing_m)))
+
+    for axis, gain in enumerate((FOCAL_GAIN, 1.0, FOCAL_GAIN)):
+        told, true = found.rotation_rad[:, axis], truth[:, axis]
+        assert told @ true / (true @ true) == pytest.approx(gain, abs=0.04)
+    assert found.quality.mean() > 0.6
+
+
+def test_nothing_is_told_of_a_cut_or_a_blank_frame(tmp_path) -> None:
+    bike, horse = film("bike"), film("horse")
+    blank = [np.full((180, 320, 4), 90, np.uint8)] * 15
+    frames = [*bike.frames(300, 315), *horse.frames(600, 615), *blank]
+    found = rotation(write(tmp_path / "cuts.mp4", frames))
+
+    assert found.quality[14] == 0.0
+    assert (found.quality[29:] == 0.0).all()
+    assert (found.rotation_rad[30:] == 0.0).all()
+    assert np.delete(found.quality[:29], 14).min() > 0.3
+
+
+def test_spans_are_looked_at_and_nothing_else(ride_film) -> None:
+    clip = ride_film("bike", 10.0, 6.0)
+
+    whole = rotation(clip)
+    parts = rotation(clip, spans_s=[(1.0, 2.0), (4.0, 5.0)])
+
+    assert len(parts) == 2 * FRAME_RATE_HZ
+    assert parts.begin_s[0] == pytest.approx(1.0)
+    rows = np.searchsorted(whole.begin_s, parts.begin_s - 1e-6)
+    assert whole.end_s[rows] == pytest.approx(parts.end_s)
+    apart = np.abs(whole.rotation_rad[rows] - parts.rotation_rad)
+    assert np.median(apart) < 1e-3
+
+
+def test_progress_grows_to_the_end_and_cancels(ride_film) -> None:
+    clip = ride_film("bike", 10.0, 6.0)
+    shares: list[float] = []
+    rotation(clip, progress=lambda share, _step: shares.append(share))
+
+    def cancel(share: float, _step: str) -> None:
+        if share > 0.2:
+            raise Cancelled
+
+    assert shares == sorted(shares)
+    assert shares[-1] > 0.95
+    with pytest.raises(Cancelled):
+        rotation(clip, progress=cancel)
+
+
+def test_frames_are_not_kept(ride_film, monkeypatch) -> None:
+    convert = FrameConverter.convert_grey
+    made: list[weakref.ref[np.ndarray]] = []
+    most_alive = 0
+
+    def counted(self, *arguments) -> np.ndarray:
+        nonlocal most_alive
+        grey = convert(self, *arguments)
+        made.append(weakref.ref(grey))
+        most_alive = max(most_alive, sum(one() is not None for one in made))
+        return grey
+
+    monkeypatch.setattr(FrameConverter, "convert_grey", counted)
+    rotation(ride_film("bike", 10.0, 6.0))
+
+    assert len(made) == 6 * FRAME_RATE_HZ
+    assert most_alive <= 3
+
+
+def test_without_opencv_it_says_what_installing_brings(monkeypatch) -> None:
+    find = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name: None if name == "cv2" else find(name)
+    )
+
+    with pytest.raises(InputError, match=r"hapticplayer\[vision\].*without pats"):
+        rotation("any.mp4")
