@@ -6,6 +6,9 @@ sharpness is the logarithm of the mean frequency in each second, 1 Hz to 100 Hz.
 """
 
 import json
+import math
+from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -18,6 +21,8 @@ from hapticplayer.interchange.thinning import Polyline, thinned
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.untrusted import parse_json, read_regular
+
+_STEPS_PER_TOLERANCE = 20  # rounding may take a fortieth of it
 
 OF_SIZE = Message("size of the force, every millisecond")
 _MARK = b"written by hapticplayer"
@@ -35,20 +40,31 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     """Write the size of a track's force.
 
     Raises:
-        InputError: for forces beyond any device.
+        InputError: for forces beyond any device, or a curve of too many points.
     """
     refuse_large(track.force_n, "ahap")
     until_ms = end_ms(track, choices.duration_s)
-    scale_n = max(0.01, track.peak_n()) + choices.tolerance_n
-    curve = thinned(track, until_ms, choices.tolerance_n, scale_n * 1e-5, _size)[0]
-    pattern: list[dict[str, Any]] = []
-    for first, last in pieces(until_ms, _EVENT_MS):
-        pattern.append({"Event": _event(first, last)})
-    pattern += _curves("HapticIntensityControl", (curve[0], curve[1] / scale_n))
-    pattern += _curves("HapticSharpnessControl", _sharpness(track, until_ms))
-    about = {"Description": f"{_MARK.decode()}; newton = intensity * {scale_n:.5f}"}
-    text = {"Version": 1.0, "Metadata": about, "Pattern": pattern}
-    out.write(json.dumps(text, separators=(",", ":")).encode())
+    # corners may lie above the largest force by the tolerance
+    scale_n = math.ceil((track.peak_n() + choices.tolerance_n) * 1000.0) / 1000.0
+    digits = math.ceil(math.log10(_STEPS_PER_TOLERANCE * scale_n / choices.tolerance_n))
+    quantum_n = scale_n * 10.0**-digits
+    curve = thinned(track, until_ms, choices.tolerance_n, quantum_n, _size, 0.0)[0]
+    about = {"Description": f"{_MARK.decode()}; newton = intensity * {scale_n:.3f}"}
+    head = _json({"Version": 1.0, "Metadata": about, "Pattern": []})
+    out.write(head.removesuffix(b"]}"))
+    between = b""
+    for one in chain(
+        ({"Event": _event(*span)} for span in pieces(until_ms, _EVENT_MS)),
+        _curves("HapticIntensityControl", (curve[0], curve[1] / scale_n), digits),
+        _curves("HapticSharpnessControl", _sharpness(track, until_ms), 3),
+    ):
+        out.write(between + _json(one))
+        between = b","
+    out.write(b"]}")
+
+
+def _json(value: dict[str, Any]) -> bytes:
+    return json.dumps(value, separators=(",", ":")).encode()
 
 
 def loss(track: ForceTrack, path: Path, choices: WriteChoices) -> Loss:
@@ -94,16 +110,15 @@ def _event(first_ms: int, last_ms: int) -> dict[str, Any]:
     }
 
 
-def _curves(name: str, curve: Polyline) -> list[dict[str, Any]]:
-    """Return parameter curves that follow each other, with a point in common."""
+def _curves(name: str, curve: Polyline, digits: int) -> Iterator[dict[str, Any]]:
+    """Yield parameter curves that follow each other, with a point in common."""
     ticks, values = curve
-    found = []
     for first in range(0, max(1, len(ticks) - 1), _POINTS - 1):
         begin = int(ticks[first])
         points = [
             {
                 "Time": round((tick - begin) / 1000.0, 3),
-                "ParameterValue": round(min(1.0, max(0.0, value)), 5),
+                "ParameterValue": round(min(1.0, max(0.0, value)), digits),
             }
             for tick, value in zip(
                 ticks[first : first + _POINTS].tolist(),
@@ -112,8 +127,7 @@ def _curves(name: str, curve: Polyline) -> list[dict[str, Any]]:
             )
         ]
         one = {"ParameterID": name, "Time": begin / 1000.0}
-        found.append({"ParameterCurve": {**one, "ParameterCurveControlPoints": points}})
-    return found
+        yield {"ParameterCurve": {**one, "ParameterCurveControlPoints": points}}
 
 
 def _sharpness(track: ForceTrack, until_ms: int) -> Polyline:

@@ -13,14 +13,10 @@ import numpy as np
 
 from hapticplayer import __version__
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import InputError
 from hapticplayer.interchange.force_files import WriteChoices, refuse_large
 from hapticplayer.interchange.milliseconds import end_ms
 from hapticplayer.interchange.thinning import Polyline, thinned
 from hapticplayer.model import ForceTrack
-
-MAX_KEYFRAMES = 900_000
-"""What `hjif_read` takes; about four hours of a ride at 0.01 N."""
 
 MARK = b"written by hapticplayer"
 _STEPS_PER_TOLERANCE = 20  # rounding may take a fortieth of the tolerance
@@ -58,14 +54,6 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
         choices.tolerance_n / math.sqrt(3.0),
         scale_n * 10.0**-digits,
     )
-    count = sum(len(ticks) for ticks, _ in curves)
-    if count > MAX_KEYFRAMES:
-        raise InputError(
-            "the track needs {count} keyframes (limit: {most})",
-            remedy="choose a larger tolerance, or another format",
-            count=count,
-            most=MAX_KEYFRAMES,
-        )
     channels = [
         _channel(number, curve, scale_n, digits) for number, curve in enumerate(curves)
     ]

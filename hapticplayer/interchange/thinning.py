@@ -12,11 +12,15 @@ from collections.abc import Callable
 
 import numpy as np
 
+from hapticplayer.errors import InputError
 from hapticplayer.interchange.milliseconds import Ticks, corners, pieces
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 
 Polyline = tuple[Ticks, Floats]
+
+MAX_CORNERS = 900_000
+"""What readers of JSON take; about four hours of a ride at 0.01 N."""
 
 _TRIED = np.linspace(0.0, 1.0, 7)  # values of a corner, between its bounds
 _WINDOW = 24
@@ -27,7 +31,8 @@ def thinned(
     until_ms: int,
     tolerance_n: float,
     quantum_n: float,
-    signals: Callable[[Floats], Floats] = lambda force_n: force_n,
+    signal: Callable[[Floats], Floats] | None = None,
+    least: float = -np.inf,
 ) -> list[Polyline]:
     """Return polylines near a track on the milliseconds from 0 to the end.
 
@@ -36,19 +41,35 @@ def thinned(
         until_ms: the end.
         tolerance_n: of each signal.
         quantum_n: values are multiples of it.
-        signals: (n, m) of the forces (n, 3) N; those themselves if not given.
+        signal: (n, m) of the forces (n, 3) N, such as their size, which between two
+            corners of a track is no line; None: the forces.
+        least: no value is below it.
+
+    Raises:
+        InputError: for more corners than files are read with.
     """
     found: list[tuple[list[Ticks], list[Floats]]] = []
     for first, last in pieces(until_ms):
-        ticks, force_n = corners(track, first, last)
-        curves = signals(force_n).T
+        if signal is None:
+            ticks, values = corners(track, first, last)
+        else:
+            ticks = np.arange(first, last + 1)
+            values = signal(track.at(ticks / 1000.0))
+        curves = values.T
         found = found or [([], []) for _ in curves]
         for curve, (times, heights) in zip(curves, found, strict=True):
             start = float(heights[-1][-1]) if heights else None
-            at, height = thin(ticks, curve, tolerance_n, quantum_n, start)
+            at, height = thin(ticks, curve, tolerance_n, quantum_n, start, least)
             skipped = 1 if heights else 0  # the corner that both pieces have
             times.append(at[skipped:])
             heights.append(height[skipped:])
+        count = sum(len(one) for times, _ in found for one in times)
+        if count > MAX_CORNERS:
+            raise InputError(
+                "the track needs more than {most} keyframes",
+                remedy="choose a larger tolerance, or another format",
+                most=MAX_CORNERS,
+            )
     return [(np.concatenate(t), np.concatenate(h)) for t, h in found]
 
 
@@ -58,6 +79,7 @@ def thin(
     tolerance: float,
     quantum: float,
     start: float | None = None,
+    least: float = -np.inf,
 ) -> tuple[Ticks, Floats]:
     """Return the corners of a polyline near samples.
 
@@ -68,6 +90,7 @@ def thin(
             least the quantum. Spans of zeros are kept exactly.
         quantum: the corners are multiples of it.
         start: value of the first corner, which the piece before has ended with.
+        least: no corner is below it; a multiple of the quantum, at most every value.
 
     Returns:
         Times (k,) out of `ticks`, the first and last among them, and values (k,).
@@ -76,12 +99,13 @@ def thin(
     quiet = values == 0.0
     within[1:-1][quiet[:-2] & quiet[1:-1] & quiet[2:]] = 0.0
     within[[0, -1]] = np.where(quiet[[0, -1]], 0.0, within[[0, -1]])
+    lower, upper = np.maximum(values - within, least), values + within
     at, last = 0, len(ticks) - 1
     tried = np.array([values[0] if start is None else start])
     kept, heights = [0], []
     while at < last:
         tried = _rounded(tried, quantum)
-        far, chosen, bounds = _reach(ticks, values, within, at, tried)
+        far, chosen, bounds = _reach(ticks, lower, upper, at, tried)
         heights.append(float(tried[chosen]))
         tried = bounds[0] + _TRIED * (bounds[1] - bounds[0])
         at = far
@@ -92,17 +116,17 @@ def thin(
 
 
 def _reach(
-    ticks: Ticks, values: Floats, within: Floats, at: int, tried: Floats
+    ticks: Ticks, lower: Floats, upper: Floats, at: int, tried: Floats
 ) -> tuple[int, int, tuple[float, float]]:
     """Return the furthest sample, which value reaches it, and the bounds there."""
     size, last = _WINDOW, len(ticks) - 1
     while True:
         end = min(at + size, last)
         step = (ticks[at + 1 : end + 1] - ticks[at]).astype(np.float64)
-        rise = values[at + 1 : end + 1] - tried[:, None]
-        slack = within[at + 1 : end + 1]
-        low = np.maximum.accumulate((rise - slack) / step, axis=1)
-        high = np.minimum.accumulate((rise + slack) / step, axis=1)
+        falls = (lower[at + 1 : end + 1] - tried[:, None]) / step
+        rises = (upper[at + 1 : end + 1] - tried[:, None]) / step
+        low = np.maximum.accumulate(falls, axis=1)
+        high = np.minimum.accumulate(rises, axis=1)
         reached = (low <= high).sum(axis=1)
         furthest = int(reached.max())
         if furthest < end - at or end == last:

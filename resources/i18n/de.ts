@@ -6283,6 +6283,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the track needs more than {most} keyframes</source>
+        <translation>die Spur braucht mehr als {most} Keyframes</translation>
+    </message>
+    <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6521,10 +6525,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the track is too long for this format</source>
         <translation>die Spur ist zu lang für dieses Format</translation>
-    </message>
-    <message>
-        <source>the track needs {count} keyframes (limit: {most})</source>
-        <translation>die Spur braucht {count} Keyframes (Grenze: {most})</translation>
     </message>
     <message>
         <source>the track needs {count} positions (limit: {most})</source>

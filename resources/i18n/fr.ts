@@ -6283,6 +6283,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the track needs more than {most} keyframes</source>
+        <translation>la piste nécessite plus de {most} images clés</translation>
+    </message>
+    <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6521,10 +6525,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the track is too long for this format</source>
         <translation>la piste est trop longue pour ce format</translation>
-    </message>
-    <message>
-        <source>the track needs {count} keyframes (limit: {most})</source>
-        <translation>la piste nécessite {count} images clés (limite&#xa0;: {most})</translation>
     </message>
     <message>
         <source>the track needs {count} positions (limit: {most})</source>

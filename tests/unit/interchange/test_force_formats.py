@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hapticplayer.errors import InputError, SequenceError, UsageError
+from hapticplayer.interchange import thinning
 from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
 from hapticplayer.interchange.force_formats import (
     FORCE_FORMATS,
@@ -62,6 +63,15 @@ def test_a_track_comes_back_within_the_tolerance(name, track, tmp_path_factory):
     report, back = there_and_back(name, track, folder, duration_s)
     found_n = differ_n(track, back, duration_s)
     assert found_n <= TOLERANCE_N + ROUNDING_N
+    assert report["error_max_n"] <= TOLERANCE_N + ROUNDING_N
+
+
+@settings(max_examples=40, deadline=None)
+@given(track=tracks())
+def test_the_size_of_a_track_is_within_the_tolerance(track, tmp_path_factory):
+    path = tmp_path_factory.mktemp("there") / "a.ahap"
+    choices = WriteChoices(float(track.time_s[-1]) + 0.05, TOLERANCE_N)
+    report = export_track(track, path, FORCE_FORMATS["ahap"], choices)
     assert report["error_max_n"] <= TOLERANCE_N + ROUNDING_N
 
 
@@ -138,6 +148,14 @@ def test_a_file_that_exists_is_kept_unless_it_is_ours(name, tmp_path):
     path.unlink()
     export_track(track, path, form, WriteChoices())
     export_track(track, path, form, WriteChoices(overwrite=True))
+
+
+@pytest.mark.parametrize("name", ["hjif", "ahap"])
+def test_a_track_of_too_many_corners_is_refused(name, tmp_path, monkeypatch):
+    monkeypatch.setattr(thinning, "MAX_CORNERS", 1)
+    with pytest.raises(InputError, match="keyframes"):
+        there_and_back(name, SPECIAL["impulse"], tmp_path, 1.0)
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("name", BOTH_WAYS)

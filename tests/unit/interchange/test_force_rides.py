@@ -26,6 +26,9 @@ def comes_back(track, folder, seconds):
         export_track(track, path, WRITTEN[name], WriteChoices(duration_s=seconds))
         error_n = track.at(at_s) - read_force(path).track.at(at_s)
         assert np.linalg.norm(error_n, axis=1).max() <= 0.01002, name
+    choices = WriteChoices(duration_s=seconds)
+    report = export_track(track, folder / "track.ahap", WRITTEN["ahap"], choices)
+    assert report["error_max_n"] <= 0.01002
 
 
 @pytest.mark.parametrize("scene", MOTION_SCENES)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hapticplayer.interchange import sharing
+from hapticplayer.interchange import sharing, thinning
 from hapticplayer.interchange.force_formats import read_force
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.packed import read_packed
@@ -25,5 +25,5 @@ def test_the_file_holds_hjif_of_the_realistic_force(sequence_folder, tmp_path):
 
 
 def test_a_force_that_does_not_fit_is_left_out(sequence_folder, monkeypatch):
-    monkeypatch.setattr(sharing.hjif, "MAX_KEYFRAMES", 1)
+    monkeypatch.setattr(thinning, "MAX_CORNERS", 1)
     assert sharing.force_for_others(sequence_folder) == ()

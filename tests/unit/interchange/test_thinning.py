@@ -31,6 +31,14 @@ def test_the_tolerance_holds_at_every_sample(steps, tolerance, data):
     assert largest(ticks, values, kept, heights) <= tolerance + 1e-9
 
 
+@given(st.lists(st.floats(0.0, 5.0) | st.just(0.0), min_size=2, max_size=60))
+def test_no_corner_is_below_the_least(values):
+    ticks, values = np.arange(len(values)), np.array(values)
+    kept, heights = thin(ticks, values, 0.1, QUANTUM, least=0.0)
+    assert heights.min() >= 0.0
+    assert largest(ticks, values, kept, heights) <= 0.1 + 1e-9
+
+
 def test_a_line_needs_its_two_ends():
     ticks = np.arange(5000)
     kept, _ = thin(ticks, 0.002 * ticks - 3.0, 0.01, QUANTUM)
