@@ -119,11 +119,20 @@ class ConditionForm(QWidget):
         self._add(parameter, combo, combo.currentData)
 
     def _track(self, parameter: Parameter) -> None:
+        if not self._tracks:  # of sequences that are not known here
+            line = QLineEdit()
+            line.setPlaceholderText(self._own_effects())
+            self._add(parameter, line, line.text)
+            return
         combo = QComboBox()
-        combo.setEditable(not self._tracks)  # of sequences that are not known here
-        combo.addItems(self._tracks or [str(parameter.default)])
-        combo.setCurrentText(str(parameter.default))
-        self._add(parameter, combo, combo.currentText)
+        combo.addItem(self._own_effects(), "")
+        for name in self._tracks:
+            combo.addItem(name, name)
+        self._add(parameter, combo, combo.currentData)
+
+    @staticmethod
+    def _own_effects() -> str:
+        return translate("ConditionForm", "With the effects of the sequence")
 
     def _clip(self, parameter: Parameter) -> None:
         if self._clips is None:

@@ -65,19 +65,21 @@ def feedback_track(
         )
     of = Ingredients(
         realistic,
-        rendered=lambda preset: _rendered(source, preset),
+        rendered=lambda preset, effects: _rendered(source, preset, effects=effects),
         other=other or _of_folder,
         stored=lambda track: _stored(source, track),
     )
     return condition.track(of, parameters)
 
 
-def _rendered(source: Source, preset: str) -> ForceTrack:
+def _rendered(source: Source, preset: str, *, effects: bool) -> ForceTrack:
     from hapticplayer.sequence.editing import rendered_again  # a tenth of a second
 
     if not source.path.is_dir():
-        raise UsageError("another preset needs the folder of the sequence; unpack it")
-    return rendered_again(source.path, preset)
+        raise UsageError(
+            "another rendering needs the folder of the sequence; unpack it"
+        )
+    return rendered_again(source.path, preset, has_effects=effects)
 
 
 def _of_folder(folder: str) -> ForceTrack:

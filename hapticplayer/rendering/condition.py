@@ -74,7 +74,7 @@ class Parameter:
         return self.range.parse(self.name, text) if self.range else self.check(text)
 
 
-def _unavailable(_name: str) -> ForceTrack:
+def _unavailable(*_wanted: object) -> ForceTrack:
     raise UsageError("this condition needs the sequence of the clip")
 
 
@@ -85,16 +85,30 @@ class Ingredients:
     Attributes:
         realistic: track of the clip.
         seed: of random numbers.
-        rendered: returns the realistic track under another preset.
+        rendered: returns the realistic track under another preset, "" for its own,
+            and with or without the sequence's effects.
         other: returns the realistic track of another clip, "" for one that suits.
         stored: returns a further track of the sequence.
     """
 
     realistic: ForceTrack
     seed: int = 0
-    rendered: Callable[[str], ForceTrack] = _unavailable
+    rendered: Callable[[str, bool], ForceTrack] = _unavailable
     other: Callable[[str], ForceTrack] = _unavailable
     stored: Callable[[str], ForceTrack] = _unavailable
+
+    def edited(self) -> ForceTrack:
+        """Return the realistic track, which has the effects of its sequence on it.
+
+        Raises:
+            UsageError: when it has none.
+        """
+        if self.realistic.provenance.get("effects"):
+            return self.realistic
+        raise UsageError(
+            "no effect is switched on for this clip; add one to its sequence, or give "
+            "the name of an edited track"
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -85,11 +85,15 @@ _DELAY = Parameter(
 )
 _GAIN = Parameter("gain", Message("Gain"), ParameterKind.NUMBER, 0.5, ranges.FORCE_GAIN)
 _OF = Parameter("of", Message("Other sequence"), ParameterKind.CLIP, "")
-_TRACK = Parameter("track", Message("Track"), ParameterKind.TRACK, "edited")
+_TRACK = Parameter("track", Message("Track"), ParameterKind.TRACK, "")
+_EFFECTS = Parameter(
+    "effects", Message("Effects"), ParameterKind.WORD, "", choices=("off",)
+)
 
 
-def _realistic(of: Ingredients, preset: str) -> ForceTrack:
-    return of.rendered(preset) if preset else of.realistic
+def _realistic(of: Ingredients, preset: str, effects: str) -> ForceTrack:
+    is_other = preset or effects
+    return of.rendered(preset, not effects) if is_other else of.realistic
 
 
 def _shuffled(ingredients: Ingredients, of: str) -> ForceTrack:
@@ -102,7 +106,7 @@ FEEDBACKS: tuple[FeedbackCondition, ...] = (
         Message("Realistic"),
         _realistic,
         Message("the force of the recorded motion"),
-        (_PRESET,),
+        (_PRESET, _EFFECTS),
         simulated_as=Feedback.REALISTIC,
     ),
     FeedbackCondition(
@@ -158,8 +162,8 @@ FEEDBACKS: tuple[FeedbackCondition, ...] = (
     FeedbackCondition(
         "edited",
         Message("Edited"),
-        lambda of, track: of.stored(track),
-        Message("a track that a person has edited"),
+        lambda of, track: of.stored(track) if track else of.edited(),
+        Message("the realistic force with the effects of the sequence on it"),
         (_TRACK,),
         is_stored=False,
         is_derived=True,

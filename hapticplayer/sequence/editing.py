@@ -15,7 +15,7 @@ from hapticplayer import __version__, model, rendering
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
-from hapticplayer.rendering.effects import EffectList
+from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.figures import ForceFigures, force_figures
@@ -189,8 +189,15 @@ def _seed(track: ForceTrack) -> int:
     return int(track.provenance.get("seed", 0))
 
 
-def rendered_again(folder: Path, preset: str) -> ForceTrack:
-    """Return the realistic track of a sequence under a preset; nothing is written.
+def rendered_again(
+    folder: Path, preset: str = "", *, has_effects: bool = True
+) -> ForceTrack:
+    """Return the realistic track of a sequence in another way; nothing is written.
+
+    Args:
+        folder: of the sequence.
+        preset: "" for that of the realistic track.
+        has_effects: whether the sequence's effects are on it.
 
     Raises:
         UsageError: for an unknown preset.
@@ -198,9 +205,11 @@ def rendered_again(folder: Path, preset: str) -> ForceTrack:
     """
     sequence = store.open_sequence(folder)
     realistic = sequence.tracks[model.Feedback.REALISTIC]
-    if preset == preset_of(realistic):
+    is_plain = not realistic.provenance.get("effects")
+    if preset in ("", preset_of(realistic)) and (has_effects or is_plain):
         return realistic
-    return rendering_of(sequence, preset).track(store.effects_of(sequence))
+    effects = store.effects_of(sequence) if has_effects else NO_EFFECTS
+    return rendering_of(sequence, preset or None).track(effects)
 
 
 def rendering_of(

@@ -76,7 +76,25 @@ def _tracks(
                 key=key,
                 reason=message_of(problem),
             ) from problem
+    _check_edited(study, key, made)
     return made
+
+
+def _check_edited(study: Study, key: str, made: Mapping[str, ForceTrack]) -> None:
+    """Refuse to compare an edited force with itself."""
+    chosen = study.definition.chosen_feedbacks
+    edited = [one for one in chosen if one.condition == "edited"]
+    for one in edited:
+        for other in chosen:
+            if other is not one and made[other.name] is made[one.name]:
+                raise StudyError(
+                    "in the sequence {key!r}, {one!r} and {other!r} are the same force",
+                    where=str(study.folder / DEFINITION),
+                    remedy='give "realistic" the parameter "effects": "off"',
+                    key=key,
+                    one=one.name,
+                    other=other.name,
+                )
 
 
 def check_unchanged(session: StoredSession, material: Material) -> None:

@@ -321,6 +321,10 @@
         <translation>Wie berechnet</translation>
     </message>
     <message>
+        <source>With the effects of the sequence</source>
+        <translation>Mit den Effekten der Sequenz</translation>
+    </message>
+    <message>
         <source>The next one</source>
         <translation>Die nächste</translation>
     </message>
@@ -5327,10 +5331,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Zeile für jede Änderung der Kraft</translation>
     </message>
     <message>
-        <source>a track that a person has edited</source>
-        <translation>eine Spur, die jemand bearbeitet hat</translation>
-    </message>
-    <message>
         <source>a washout needs a track of straight lines, this one holds</source>
         <translation>ein Washout braucht eine Spur aus geraden Linien, diese hält ihre Werte</translation>
     </message>
@@ -5345,10 +5345,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>an effect lies outside of any clip</source>
         <translation>ein Effekt liegt außerhalb jedes Clips</translation>
-    </message>
-    <message>
-        <source>another preset needs the folder of the sequence; unpack it</source>
-        <translation>eine andere Voreinstellung braucht den Ordner der Sequenz; entpacken Sie sie</translation>
     </message>
     <message>
         <source>ask for a file that was packed with --with-motion</source>
@@ -5527,6 +5523,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Vollausschlag wurde als {full_n:.3g} N genommen</translation>
     </message>
     <message>
+        <source>give &quot;realistic&quot; the parameter &quot;effects&quot;: &quot;off&quot;</source>
+        <translation>geben Sie &quot;realistic&quot; den Parameter &quot;effects&quot;: &quot;off&quot;</translation>
+    </message>
+    <message>
         <source>give an effects.json</source>
         <translation>geben Sie eine effects.json an</translation>
     </message>
@@ -5609,6 +5609,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>import it with its motion, or serve a file that was packed</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the sequence {key!r}, {one!r} and {other!r} are the same force</source>
+        <translation>in der Sequenz {key!r} sind {one!r} und {other!r} dieselbe Kraft</translation>
     </message>
     <message>
         <source>install hapticplayer[vision], which synchronises without pats and finds the mounting of a sensor</source>
@@ -5765,6 +5769,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
         <translation>keine Richtung in der Datei: x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
+    </message>
+    <message>
+        <source>no effect is switched on for this clip; add one to its sequence, or give the name of an edited track</source>
+        <translation>für diesen Clip ist kein Effekt eingeschaltet; fügen Sie seiner Sequenz einen hinzu, oder geben Sie den Namen einer bearbeiteten Spur an</translation>
     </message>
     <message>
         <source>no force</source>
@@ -6273,6 +6281,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the format of {name!r} is unknown; choose one of {known}</source>
         <translation>das Format von {name!r} ist unbekannt; wählen Sie eines von {known}</translation>
+    </message>
+    <message>
+        <source>the realistic force with the effects of the sequence on it</source>
+        <translation>die realistische Kraft mit den Effekten der Sequenz</translation>
     </message>
     <message>
         <source>the rig at {address} cannot be reached ({reason}); check address and network, and choose the device again</source>
@@ -6839,6 +6851,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Verzögerung</translation>
     </message>
     <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
         <source>No motion: force here is gravity that was not removed</source>
         <translation>Keine Bewegung: Kraft ist hier Schwerkraft, die nicht entfernt wurde</translation>
     </message>
@@ -6885,6 +6901,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>analysing {measure}</source>
         <translation>{measure} wird ausgewertet</translation>
+    </message>
+    <message>
+        <source>another rendering needs the folder of the sequence; unpack it</source>
+        <translation>eine andere Umsetzung braucht den Ordner der Sequenz; entpacken Sie sie</translation>
     </message>
     <message>
         <source>asks about feedbacks before the first trial</source>

@@ -321,6 +321,10 @@
         <translation>Comme calculé</translation>
     </message>
     <message>
+        <source>With the effects of the sequence</source>
+        <translation>Avec les effets de la séquence</translation>
+    </message>
+    <message>
         <source>The next one</source>
         <translation>La suivante</translation>
     </message>
@@ -5327,10 +5331,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une ligne pour chaque changement de la force</translation>
     </message>
     <message>
-        <source>a track that a person has edited</source>
-        <translation>une piste qu’une personne a modifiée</translation>
-    </message>
-    <message>
         <source>a washout needs a track of straight lines, this one holds</source>
         <translation>un washout demande une piste de lignes droites, celle-ci maintient ses valeurs</translation>
     </message>
@@ -5345,10 +5345,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>an effect lies outside of any clip</source>
         <translation>un effet se trouve en dehors de tout clip</translation>
-    </message>
-    <message>
-        <source>another preset needs the folder of the sequence; unpack it</source>
-        <translation>un autre préréglage demande le dossier de la séquence&#xa0;; dépaquetez-la</translation>
     </message>
     <message>
         <source>ask for a file that was packed with --with-motion</source>
@@ -5527,6 +5523,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la pleine échelle a été prise comme {full_n:.3g} N</translation>
     </message>
     <message>
+        <source>give &quot;realistic&quot; the parameter &quot;effects&quot;: &quot;off&quot;</source>
+        <translation>donnez à &quot;realistic&quot; le paramètre &quot;effects&quot;: &quot;off&quot;</translation>
+    </message>
+    <message>
         <source>give an effects.json</source>
         <translation>donnez un effects.json</translation>
     </message>
@@ -5609,6 +5609,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>import it with its motion, or serve a file that was packed</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the sequence {key!r}, {one!r} and {other!r} are the same force</source>
+        <translation>dans la séquence {key!r}, {one!r} et {other!r} sont la même force</translation>
     </message>
     <message>
         <source>install hapticplayer[vision], which synchronises without pats and finds the mounting of a sensor</source>
@@ -5765,6 +5769,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
         <translation>pas de direction dans le fichier&#xa0;: x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
+    </message>
+    <message>
+        <source>no effect is switched on for this clip; add one to its sequence, or give the name of an edited track</source>
+        <translation>aucun effet n’est activé pour ce clip&#xa0;; ajoutez-en un à sa séquence, ou donnez le nom d’une piste modifiée</translation>
     </message>
     <message>
         <source>no force</source>
@@ -6273,6 +6281,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the format of {name!r} is unknown; choose one of {known}</source>
         <translation>le format de {name!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
+    </message>
+    <message>
+        <source>the realistic force with the effects of the sequence on it</source>
+        <translation>la force réaliste avec les effets de la séquence</translation>
     </message>
     <message>
         <source>the rig at {address} cannot be reached ({reason}); check address and network, and choose the device again</source>
@@ -6839,6 +6851,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Retard</translation>
     </message>
     <message>
+        <source>Effects</source>
+        <translation>Effets</translation>
+    </message>
+    <message>
         <source>No motion: force here is gravity that was not removed</source>
         <translation>Pas de mouvement&#xa0;: ici, la force est de la gravité qui n’a pas été retirée</translation>
     </message>
@@ -6885,6 +6901,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>analysing {measure}</source>
         <translation>analyse de {measure}</translation>
+    </message>
+    <message>
+        <source>another rendering needs the folder of the sequence; unpack it</source>
+        <translation>un autre rendu demande le dossier de la séquence&#xa0;; dépaquetez-la</translation>
     </message>
     <message>
         <source>asks about feedbacks before the first trial</source>

@@ -32,7 +32,6 @@ def test_every_condition_can_be_chosen_with_its_defaults(form):
         chosen = form.chosen()
         assert chosen.name == one.name
         allowed = {p.name: p.default for p in one.parameters if p.default != ""}
-        allowed |= {"track": "mine"} if one.name == "edited" else {}
         assert chosen.parameters == allowed
         assert chosen_feedback(chosen.text) == chosen
 

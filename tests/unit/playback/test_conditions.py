@@ -1,5 +1,7 @@
 """Conditions of what can be played, made when they are chosen."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -7,8 +9,9 @@ from hapticplayer.errors import UsageError
 from hapticplayer.model import ForceTrack, Mapping, PresetName
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
+from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence
-from hapticplayer.sequence.editing import _put, set_mapping
+from hapticplayer.sequence.editing import _put, set_effects, set_mapping
 from hapticplayer.sequence.presets import PRESETS, render_preset
 
 
@@ -56,12 +59,28 @@ def test_the_force_of_another_folder(source, sequence_folder):
 
 
 def test_a_track_of_a_conditions_name_comes_first(source, sequence_folder):
-    with pytest.raises(UsageError, match="has no feedback 'edited'"):
+    with pytest.raises(UsageError, match="no effect is switched on"):
         with_feedback(source, "edited")
     track = ForceTrack([0.0, 1.0], np.ones((2, 3)))
     _add(sequence_folder, track)
     made, _ = with_feedback(open_source(sequence_folder), "edited")
     assert np.array_equal(made.tracks["edited"].force_n, track.force_n)
+
+
+def test_the_force_with_effects_and_without_them(source):
+    plain = source.tracks["realistic"]
+    mute = EffectList((Effect("mute", 1.0, 1.5),))
+    set_effects(source.path, mute)
+    source = open_source(source.path)
+    edited = with_feedback(source, "edited")[0].tracks["edited"]
+    assert not edited.at(np.linspace(1.01, 1.49, 40)).any()
+    name = "realistic:effects=off"
+    off = with_feedback(source, name)[0].tracks[name]
+    assert np.array_equal(off.force_n, plain.force_n)
+    assert off.provenance == plain.provenance
+    set_effects(source.path, EffectList((replace(mute.effects[0], enabled=False),)))
+    with pytest.raises(UsageError, match="no effect is switched on"):
+        with_feedback(open_source(source.path), "edited")
 
 
 def _add(folder, track):

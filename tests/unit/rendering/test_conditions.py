@@ -1,5 +1,6 @@
 """Feedback conditions that are made of realistic tracks."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -92,16 +93,20 @@ def test_an_axis_without_force_cannot_be_shuffled():
 def test_a_preset_and_an_edited_track_are_asked_for_by_name(rng):
     whole, asked = noise(rng, 1.0), []
 
-    def found(name):
-        asked.append(name)
+    def found(*wanted):
+        asked.append(wanted)
         return whole
 
     of = {"rendered": found, "stored": found}
     assert made("realistic:preset=equal", whole, **of) is whole
-    assert made("edited", whole, **of) is whole
+    assert made("realistic:effects=off", whole, **of) is whole
     assert made("edited:track=mine, 2", whole, **of) is whole
-    assert asked == ["equal", "edited", "mine, 2"]
+    assert asked == [("equal", True), ("", False), ("mine, 2",)]
     assert made("realistic", whole) is whole
+    with pytest.raises(UsageError, match="no effect is switched on"):
+        made("edited", whole, **of)
+    edited = replace(whole, provenance={"effects": [{"kind": "mute"}]})
+    assert made("edited", edited) is edited
     with pytest.raises(UsageError, match="needs the sequence"):
         made("realistic:preset=equal", whole)
 

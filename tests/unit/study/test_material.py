@@ -7,12 +7,24 @@ import pytest
 
 from hapticplayer.errors import StudyError
 from hapticplayer.model import ForceTrack
-from hapticplayer.playback.source import Source
+from hapticplayer.playback.conditions import with_feedback
+from hapticplayer.playback.source import Source, open_source
+from hapticplayer.rendering.effects import Effect, EffectList
+from hapticplayer.sequence.editing import set_effects
+from hapticplayer.sequence.pack import pack
 from hapticplayer.study import session_setup
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.session_setup import load_material
 
 KEYS = ("bike", "horse", "car-turning", "car-braking")
+
+
+def with_sequences(study, folder_of, feedbacks):
+    """Return the study with other feedbacks, and the folder of each sequence."""
+    content = {**json.loads(study.content), "feedbacks": list(feedbacks)}
+    for entry in content["sequences"]:
+        entry["folder"] = str(folder_of(entry["key"]))
+    return change_definition(study, content)
 
 
 @pytest.fixture
@@ -32,16 +44,15 @@ def material(study, monkeypatch, tmp_path, tiny_clip):
     monkeypatch.setattr(session_setup, "open_source", opened)
     monkeypatch.setattr(session_setup, "demonstration_source", lambda: None)
 
-    def load(*feedbacks):
-        content = {**json.loads(study.content), "feedbacks": list(feedbacks)}
-        for entry in content["sequences"]:
-            folder = tmp_path / entry["key"]
-            folder.mkdir(exist_ok=True)
-            (folder / "sequence.json").write_text("{}")
-            entry["folder"] = str(folder)
-        return load_material(change_definition(study, content)).sources
+    def folder_of(key):
+        folder = tmp_path / key
+        folder.mkdir(exist_ok=True)
+        (folder / "sequence.json").write_text("{}")
+        return folder
 
-    return load
+    return lambda *chosen: (
+        load_material(with_sequences(study, folder_of, chosen)).sources
+    )
 
 
 def test_each_sequence_has_the_tracks_of_the_study_alone(material):
@@ -73,7 +84,36 @@ def test_shuffled_is_the_next_sequence_or_the_one_named(material, parameters, fe
 
 
 def test_a_feedback_that_cannot_be_made_is_named_by_its_place(material):
-    with pytest.raises(StudyError, match=r"feedbacks\[1\].*'bike'.*'edited'"):
+    with pytest.raises(StudyError, match=r"feedbacks\[1\].*'bike'.*no effect"):
         material("none", "edited")
     with pytest.raises(StudyError, match=r"feedbacks\[1\].*'bike'.*realistic, none"):
         material("none", "strong")
+
+
+OFF = {"key": "plain", "condition": "realistic", "parameters": {"effects": "off"}}
+
+
+def test_edited_force_is_compared_with_the_force_without(study, sequence_folder):
+    plain = open_source(sequence_folder).tracks["realistic"]
+    set_effects(sequence_folder, EffectList((Effect("mute", 1.0, 1.5),)))
+    compared = with_sequences(study, lambda _key: sequence_folder, [OFF, "edited"])
+    source = load_material(compared).sources["bike"]
+    assert np.array_equal(source.tracks["plain"].force_n, plain.force_n)
+    at_s = np.linspace(1.01, 1.49, 30)
+    assert not source.tracks["edited"].at(at_s).any()
+    assert plain.at(at_s).any()
+
+
+def test_an_edited_force_is_not_compared_with_itself(study, sequence_folder):
+    set_effects(sequence_folder, EffectList((Effect("mute", 1.0, 1.5),)))
+    same = with_sequences(study, lambda _key: sequence_folder, ["realistic", "edited"])
+    with pytest.raises(StudyError, match=r"'bike'.*are the same force.*\"off\""):
+        load_material(same)
+
+
+def test_a_packed_sequence_keeps_its_edited_force(sequence_folder, tmp_path):
+    set_effects(sequence_folder, EffectList((Effect("mute", 1.0, 1.5),)))
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    source, name = with_feedback(open_source(tmp_path / "ride.mkv"), "edited")
+    whole = open_source(sequence_folder).tracks["realistic"]
+    assert np.array_equal(source.tracks[name].force_n, whole.force_n)
