@@ -69,3 +69,8 @@ def utc_now_iso(timespec: str = "seconds") -> str:
     import datetime as dt  # the loop and its guard need none
 
     return dt.datetime.now(tz=dt.UTC).isoformat(timespec=timespec)
+
+
+def realtime_minus_monotonic_s() -> float:
+    """Return what to subtract from stamps of the kernel, such as SO_TIMESTAMPNS."""
+    return time.time() - time.monotonic()

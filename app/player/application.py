@@ -72,6 +72,7 @@ def run(options: argparse.Namespace) -> int:
     try:
         # only now: the haptics process wants to hear from us within a second
         player.set_device(device, record)
+        player.set_outlets(options.outlets)
         if source and is_hardware(device):
             player.wait_ready()  # it may not be there: nothing is shown then
         _show(window, options, source, feedback)

@@ -137,7 +137,7 @@ class Session(QObject):
     @property
     def is_stopped(self) -> bool:
         """Whether the force was stopped and waits for a person."""
-        return self.player.snapshot().mode is Mode.TRIPPED
+        return self.player.snapshot().is_stopped
 
     def stop_or_rearm(self) -> None:
         """Press the big button."""
@@ -155,8 +155,7 @@ class Session(QObject):
         if not self.is_stopped:
             return
         now = self.player.snapshot()
-        limits = limits_of(find_device(now.device).capabilities)
-        if not is_near_middle(now.tick["position_m"].tolist(), limits):
+        if now.mode is Mode.TRIPPED and not _is_near_middle(now):
             self.gateway.report(
                 HapticPlayerError(
                     self.tr("Move the grip to the centre first, then re-arm again")
@@ -210,7 +209,7 @@ class Session(QObject):
         self._watch_video(now)
         state = (
             now.phase,
-            now.mode is Mode.TRIPPED,
+            now.is_stopped,
             now.device_health,
             now.feedback,
             self.jobs.is_busy,
@@ -235,7 +234,8 @@ class Session(QObject):
 
     def _report_problem(self, now: Snapshot) -> None:
         """Report once what the player or the device complains about."""
-        text = now.problem or self._device_problem(now)
+        outlets = (one.problem for one in now.outlets if one.problem)
+        text = now.problem or self._device_problem(now) or next(outlets, "")
         if text and text != self.last_problem:
             self.last_problem = text
             self.gateway.report(HapticPlayerError(text))
@@ -251,3 +251,8 @@ class Session(QObject):
         """Stop what runs, bring the hand to rest and finish the log."""
         self.jobs.close()
         self.player.close()
+
+
+def _is_near_middle(now: Snapshot) -> bool:
+    limits = limits_of(find_device(now.device).capabilities)
+    return is_near_middle(now.tick["position_m"].tolist(), limits)

@@ -10,8 +10,8 @@ from functools import partial
 from types import FrameType
 from typing import Any
 
-from hapticplayer.devices import device_names
-from hapticplayer.errors import UsageError
+from hapticplayer.devices import NO_DEVICE, OUTLETS, device_names, find_device
+from hapticplayer.errors import DeviceError, UsageError
 from hapticplayer.model.ranges import Range
 from hapticplayer.untrusted import without_controls
 
@@ -135,6 +135,57 @@ def add_accept_changed(command: argparse.ArgumentParser) -> None:
         help="of a file that was packed: use the force although the video is not the "
         "one that it was made for",
     )
+
+
+def add_outlets(command: argparse.ArgumentParser, default: str = "simulated") -> None:
+    """Add the option that names a device and outlets, once for each of them.
+
+    The first device that takes a force is `device`, "none" where only others are named;
+    the rest are `outlets`.
+    """
+    names = [*device_names(), *OUTLETS]
+
+    def outlet_name(text: str) -> str:
+        if text.partition(":")[0] not in names:
+            raise argparse.ArgumentTypeError(
+                f"{text!r} is not a device; choose one of {', '.join(names)}"
+            )
+        try:
+            if text != NO_DEVICE:
+                find_device(text)
+        except DeviceError as problem:
+            raise argparse.ArgumentTypeError(str(problem)) from problem
+        return text
+
+    command.set_defaults(device=default, outlets=(), named=())
+    command.add_argument(
+        "--device",
+        action=_AddOutlet,
+        type=outlet_name,
+        metavar="NAME[:OPTIONS]",
+        help=f"{', '.join(names)}; several play at once, each with its own --device; "
+        "falcon:SERIAL for one of several Falcons, rig:FORMAT[,HOST:PORT][,NAME=VALUE] "
+        f"for a motion rig, see docs/devices.md (default: {default})",
+    )
+
+
+class _AddOutlet(argparse.Action):
+    """Tells the device from what plays beside it."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: Any,
+        _option: str | None = None,
+    ) -> None:
+        if values in namespace.named:
+            parser.error(f"argument --device: {values} is there twice")
+        namespace.named = (*namespace.named, values)
+        others = [name for name in namespace.named if name != NO_DEVICE]
+        devices = [name for name in others if name.partition(":")[0] not in OUTLETS]
+        namespace.device = devices[0] if devices else NO_DEVICE
+        namespace.outlets = tuple(n for n in others if n != namespace.device)
 
 
 def add_device_name(

@@ -21,8 +21,9 @@ from hapticplayer.cli.common import (
 )
 from hapticplayer.cli.device_forces import test_forces
 from hapticplayer.cli.device_measure import measure_falcon
+from hapticplayer.cli.device_rig import add_monitor_options, monitor
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import find_device, installed_devices
+from hapticplayer.devices import OUTLETS, find_device, installed_devices
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.ftdi import Ftdi
@@ -99,6 +100,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     measure.add_argument("-o", "--output", metavar="FILE", help="the report, as JSON")
     add_overwrite(measure)
     _add_yes(measure)
+    rig = "listen as a motion rig would, and report what it would do"
+    add_monitor_options(add("rig-monitor", rig, monitor, device=""))
 
 
 def _add_yes(action: argparse.ArgumentParser) -> None:
@@ -107,7 +110,8 @@ def _add_yes(action: argparse.ArgumentParser) -> None:
 
 def list_devices(options: argparse.Namespace) -> int:
     """Print the devices that this version can drive, and what is plugged in."""
-    entries = [{"name": d.name, "title": d.title} for d in installed_devices().values()]
+    known = (*installed_devices().values(), *OUTLETS.values())
+    entries = [{"name": d.name, "title": d.title} for d in known]
     entries.append({"name": "none", "title": "no force at all"})
     falcons: list[dict[str, Any]] = []
     try:

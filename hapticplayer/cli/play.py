@@ -9,8 +9,8 @@ from hapticplayer import __version__
 from hapticplayer.cli import OpenWindow
 from hapticplayer.cli.common import (
     add_accept_changed,
-    add_device_name,
     add_number,
+    add_outlets,
     add_overwrite,
     complain,
     interruptible,
@@ -58,7 +58,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="force track: rows of time_s,fx_n,fy_n,fz_n, held between rows",
     )
     add_accept_changed(parser)
-    add_device_name(parser)
+    add_outlets(parser)
     parser.add_argument("--headless", action="store_true", help="without a window")
     parser.add_argument(
         "--mute",
@@ -156,6 +156,7 @@ def play(options: argparse.Namespace) -> int:
     try:
         with interruptible():
             player.set_device(options.device, record)
+            player.set_outlets(options.outlets)
             player.wait_ready()
             attach_log(player, options, source, feedback)
             player.open(source, feedback)
@@ -170,12 +171,14 @@ def play(options: argparse.Namespace) -> int:
             )
         now = player.snapshot()
         problem = now.problem or now.device_problem
+        problem = problem or next((o.problem for o in now.outlets if o.problem), "")
+        notes = [outlet.note for outlet in now.outlets if outlet.note]
     finally:
         player.close()
     report = player.summary()
     say(json.dumps(report) if options.json else _summary_text(source, feedback, report))
     now = player.snapshot()
-    for sentence in now.notices:
+    for sentence in (*now.notices, *notes):
         if sentence not in {problem, ANOTHER_VIDEO}:
             say_aside(sentence)
     problem = problem or now.record_problem
@@ -276,6 +279,7 @@ def attach_log(
         "duration_s": source.clip.duration_s,
         "feedback": feedback,
         "device": now.device,
+        "outlets": [outlet.name for outlet in now.outlets],
         "scheduling": now.scheduling,
         "time": "seconds of CLOCK_MONOTONIC",
     }
@@ -308,4 +312,13 @@ def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
                 f"  sync       force minus {name}: median {stats['p50']:+.2f} ms, "
                 f"5 to 95 %: {stats['p05']:+.2f} to {stats['p95']:+.2f} ms"
             )
+    lines += [_outlet_text(name, one) for name, one in report["outlets"].items()]
     return "\n".join(lines)
+
+
+def _outlet_text(name: str, report: dict[str, Any]) -> str:
+    line = f"  outlet     {name}: {report['ticks']} ticks, {report['missed']} missed"
+    if stats := report["haptic_minus_video_ms"]:
+        line += f", minus video: median {stats['p50']:+.2f} ms, "
+        line += f"5 to 95 %: {stats['p05']:+.2f} to {stats['p95']:+.2f} ms"
+    return line

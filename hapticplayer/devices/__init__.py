@@ -232,7 +232,7 @@ def find_device(name: str) -> DeviceEntry:
     kind, _, serial = name.partition(":")
     entry = DEVICES.get(kind) or OUTLETS.get(kind) or installed_devices().get(kind)
     if entry is not None and entry.settings:
-        load(entry.settings)(serial)
+        load(entry.settings)(serial)  # refuses what is not allowed
     elif entry is None or (serial and not entry.has_serials):
         raise DeviceError(
             "device {name!r}: this version has no driver for it; use {known}",
@@ -243,6 +243,11 @@ def find_device(name: str) -> DeviceEntry:
         return entry
     record = load(entry.record)(serial) if entry.record else entry.capabilities
     return replace(entry, name=name, serial=serial, capabilities=record)
+
+
+def settings_of(entry: DeviceEntry) -> Any:
+    """Return what was chosen of an entry that has settings, else None."""
+    return load(entry.settings)(entry.serial) if entry.settings else None
 
 
 def load(where: str) -> Any:

@@ -47,7 +47,7 @@ class ClipPlayback:
         self.problem = ""  # of the clip
         self.end_s = 0.0
         self.loop_s: tuple[float, float] | None = None
-        self.latency = Latency()
+        self.latency, self.outlets_s = Latency(), 0.0  # the largest of the outlets
         self.media = MediaClock()
         self.video = VideoOutput(clock, sink, presented)
         self.sound = Sound(clock, self.media, audio)
@@ -170,7 +170,8 @@ class ClipPlayback:
         self._first_sound_by_s = self._clock.now_s() + FIRST_SOUND_TIMEOUT_S
 
     def _start_clock(self, _media_s: float) -> None:
-        self.media.start(self._clock.now_s() + self.latency.lead_s)
+        lead_s = max(self.latency.lead_s, self.outlets_s)
+        self.media.start(self._clock.now_s() + lead_s)
 
     def _forget(self, _media_s: float) -> None:
         self.sound.forget()
@@ -194,10 +195,13 @@ class ClipPlayback:
         clock = clock.ahead(self.latency.display_s) if clock else None
         return self.video.present(now_s, clock)
 
+    def clock(self) -> PlaybackClock:
+        """Return the clock of the clip as it is to be met by a person."""
+        return self.media.snapshot(self._clock.now_s())
+
     def force_clock(self) -> PlaybackClock:
         """Return the clock for the haptic loop, ahead by the device's latency."""
-        clock = self.media.snapshot(self._clock.now_s())
-        return clock.ahead(self.latency.device_s)
+        return self.clock().ahead(self.latency.device_s)
 
     def _note_progress(self, now_s: float) -> None:
         if self.phase is Phase.BUFFERING:

@@ -68,13 +68,13 @@ class ForceOutput:
         self, device: str, record: Path | None = None, *, takes_faults: bool = False
     ) -> None:
         """Release the device and open another one; see `HapticsProcesses`."""
-        self._release()
+        self.release()
         if is_hardware(device):
             self.wait_released(hardware_only=True)
         self._begin(device, record=record, takes_faults=takes_faults)
         self.load(self._tracks)
 
-    def _release(self) -> None:
+    def release(self) -> None:
         """Close the device in a thread of its own: the force ramps down meanwhile."""
         processes = self.processes
         thread = threading.Thread(target=processes.close, name="device-releaser")

@@ -6,7 +6,7 @@ processes of their own. A front end that stops polling stops the heartbeat, and 
 force with it.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from hapticplayer.playback.clock import AudioReport
 from hapticplayer.playback.force_output import ForceOutput
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import PlaybackLog, Reporter
+from hapticplayer.playback.outlets import NO_TRACK, Outlets
 from hapticplayer.playback.phases import Event, Phase
 from hapticplayer.playback.snapshot import Measurements, Snapshot, SyncTraces
 from hapticplayer.playback.sound import AudioFactory
@@ -35,7 +36,6 @@ from hapticplayer.playback.video_output import POLL_S, FrameSink
 __all__ = ["FASTEST", "SLOWEST", "Player"]
 
 AUDIO_LOG_PERIOD_S = 0.04
-NO_TRACK = ""  # no force; what comes after it fades in
 
 
 class Player:
@@ -67,6 +67,7 @@ class Player:
         )
         make = haptics or HapticsProcesses
         self._force = ForceOutput(clock, self._reporter, device, scheduling, make)
+        self._outlets = Outlets(clock, self._reporter, scheduling, make)
         self._clip.set_device(device)
         self._logged_audio_s = float("-inf")
         self._was_stalled = False
@@ -80,6 +81,7 @@ class Player:
         self._clip.open(source)
         self._feedback = feedback or source.feedback
         self._force.load(source.tracks)
+        self._outlets.load(source.tracks, source.motion)
 
     def prepare_sound(self) -> None:
         """Open the sound output already: a clip with sound is about to be opened."""
@@ -136,6 +138,8 @@ class Player:
 
     def set_latencies(self, latencies: Latencies) -> None:
         """Begin earlier from here on what reaches the person later."""
+        self._outlets.set_latencies(latencies)
+        self._clip.outlets_s = self._outlets.lead_s
         self._clip.set_latencies(latencies)
 
     # --- commands: the force --------------------------------------------------
@@ -175,9 +179,31 @@ class Player:
         self._reporter.event("device", device=name)
         self._clip.set_device(name)
 
+    def set_outlets(self, names: Sequence[str]) -> None:
+        """Play on these as well, each in processes of its own, and on no others.
+
+        Names are those of `devices`, with their settings. Raises as `Outlets.use`.
+        """
+        self._outlets.use(names)
+        self._clip.outlets_s = self._outlets.lead_s
+        self._reporter.event("outlets", outlets=list(names))
+
+    def set_outlet(
+        self, name: str, *, feedback: str = "", is_muted: bool = False
+    ) -> None:
+        """Give an outlet a condition of its own ("" for the player's), or mute it.
+
+        Raises:
+            UsageError: when there is no such outlet.
+        """
+        outlet = self._outlets[name]
+        outlet.feedback, outlet.is_muted = feedback, is_muted
+        self._reporter.event("outlet", outlet=name, feedback=feedback, muted=is_muted)
+
     def wait_ready(self) -> None:
-        """Wait for the device; see `HapticsProcesses.wait_ready`."""
+        """Wait for device and outlets; see `HapticsProcesses.wait_ready`."""
         self._force.processes.wait_ready()
+        self._outlets.wait_ready()
 
     def wait_released(self) -> None:
         """Wait until other programs can open the hardware that was released."""
@@ -185,13 +211,18 @@ class Player:
 
     def stop_force(self) -> None:
         """Set the force to zero at once and pause; `rearm` brings it back."""
-        self._force.processes.stop_force()
+        self._stop_all()
         self._reporter.event("stop")
         self.pause()
+
+    def _stop_all(self) -> None:
+        self._force.processes.stop_force()
+        self._outlets.stop()
 
     def rearm(self) -> None:
         """Let the force fade in again after a stop."""
         self._force.processes.rearm()
+        self._outlets.rearm()
         self._reporter.event("rearm")
 
     def inject(self, fault: str) -> float:
@@ -208,13 +239,15 @@ class Player:
     def restart_meters(self) -> None:
         """Measure the force against frames and sound from here on."""
         self._force.restart_meters()
+        self._outlets.restart_meters()
 
     def close(self) -> None:
         """Ramp the force to zero, end all threads and finish the log."""
-        self._force.processes.stop_force()  # before anything that takes its time
+        self._stop_all()  # before anything that takes its time
         self._end_check()
         self._clip.close()
         self._force.close()
+        self._outlets.close()
         self._clip.video.close()
         if (log := self._reporter.log) is not None:
             self._reporter.log = None
@@ -257,6 +290,7 @@ class Player:
             problem=clip.problem,
             notices=tuple(self._reporter.notices),
             log_problem=self._log_problem,
+            outlets=self._outlets.states(self._feedback),
         )
 
     def measurements(self) -> Measurements:
@@ -276,6 +310,7 @@ class Player:
         video = self._clip.video
         return {
             **self._force.summary(),
+            "outlets": self._outlets.summary(),
             "frames": {
                 "shown": video.shown,
                 "dropped": video.dropped,
@@ -296,6 +331,7 @@ class Player:
         track = NO_TRACK if has_no_force else self._feedback
         self._force.processes.beat()
         self._force.processes.publish(self._clip.force_clock(), track)
+        self._outlets.poll(self._clip.clock(), track)
         return min(next_s, now_s + POLL_S)
 
     def _has_stalled(self, now_s: float) -> bool:
@@ -330,6 +366,7 @@ class Player:
         seen_s = shown_s + self._clip.latency.display_s
         commanded_s = seen_s - self._clip.latency.device_s
         self._force.video.event(commanded_s, frame_s)
+        self._outlets.note_frame(seen_s, frame_s)
         self._reporter.line("frame", monotonic_s=seen_s, media_s=frame_s)
 
     def _note_sound(self, report: AudioReport) -> None:

@@ -15,6 +15,37 @@ from hapticplayer.playback.phases import PLAYING_PHASES, Phase
 from hapticplayer.playback.source import Source
 
 
+@dataclass(frozen=True, slots=True)
+class OutletState:
+    """An outlet as front ends show it.
+
+    Attributes:
+        name: as it was chosen, with its settings.
+        health: of its processes.
+        problem: what is wrong with it, "" for nothing.
+        note: what a person may want to do about it, "" for nothing.
+        feedback: the condition that it plays, "" for none.
+        is_muted: whether a person has silenced it.
+        gain: multiplies what it plays.
+        latency_s: compensated.
+        mode: what its loop does, and why.
+        cause: of the mode.
+        loop_pid: of its process, None where there is none.
+    """
+
+    name: str
+    health: Health
+    problem: str
+    note: str
+    feedback: str
+    is_muted: bool
+    gain: float
+    latency_s: float
+    mode: Mode
+    cause: Cause
+    loop_pid: int | None
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Snapshot:
     """The player's state; without arguments: no clip and no device."""
@@ -50,11 +81,18 @@ class Snapshot:
     problem: str = ""  # what is wrong with the clip, "" for nothing
     notices: tuple[str, ...] = ()
     log_problem: str = ""  # why the log is incomplete, once it is closed
+    outlets: tuple[OutletState, ...] = ()  # what plays beside the device
 
     @property
     def duration_s(self) -> float:
         """Length of the clip."""
         return self.source.clip.duration_s if self.source else 0.0
+
+    @property
+    def is_stopped(self) -> bool:
+        """Whether device or an outlet was stopped and waits for a person."""
+        modes = (self.mode, *(outlet.mode for outlet in self.outlets))
+        return Mode.TRIPPED in modes
 
     @property
     def is_playing(self) -> bool:

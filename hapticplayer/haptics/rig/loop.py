@@ -1,6 +1,7 @@
 """The loop of a rig's process: as many packets a second as a person chose."""
 
 import gc
+import math
 from dataclasses import dataclass
 
 from hapticplayer.clock import Clock
@@ -10,7 +11,7 @@ from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.follower import TrackFollower
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.messages import Line, Word
-from hapticplayer.haptics.rig.step import RigState, rig_step
+from hapticplayer.haptics.rig.step import RigSetup, RigState, rig_step
 from hapticplayer.model.rig import RigMotion
 
 REST_PERIOD_S = 0.020
@@ -39,7 +40,8 @@ class RigLoop(TrackFollower):
         self.listen()
         self.rig = RigState()
         self.count = 0
-        self._factors = self.sender.settings.factors()
+        chosen = self.sender.settings
+        self._setup = RigSetup(chosen.factors(), 0.5 / chosen.rate_hz)
 
     @property
     def period_s(self) -> float:
@@ -49,12 +51,15 @@ class RigLoop(TrackFollower):
         return REST_PERIOD_S
 
     def run(self) -> None:
-        """Tick until the player quits or is gone, and the rig has come to rest."""
+        """Tick until the player quits or is gone, and the rig has come to rest.
+
+        Ticks lie on multiples of their period, so that several rigs act at once.
+        """
         gc.collect()
         gc.freeze()
         gc.disable()
         clock = self.clock
-        deadline_s = clock.now_s() + self.period_s
+        deadline_s = REST_PERIOD_S * math.ceil(clock.now_s() / REST_PERIOD_S)
         while True:
             clock.sleep_until(deadline_s)
             now_s = clock.now_s()
@@ -78,7 +83,7 @@ class RigLoop(TrackFollower):
             self._track,
             self.rig,
             self._supervision(heartbeat_s, guard_s, missed),
-            self._factors,
+            self._setup,
         )
         is_heard = self._send(rig) if rig.is_sending else True
         self.block.write_tick(

@@ -52,6 +52,19 @@ _MOVING = (Mode.ENTERING, Mode.FOLLOWING)
 _LIMITS, _NO_HAND = Limits(), Hand(is_homed=True)
 
 
+class RigSetup(NamedTuple):
+    """What a person chose, as a step needs it.
+
+    Attributes:
+        factors: gain and sign of each number of a `RigMotion`.
+        lead_s: how far ahead of the clock a packet says what it says. A receiver holds
+            it until the next one, so half a period makes its mean delay zero.
+    """
+
+    factors: tuple[float, ...]
+    lead_s: float = 0.0
+
+
 class RigState(NamedTuple):
     """All that one packet hands to the next.
 
@@ -83,16 +96,17 @@ def rig_step(
     track: AnyTrack | None,
     rig: RigState,
     supervision: Supervision,
-    factors: tuple[float, ...],
+    setup: RigSetup,
 ) -> RigState:
-    """Return the state after one tick; `factors` are gain and sign of each number."""
+    """Return the state after one tick."""
     before = rig.state
     situation = Situation(now_s, clock, track, before, _NO_HAND, supervision, _LIMITS)
     reaction, cause = assess(situation, RIG_RULES)
     planned = NEUTRAL
     if reaction is Reaction.GO and isinstance(track, LoadedTrack):
-        values = track.values_at(situation.media_s)
-        planned = capped(f * v for f, v in zip(factors, values, strict=True))
+        rate = clock.rate if clock else 0.0
+        values = track.values_at(situation.media_s + rate * setup.lead_s)
+        planned = capped(f * v for f, v in zip(setup.factors, values, strict=True))
         if not (math.isfinite(sum(values)) and math.isfinite(situation.media_s)):
             reaction, cause, planned = Reaction.TRIP, Cause.NOT_FINITE, NEUTRAL
     mode = _next_mode(situation, reaction, rig)

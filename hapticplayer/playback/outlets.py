@@ -1,0 +1,229 @@
+"""What plays beside the device: any number of outlets, each with processes of its own.
+
+All of them read the same playback clock, each ahead by its own latency. What happens to
+one leaves the others alone.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from hapticplayer.clock import Clock
+from hapticplayer.devices import find_device, settings_of
+from hapticplayer.errors import Message, UsageError
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.processes import HapticsProcesses
+from hapticplayer.haptics.rig.loop import REFUSED
+from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.model import Feedback, MotionTrack, PlaybackClock, RigTrack
+from hapticplayer.model.device import Signal
+from hapticplayer.playback.force_output import AnyForce, ForceOutput
+from hapticplayer.playback.latency import Latencies
+from hapticplayer.playback.log import Reporter
+from hapticplayer.playback.snapshot import OutletState
+from hapticplayer.rendering import rig_track
+
+NO_TRACK = ""  # no force; what comes after it fades in
+NO_MOTION = Message(
+    "a rig moves only with the realistic feedback of a sequence that has its motion"
+)
+NOBODY_LISTENS = Message("nobody listens at {address}: start the rig's software")
+
+
+class _Tagged(Reporter):
+    """Reports what happens to an outlet under its name."""
+
+    def __init__(self, clock: Clock, whole: Reporter, outlet: str) -> None:
+        self._whole, self._outlet = whole, outlet
+        super().__init__(clock)
+        self.log = None  # it takes no ticks of an outlet
+
+    def notify(self, sentence: str) -> None:
+        """Add a notice."""
+        named = Message("{outlet}: {what}", outlet=self._outlet, what=sentence)
+        self._whole.notify(named)
+
+    def line(self, kind: str, **fields: Any) -> None:
+        """Log one line of a kind."""
+        self._whole.line(kind, outlet=self._outlet, **fields)
+
+
+class Outlet:
+    """One of them."""
+
+    def __init__(self, name: str, output: ForceOutput) -> None:
+        entry = find_device(name)
+        chosen = settings_of(entry)
+        self.name, self.output = name, output
+        self.takes_motion = entry.capabilities.signal is Signal.MOTION
+        self.gain = chosen.gain if chosen else 1.0
+        self.address = chosen.address if chosen else ""
+        self._entered_s = chosen.latency_s if chosen else 0.0
+        self.latency_s = self._entered_s
+        self.is_muted, self.feedback = False, ""
+        self._names: set[str] = set()
+
+    def set_latencies(self, latencies: Latencies) -> None:
+        """Take what was measured, unless a person entered a latency with the outlet."""
+        measured_s = latencies.device_s.get(self.name, 0.0)
+        self.latency_s = self._entered_s or measured_s
+
+    def load(self, tracks: Mapping[str, AnyForce], rig: RigTrack | None) -> None:
+        """Hand over the signal of each condition."""
+        if not self.takes_motion:
+            self._names = set(tracks)
+            self.output.load(tracks)
+            return
+        signals = {} if rig is None else {Feedback.REALISTIC.value: rig}
+        self._names = set(signals)
+        self.output.processes.load(signals)
+
+    def publish(self, clock: PlaybackClock, feedback: str) -> None:
+        """Publish where the clip is, with the condition that the player plays."""
+        wanted = (self.feedback or feedback) if feedback else NO_TRACK
+        is_on = wanted in self._names and not self.is_muted
+        ahead = clock.ahead(self.latency_s)
+        self.output.processes.publish(ahead, wanted if is_on else NO_TRACK)
+
+    def state(self, feedback: str) -> OutletState:
+        """Return what a front end shows; `feedback` is the player's."""
+        tick, processes = self.output.history.latest(), self.output.processes
+        return OutletState(
+            self.name,
+            processes.health,
+            self.output.problem,
+            self._note(tick, self.feedback or feedback),
+            self.feedback or feedback,
+            self.is_muted,
+            self.gain,
+            self.latency_s,
+            Mode(int(tick["mode"])) if tick is not None else Mode.IDLE,
+            Cause(int(tick["cause"])) if tick is not None else Cause.NONE,
+            processes.pids.get("loop"),
+        )
+
+    def _note(self, tick: Any, feedback: str) -> Message | str:
+        if not self.takes_motion:
+            return ""
+        if feedback not in {*self._names, NO_TRACK, Feedback.NONE.value}:
+            return NO_MOTION
+        is_refused = tick is not None and tick["buttons"] & REFUSED
+        return Message(NOBODY_LISTENS, address=self.address) if is_refused else ""
+
+
+class Outlets:
+    """All of them, by name."""
+
+    def __init__(
+        self,
+        clock: Clock,
+        reporter: Reporter,
+        scheduling: Scheduling | None,
+        make: Callable[..., HapticsProcesses],
+    ) -> None:
+        self._clock, self._reporter = clock, reporter
+        self._scheduling, self._make = scheduling, make
+        self._all: dict[str, Outlet] = {}
+        self._released: list[ForceOutput] = []
+        self._latencies = Latencies()
+        self._tracks: Mapping[str, AnyForce] = {}
+        self._motion: MotionTrack | None = None
+
+    def __iter__(self) -> Any:
+        return iter(self._all.values())
+
+    def __getitem__(self, name: str) -> Outlet:
+        """Return one; raises UsageError for a name that is none."""
+        if name not in self._all:
+            raise UsageError("there is no outlet {name!r}", name=name)
+        return self._all[name]
+
+    @property
+    def lead_s(self) -> float:
+        """The largest latency."""
+        return max((one.latency_s for one in self), default=0.0)
+
+    def use(self, names: Sequence[str]) -> None:
+        """Release those that are not named, and open those that are new.
+
+        Raises:
+            DeviceError: for a name or settings that are not allowed.
+            HapticsError: when processes cannot be started.
+        """
+        for name in self._all.keys() - set(names):
+            released = self._all.pop(name).output
+            released.release()
+            self._released.append(released)
+        new = [name for name in names if name not in self._all]
+        for name in new:
+            reporter = _Tagged(self._clock, self._reporter, name)
+            output = ForceOutput(
+                self._clock, reporter, name, self._scheduling, self._make
+            )
+            self._all[name] = Outlet(name, output)
+            self._all[name].set_latencies(self._latencies)
+        self._hand_over(self._all[name] for name in new)
+
+    def set_latencies(self, latencies: Latencies) -> None:
+        """Take what was measured on this machine."""
+        self._latencies = latencies
+        for one in self:
+            one.set_latencies(latencies)
+
+    def load(self, tracks: Mapping[str, AnyForce], motion: MotionTrack | None) -> None:
+        """Hand over the tracks and the motion of a clip in place of those before."""
+        self._tracks, self._motion = tracks, motion
+        self._hand_over(self)
+
+    def _hand_over(self, outlets: Any) -> None:
+        rig: RigTrack | None = None
+        for one in outlets:
+            if one.takes_motion and rig is None and self._motion is not None:
+                rig = rig_track(self._motion)
+            one.load(self._tracks, rig)
+
+    def wait_ready(self) -> None:
+        """Wait for all; see `HapticsProcesses.wait_ready`."""
+        for one in self:
+            one.output.processes.wait_ready()
+
+    def stop(self) -> None:
+        """Bring all of them to rest, until `rearm`."""
+        for one in self:
+            one.output.processes.stop_force()
+
+    def rearm(self) -> None:
+        """Let all of them fade in again after a stop."""
+        for one in self:
+            one.output.processes.rearm()
+
+    def poll(self, clock: PlaybackClock, feedback: str) -> None:
+        """Read what they have done since, beat, and publish the clock."""
+        for one in self:
+            one.output.poll()
+            one.output.processes.beat()
+            one.publish(clock, feedback)
+
+    def note_frame(self, seen_s: float, frame_s: float) -> None:
+        """Note that a frame was seen, to be compared with what the outlets did."""
+        for one in self:
+            one.output.video.event(seen_s - one.latency_s, frame_s)
+
+    def restart_meters(self) -> None:
+        """Measure from here on."""
+        for one in self:
+            one.output.restart_meters()
+
+    def states(self, feedback: str) -> tuple[OutletState, ...]:
+        """Return what a front end shows."""
+        return tuple(one.state(feedback) for one in self)
+
+    def summary(self) -> dict[str, Any]:
+        """Return what was measured of each, for the end of a log."""
+        return {one.name: one.output.summary() for one in self}
+
+    def close(self) -> None:
+        """Bring all of them to rest and end their processes."""
+        for one in self:
+            one.output.close()
+        for output in self._released:
+            output.wait_released()

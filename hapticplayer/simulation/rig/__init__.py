@@ -1,0 +1,1 @@
+"""A motion rig that is only simulated: it listens to all formats and reports."""

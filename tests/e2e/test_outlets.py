@@ -1,0 +1,122 @@
+"""Rigs beside a device: a run of the command, and the death of one of their loops."""
+
+import contextlib
+import json
+import os
+import signal
+import subprocess
+import threading
+from pathlib import Path
+
+import pytest
+
+from hapticplayer.clock import SystemClock
+from hapticplayer.simulation.rig.receiver import Ears
+from tests.e2e.command import DISPLAYS, command_line
+
+pytestmark = pytest.mark.realtime
+PATIENCE_S = 60.0
+
+
+class Listener:
+    """Two rigs at free ports, heard in a thread."""
+
+    def __init__(self):
+        self.ears = Ears(SystemClock(), [0, 0])
+        self.first, self.second = self.ears.rigs
+        self._is_over = threading.Event()
+        self._thread = threading.Thread(target=self._listen)
+        self._thread.start()
+
+    def _listen(self):
+        while not self._is_over.is_set():
+            for _ in self.ears.listen(0.05):
+                pass
+
+    def close(self):
+        self._is_over.set()
+        self._thread.join()
+        self.ears.close()
+
+    @property
+    def devices(self):
+        outsim = f"rig:outsim,127.0.0.1:{self.first}"
+        return outsim, f"rig:beamng,127.0.0.1:{self.second},rate=100"
+
+
+@pytest.fixture
+def rigs():
+    made = Listener()
+    yield made
+    made.close()
+
+
+def started(demo, devices, *more):
+    options = [word for name in devices for word in ("--device", name)]
+    options += ["--headless", "--mute", "--start", 3, *more]
+    return subprocess.Popen(
+        command_line("play", demo, *options),
+        env={name: text for name, text in os.environ.items() if name not in DISPLAYS},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def loop_of(player, device):
+    """Return the pid of the loop of an outlet, once it runs."""
+    clock = SystemClock()
+    end_s = clock.now_s() + PATIENCE_S
+    while clock.now_s() < end_s:
+        children = Path(f"/proc/{player.pid}/task/{player.pid}/children").read_text()
+        for pid in children.split():
+            with contextlib.suppress(OSError):
+                words = Path(f"/proc/{pid}/cmdline").read_text().split("\0")
+                if "hapticplayer.haptics" in words and device in words:
+                    return int(pid)
+        clock.sleep_until(clock.now_s() + 0.05)
+    raise AssertionError("its loop did not start")
+
+
+def wait_for(condition):
+    clock = SystemClock()
+    end_s = clock.now_s() + PATIENCE_S
+    while not condition():
+        assert clock.now_s() < end_s, "it did not happen"
+        clock.sleep_until(clock.now_s() + 0.02)
+
+
+def test_a_device_and_two_rigs_play_and_come_to_rest(demo, rigs):
+    devices = ("simulated", *rigs.devices)
+    player = started(demo, devices, "--duration", 2, "--json")
+    out, err = player.communicate(timeout=PATIENCE_S)
+    assert player.returncode == 0, err
+    summary = json.loads(out)
+    assert summary["device"] == "simulated"
+    assert summary["ticks"] > 1000
+    assert list(summary["outlets"]) == list(rigs.devices)
+    assert all(one["ticks"] > 100 for one in summary["outlets"].values())
+    rigs.close()
+    for port, kind in ((rigs.first, "outsim"), (rigs.second, "beamng")):
+        report = rigs.ears.report()[port]
+        assert report["format"] == kind
+        assert report["peak_mps2"] > 0.5
+        assert report["is_neutral"]
+        assert report["time_went_back"] == 0
+    # by the sender's own clock: two seconds and more of neutral
+    assert rigs.ears.rigs[rigs.first].last.time_s > 2.0 + 0.5 + 2.0 - 0.1
+
+
+def test_a_dead_loop_is_brought_to_rest_and_the_other_plays_on(demo, rigs):
+    player = started(demo, rigs.devices, "--duration", 6)
+    first = rigs.ears.rigs[rigs.first]
+    second = rigs.ears.rigs[rigs.second]
+    wait_for(lambda: first.peak_mps2 > 0.5 and second.peak_mps2 > 0.5)
+    os.kill(loop_of(player, rigs.devices[0]), signal.SIGKILL)
+    wait_for(lambda: first.last.is_neutral)
+    assert not second.last.is_neutral
+    _, err = player.communicate(timeout=PATIENCE_S)
+    assert player.returncode == 1
+    assert "the haptics process has ended" in err
+    assert first.report(SystemClock().now_s())["neutral_s"] > 1.5
+    assert second.last.is_neutral

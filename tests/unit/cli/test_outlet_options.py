@@ -1,0 +1,49 @@
+"""`--device` may be there several times."""
+
+import argparse
+
+import pytest
+
+from hapticplayer.cli.common import add_outlets
+
+
+def parsed(*words):
+    parser = argparse.ArgumentParser()
+    add_outlets(parser)
+    options = parser.parse_args([part for w in words for part in ("--device", w)])
+    return options.device, options.outlets
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ((), ("simulated", ())),
+        (("none",), ("none", ())),
+        (("falcon:12AB",), ("falcon:12AB", ())),
+        (("rig:outsim",), ("none", ("rig:outsim",))),
+        (("rig", "falcon"), ("falcon", ("rig",))),
+        (("falcon", "gamepad"), ("falcon", ("gamepad",))),
+        (
+            ("rig:outsim", "simulated", "rig:beamng,10.0.0.2:4444"),
+            ("simulated", ("rig:outsim", "rig:beamng,10.0.0.2:4444")),
+        ),
+    ],
+)
+def test_the_first_device_leads_and_the_rest_play_along(words, expected):
+    assert parsed(*words) == expected
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (("chair",), "not a device"),
+        (("rig:outsim,rate=5",), "rate must be between 50 and 500"),
+        (("simulated:3",), "no driver"),
+        (("rig", "rig"), "there twice"),
+    ],
+)
+def test_what_cannot_be_played_on_is_wrong_usage(words, why, capsys):
+    with pytest.raises(SystemExit) as end:
+        parsed(*words)
+    assert end.value.code == 2
+    assert why in capsys.readouterr().err

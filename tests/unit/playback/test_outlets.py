@@ -1,0 +1,167 @@
+"""Several outlets: each gets its signal and its clock; what one does leaves the others."""
+
+import numpy as np
+import pytest
+
+from hapticplayer.errors import DeviceError, UsageError
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.processes import Health
+from hapticplayer.haptics.rig.loop import REFUSED
+from hapticplayer.haptics.shared import TICK
+from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
+from hapticplayer.playback.latency import Latencies
+from hapticplayer.playback.log import Reporter
+from hapticplayer.playback.outlets import NO_MOTION, Outlets
+
+RIG, OTHER = "rig:outsim,gain=0.5,latency_ms=40", "rig:beamng"
+TRACKS = {
+    name: ForceTrack([0.0, 3.0], [[0, 1.0, 0]] * 2) for name in ("realistic", "random")
+}
+MOTION = MotionTrack(
+    np.arange(3.0),
+    np.ones((3, 3)),
+    np.zeros((3, 3)),
+    1.0,
+    np.tile([1.0, 0, 0, 0], (3, 1)),
+    None,
+    np.ones(3, bool),
+)
+CLOCK = PlaybackClock(1, 1000.0, 0.0, 1.0, 1000.15)
+
+
+class Processes:
+    """Notes what an outlet would be given."""
+
+    def __init__(self, _clock, device, **_options):
+        self.device, self.health, self.problem = device, Health.READY, ""
+        self.scheduling, self.pids = "normal", {"loop": 7}
+        self.tracks, self.published, self.done = {}, [], []
+        self.ticks = np.empty(0, TICK)
+
+    def load(self, tracks):
+        self.tracks = dict(tracks)
+
+    def publish(self, clock, track):
+        self.published.append((clock, track))
+
+    def poll(self):
+        return self.health
+
+    def read_ticks(self):
+        ticks, self.ticks = self.ticks, np.empty(0, TICK)
+        return ticks, 0
+
+    def __getattr__(self, name):
+        return lambda: self.done.append(name)
+
+
+@pytest.fixture
+def outlets(manual_clock):
+    made = Outlets(manual_clock, Reporter(manual_clock), None, Processes)
+    made.use([RIG, OTHER, "gamepad"])
+    made.load(TRACKS, MOTION)
+    yield made
+    made.close()
+
+
+def processes_of(outlets, name):
+    return outlets[name].output.processes
+
+
+def test_each_outlet_gets_the_signal_that_it_takes(outlets):
+    for name in (RIG, OTHER):
+        given = processes_of(outlets, name).tracks
+        assert list(given) == ["realistic"]
+        assert isinstance(given["realistic"], RigTrack)
+    assert list(processes_of(outlets, "gamepad").tracks) == ["realistic", "random"]
+
+
+def test_each_has_the_same_clock_ahead_by_its_own_latency(outlets):
+    outlets.poll(CLOCK, "realistic")
+    ahead, track = processes_of(outlets, RIG).published[-1]
+    assert (ahead.media_s(1000.0), track) == (pytest.approx(0.040), "realistic")
+    assert processes_of(outlets, OTHER).published[-1] == (CLOCK, "realistic")
+    assert outlets.lead_s == pytest.approx(0.040)
+
+
+def test_what_was_measured_counts_where_nothing_was_entered(outlets):
+    outlets.set_latencies(Latencies(device_s={RIG: 0.1, OTHER: 0.02}))
+    assert outlets[RIG].latency_s == pytest.approx(0.040)
+    assert outlets[OTHER].latency_s == pytest.approx(0.020)
+
+
+def test_a_condition_without_motion_leaves_a_rig_in_neutral(outlets):
+    outlets.poll(CLOCK, "random")
+    assert processes_of(outlets, RIG).published[-1][1] == ""
+    assert processes_of(outlets, "gamepad").published[-1][1] == "random"
+    states = {one.name: one for one in outlets.states("random")}
+    assert states[RIG].note == NO_MOTION
+    assert states["gamepad"].note == ""
+
+
+def test_without_motion_a_rig_gets_nothing(outlets):
+    outlets.load(TRACKS, None)
+    assert processes_of(outlets, RIG).tracks == {}
+    outlets.poll(CLOCK, "realistic")
+    assert processes_of(outlets, RIG).published[-1][1] == ""
+
+
+def test_an_outlet_has_its_own_condition_or_is_mute(outlets):
+    outlets["gamepad"].feedback = "random"
+    outlets[OTHER].is_muted = True
+    outlets.poll(CLOCK, "realistic")
+    played = {one.name: one.output.processes.published[-1][1] for one in outlets}
+    assert played == {RIG: "realistic", OTHER: "", "gamepad": "random"}
+    outlets.poll(CLOCK, "")  # withheld: also from those with their own condition
+    assert {one.output.processes.published[-1][1] for one in outlets} == {""}
+
+
+def test_stop_and_re_arm_reach_all(outlets):
+    outlets.stop()
+    outlets.rearm()
+    for one in outlets:
+        assert one.output.processes.done == ["stop_force", "rearm"]
+
+
+def test_a_fault_of_one_is_its_own(outlets):
+    lost = processes_of(outlets, OTHER)
+    lost.health, lost.problem = Health.READY, "the network is down"
+    outlets.poll(CLOCK, "realistic")
+    lost.poll = lambda: setattr(lost, "health", Health.FAILED) or Health.FAILED
+    outlets.poll(CLOCK, "realistic")
+    states = {one.name: one for one in outlets.states("realistic")}
+    assert states[OTHER].health is Health.FAILED
+    assert states[OTHER].problem == "the network is down"
+    assert {states[RIG].health, states["gamepad"].health} == {Health.READY}
+    assert outlets._reporter.notices == [f"{OTHER}: the network is down"]
+    assert processes_of(outlets, RIG).published[-1] == (
+        CLOCK.ahead(0.040),
+        "realistic",
+    )
+
+
+def test_the_state_tells_mode_gain_and_that_nobody_listens(outlets):
+    tick = np.zeros(1, TICK)
+    tick["mode"], tick["buttons"] = Mode.FOLLOWING, REFUSED
+    processes_of(outlets, RIG).ticks = tick
+    outlets.poll(CLOCK, "realistic")
+    state = outlets.states("realistic")[0]
+    assert (state.name, state.gain, state.mode) == (RIG, 0.5, Mode.FOLLOWING)
+    assert "nobody listens at 127.0.0.1:4123" in state.note
+    assert state.loop_pid == 7
+
+
+def test_what_is_not_named_any_more_is_released(outlets):
+    kept, gone = processes_of(outlets, RIG), outlets[OTHER].output
+    outlets.use([RIG, "simulated"])
+    assert processes_of(outlets, RIG) is kept
+    gone.wait_released()
+    assert "close" in gone.processes.done
+    assert list(processes_of(outlets, "simulated").tracks) == ["realistic", "random"]
+    with pytest.raises(UsageError, match="no outlet"):
+        outlets[OTHER]
+
+
+def test_settings_that_are_not_allowed_are_refused(outlets):
+    with pytest.raises(DeviceError, match="rate must be between"):
+        outlets.use(["rig:outsim,rate=5"])
