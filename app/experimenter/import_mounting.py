@@ -1,4 +1,4 @@
-"""Import, step 3: how the recorder was mounted, gain and name."""
+"""Import, step 3: how the recorder was mounted, rendering and name."""
 
 import math
 from pathlib import Path
@@ -8,14 +8,13 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import (
     QComboBox,
-    QDoubleSpinBox,
     QFormLayout,
     QLineEdit,
     QSizePolicy,
     QWidget,
 )
 
-from app.bridge.languages import translated
+from app.experimenter.rendering_fields import RenderingFields
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog, folder_dialog, settings_filter
@@ -24,9 +23,9 @@ from app.widgets.layout import (
     ElidedLabel,
     captioned,
     column_of,
-    indent,
     paragraph,
     row_of,
+    scrolling,
 )
 from hapticplayer.capture.limits import UPRIGHT
 from hapticplayer.capture.mounting import (
@@ -37,12 +36,9 @@ from hapticplayer.capture.mounting import (
     proposed_mounting,
     up_in_frame_a,
 )
-from hapticplayer.model import Mapping, PresetName
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.mapping import DEFAULT_GAIN_N_PER_MPS2, M_AD
 from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.library import free_name
-from hapticplayer.sequence.presets import DEFAULT_PRESET, PRESETS
 from hapticplayer.sequence.processing import Processing
 from hapticplayer.sequence.recognising import Recognised
 
@@ -181,41 +177,18 @@ def _seen(place: Floats) -> Floats:
     return np.array([right, up, np.cos(_TILT) * deep - np.sin(_TILT) * z])
 
 
-_TURNS = {
-    "ahead": np.eye(3),
-    "right": np.array([[0.0, 0, 1], [0, 1, 0], [-1, 0, 0]]),
-    "behind": np.diag([-1.0, 1.0, -1.0]),
-    "left": np.array([[0.0, 0, -1], [0, 1, 0], [1, 0, 0]]),
-}
-"""Rotations of the device about its up axis, in frame D."""
-
-
 class MountingPage(QWidget):
-    """Asks for mounting, direction of the device, gain, calibration, title and place."""
+    """Asks for mounting, rendering, calibration, title and place."""
 
     def __init__(self, library: Path) -> None:
         super().__init__()
         self.library = library
         self._up: tuple[float, float, float] | None = None
-        self.mounting, self.device = QComboBox(), QComboBox()
+        self.mounting = QComboBox()
         self.mounting.setAccessibleName(self.tr("Mounting"))
-        self.device.setAccessibleName(self.tr("Device position"))
         self.triad = Triad()
         self.gravity = paragraph()
-        self.gain = QDoubleSpinBox()
-        self.gain.setAccessibleName(self.tr("Gain"))
-        self.gain.setRange(0.01, 5.0)
-        self.gain.setDecimals(2)
-        self.gain.setSingleStep(0.05)
-        self.gain.setValue(DEFAULT_GAIN_N_PER_MPS2)
-        self.gain.setSuffix(self.tr(" N per m/s\u00b2"))
-        indent(self.gain)
-        self.gain.setToolTip(
-            self.tr("Use the same gain for all sequences that you compare")
-        )
-        self.preset = QComboBox()
-        self.preset.setAccessibleName(self.tr("Rendering"))
-        self.preset_text = paragraph(colour=theme.DIM, lines=2)
+        self.rendering = RenderingFields(self)
         self.calibration = QLineEdit()
         self.calibration.setAccessibleName(self.tr("Calibration"))
         self.calibration.setPlaceholderText(self.tr("None"))
@@ -232,9 +205,6 @@ class MountingPage(QWidget):
         self._fill()
         self._lay_out()
         self.mounting.currentIndexChanged.connect(self._on_mounting)
-        self.preset.currentIndexChanged.connect(self._on_preset)
-        self.preset.setCurrentIndex(self.preset.findData(DEFAULT_PRESET))
-        self._on_preset()
 
     def _fill(self) -> None:
         names = {
@@ -254,21 +224,6 @@ class MountingPage(QWidget):
         for axes in all_mountings()[len(MOUNTINGS) :]:
             right, front, up = axes.split(",")
             self.mounting.addItem(text.format(right=right, front=front, up=up), axes)
-        stands = {
-            "ahead": self.tr("in front of the user: forward pulls the hand away"),
-            "right": self.tr("to the right of the user"),
-            "behind": self.tr("behind the user"),
-            "left": self.tr("to the left of the user"),
-        }
-        for name, text in stands.items():
-            self.device.addItem(text, name)
-        presets = {
-            PresetName.FAITHFUL: self.tr("Faithful"),
-            PresetName.BALANCED: self.tr("Balanced"),
-            PresetName.EQUAL: self.tr("Equal"),
-        }
-        for one in PRESETS:
-            self.preset.addItem(presets[PresetName(one.name)], one.name)
 
     def _lay_out(self) -> None:
         change = text_button(
@@ -280,10 +235,7 @@ class MountingPage(QWidget):
         form.setVerticalSpacing(10)
         form.addRow(self.tr("&Mounting"), self.mounting)
         form.addRow("", self.gravity)
-        form.addRow(self.tr("&Device position"), self.device)
-        form.addRow(self.tr("&Gain"), self.gain)
-        form.addRow(self.tr("&Rendering"), self.preset)
-        form.addRow("", self.preset_text)
+        self.rendering.add_rows(form)
         choose = text_button(self.tr("Choose\u2026"), self.tr("Choose a calibration"))
         choose.clicked.connect(self._choose_calibration)
         name, field = captioned(self.tr("&Calibration"), self.calibration)
@@ -298,7 +250,7 @@ class MountingPage(QWidget):
             theme.DIM,
         )
         beside = column_of(row_of(STRETCH, self.triad, STRETCH), hint, STRETCH)
-        row_of((form, 3), (beside, 2), spacing=18, of=self)
+        row_of((scrolling(form), 3), (beside, 2), spacing=18, of=self)
 
     def show_found(self, found: Recognised) -> None:
         """Propose the mounting in which up is up, and a title."""
@@ -313,15 +265,6 @@ class MountingPage(QWidget):
         """Right, front and up in the recorder's axes."""
         return str(self.mounting.currentData())
 
-    def mapping(self) -> Mapping:
-        """Return what becomes of the motion."""
-        turn = _TURNS[str(self.device.currentData())]
-        return Mapping(turn @ M_AD, gain_n_per_mps2=self.gain.value())
-
-    def chosen_preset(self) -> PresetName:
-        """Return how the force is rendered."""
-        return PresetName(self.preset.currentData())
-
     def processing(self) -> Processing:
         """Return how gravity is removed.
 
@@ -334,11 +277,6 @@ class MountingPage(QWidget):
     def target(self) -> Path:
         """Return the folder that will be made."""
         return free_name(self.library, self.title.text())
-
-    def _on_preset(self) -> None:
-        chosen = self.chosen_preset()
-        text = next(one.text for one in PRESETS if one.name == chosen)
-        self.preset_text.setText(translated(text))
 
     def _on_mounting(self) -> None:
         self.triad.show_axes(self.axes, self._up)

@@ -256,10 +256,12 @@ class ImportWizard(QDialog):
         self._show_buttons()
 
     def _choices(self) -> Choices:
+        rendering = self.mounting.rendering.chosen()
         return Choices(
             title=self.mounting.title.text().strip() or None,
-            mapping=self.mounting.mapping(),
-            preset=self.mounting.chosen_preset(),
+            mapping=rendering.mapping,
+            fits_gain=rendering.fits_gain,
+            preset=rendering.preset,
             processing=self.mounting.processing(),
             log=self.files.choices(),
             sync=SyncChoices(accepted=self.sync.choice()),

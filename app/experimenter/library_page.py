@@ -21,6 +21,7 @@ from app.bridge.jobs import Job, Jobs, Progress, in_child
 from app.bridge.languages import translated
 from app.experimenter.library_details import LibraryDetails
 from app.experimenter.quality_view import colour_of, mark_name
+from app.experimenter.rendering_page import RenderingPage
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import folder_dialog
@@ -81,6 +82,7 @@ class LibraryPage(QDialog):
         QVBoxLayout(self.list.viewport()).addWidget(self.nothing)
         self.details = LibraryDetails(self._run)
         self.details.changed.connect(self.refresh)
+        self.details.rendering_wanted.connect(self.open_rendering)
         self.status = QLabel()
         self.status.setWordWrap(True)
         self.status.setTextFormat(Qt.TextFormat.PlainText)
@@ -278,6 +280,17 @@ class LibraryPage(QDialog):
             self._on_failed(problem)
         self.refresh()
 
+    def open_rendering(self, entry: Entry) -> RenderingPage | None:
+        """Let people render the force of a sequence in another way."""
+        if self.jobs.is_busy:
+            return None
+        page = RenderingPage(entry.folder, entry.title, self.library, self)
+        page.changed.connect(lambda _folder: self.refresh())
+        page.made.connect(lambda _folder: self.refresh())
+        page.finished.connect(page.deleteLater)
+        page.open()
+        return page
+
     def _check(self) -> None:
         entry = self.chosen()
         if entry is None:
@@ -384,7 +397,6 @@ class LibraryPage(QDialog):
                 self._show_status("")
             self.stop.hide()
             self._on_chosen()
-        self.details.poll()
         self._poll_pictures()
         if self._is_leaving and not self._is_working:
             super().reject()
@@ -449,7 +461,8 @@ class LibraryPage(QDialog):
         """Stop what runs and wait for it."""
         self._timer.stop()
         self.jobs.close()
-        self.details.close_jobs()
+        for page in self.findChildren(RenderingPage):
+            page.close_jobs()
         if self._job is not None:
             self._job.cancel()
             self._job.join()

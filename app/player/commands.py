@@ -46,6 +46,7 @@ COMMANDS = (
         ("Ctrl+T",),
         needs_clip=True,
     ),
+    Command("rendering", "Re&ndering\u2026", "file", 1, needs_clip=True),
     Command("share", "S&hare\u2026", "file", 1, ("Ctrl+E",), needs_clip=True),
     Command("open_log", "Replay a &log\u2026", "file", 1, ("Ctrl+L",), needs_clip=True),
     Command("export_settings", "E&xport settings\u2026", "file", 2),

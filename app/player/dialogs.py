@@ -33,9 +33,10 @@ if TYPE_CHECKING:
     from app.editor.page import EditorPage
     from app.experimenter.import_wizard import ImportWizard
     from app.experimenter.library_page import LibraryPage
+    from app.experimenter.rendering_page import RenderingPage
     from app.player.share_page import SharePage
 
-    Working = EditorPage | ImportWizard | LibraryPage | SharePage
+    Working = EditorPage | ImportWizard | LibraryPage | RenderingPage | SharePage
 
 translate = QCoreApplication.translate
 
@@ -75,6 +76,7 @@ LATER = (
     "app.editor.page",
     "app.experimenter.import_wizard",
     "app.experimenter.library_page",
+    "app.experimenter.rendering_page",
     "app.experimenter.study_editor",
     "app.player.condition_form",
     "app.player.device_page",
@@ -193,6 +195,23 @@ class Dialogs(QObject):
 
         page = SharePage(source.path, self._folder(), source.title, self._window)
         page.shared.connect(self._keep_folder)
+        self._open_working(page)
+
+    def rendering(self) -> None:
+        """Render the force of the sequence that is open in another way."""
+        source = self._session.player.snapshot().source
+        if source is None or not source.path.is_dir():
+            problem = self.tr(
+                "Only a sequence can be rendered: import the video first, or unpack a "
+                "file that was shared with you."
+            )
+            self._session.gateway.report(HapticPlayerError(problem))
+            return
+        from app.experimenter.rendering_page import RenderingPage
+
+        library = library_folder(self._settings)
+        page = RenderingPage(source.path, source.title, library, self._window)
+        page.changed.connect(self._session.open_path)
         self._open_working(page)
 
     def other_feedback(self) -> None:

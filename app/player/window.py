@@ -170,6 +170,7 @@ class PlayerWindow(QMainWindow):
             (commands.edit_effects, lambda: self.dialogs.edit_effects(self.clock)),
             (commands.open_demo, session.open_demo),
             (commands.share, self.dialogs.share),
+            (commands.rendering, self.dialogs.rendering),
             (commands.quit, self.close),
             (commands.play, self.player.toggle),
             (commands.back, lambda: session.skip(-SKIP_S)),

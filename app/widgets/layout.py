@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QInputDialog,
     QLabel,
     QLayout,
+    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -25,6 +26,7 @@ Part = QWidget | QLayout | int | tuple[QWidget | QLayout, int]
 
 ASKED_PX = 460
 _INDENT_PX = 8
+_BAR_PX = 16
 
 
 def row_of(
@@ -93,6 +95,20 @@ def paragraph(
     if lines:
         made.setMinimumHeight(lines * made.fontMetrics().lineSpacing())
     return made
+
+
+def scrolling(layout: QLayout) -> QScrollArea:
+    """Return an area as wide as a layout, which scrolls where there is no room."""
+    inside, area = QWidget(), QScrollArea()
+    inside.setLayout(layout)
+    layout.setContentsMargins(0, 0, 8, 0)
+    area.setWidget(inside)
+    area.setWidgetResizable(True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # Tab goes to what is inside
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setMinimumWidth(inside.minimumSizeHint().width() + _BAR_PX)
+    return area
 
 
 def captioned(text: str, widget: QWidget) -> tuple[QLabel, QWidget]:

@@ -10,8 +10,8 @@ import itertools
 import numpy as np
 
 from hapticplayer.capture.limits import MIN_MEAN_SHARE, UPRIGHT
-from hapticplayer.errors import Message, UsageError
-from hapticplayer.model import ImuLog
+from hapticplayer.errors import InputError, Message, UsageError
+from hapticplayer.model import ImuLog, Mapping
 from hapticplayer.model.arrays import Floats
 
 AS_RECORDED = "x,y,z"
@@ -31,6 +31,22 @@ MOUNTINGS = {
 y where it looks, z to its top)."""
 
 AXES = "xyz"
+_ROUNDING = 2e-3  # of matrices that people type with three digits
+
+
+def _signed_axes(text: str) -> Floats | None:
+    """Return the matrix of three axes with signs, mirrored perhaps; None for others."""
+    rows = []
+    for part in text.lower().replace(" ", "").split(","):
+        name = part.lstrip("+-")
+        if len(part) - len(name) > 1 or len(name) != 1 or name not in AXES:
+            break
+        row = np.zeros(3)
+        row[AXES.index(name)] = -1.0 if part.startswith("-") else 1.0
+        rows.append(row)
+    matrix = np.array(rows)
+    is_whole = matrix.shape == (3, 3) and abs(np.linalg.det(matrix)) == 1.0
+    return matrix if is_whole else None
 
 
 def axes_matrix(axes: str) -> Floats:
@@ -42,16 +58,8 @@ def axes_matrix(axes: str) -> Floats:
     Raises:
         UsageError: when they are not axes, or mirrored.
     """
-    rows = []
-    for part in axes.lower().replace(" ", "").split(","):
-        name = part.lstrip("+-")
-        if len(part) - len(name) > 1 or len(name) != 1 or name not in AXES:
-            break
-        row = np.zeros(3)
-        row[AXES.index(name)] = -1.0 if part.startswith("-") else 1.0
-        rows.append(row)
-    matrix = np.array(rows)
-    if matrix.shape != (3, 3) or abs(np.linalg.det(matrix)) != 1.0:
+    matrix = _signed_axes(axes)
+    if matrix is None:
         raise UsageError(
             "axes={axes} are not three axes; give right, front and up in the axes "
             "of the log, for example axes=x,-z,y",
@@ -64,6 +72,64 @@ def axes_matrix(axes: str) -> Floats:
             axes=axes,
         )
     return matrix
+
+
+def device_axes(text: str) -> Floats:
+    """Return the rotation (3, 3) from frame A to a device.
+
+    Args:
+        text: the device's right, up and towards the user in frame A, such as "x,z,-y",
+            or the nine numbers of a rotation, row by row, rounded by hand perhaps.
+
+    Raises:
+        UsageError: when it is none.
+    """
+    parts = text.split(",")
+    if len(parts) != 9:
+        return _device_permutation(text)
+    refusal = UsageError(
+        "{text!r} is not a rotation; give nine numbers, row by row, with rows of "
+        "length 1 at right angles and determinant +1",
+        text=text[:80],
+    )
+    try:
+        rows = np.array([float(part) for part in parts]).reshape(3, 3)
+        left, sizes, right = np.linalg.svd(rows)
+        axes = Mapping(axes=left @ right).axes
+    except (ValueError, InputError, np.linalg.LinAlgError):
+        raise refusal from None
+    if np.abs(sizes - 1.0).max() > _ROUNDING:
+        raise refusal
+    return axes
+
+
+def _device_permutation(text: str) -> Floats:
+    matrix = _signed_axes(text)
+    if matrix is None:
+        raise UsageError(
+            "{text!r} are not three axes; give the device's right, up and towards the "
+            "user in the actor's axes (x right, y front, z up), such as x,z,-y, or the "
+            "nine numbers of a rotation, row by row",
+            text=text[:80],
+        )
+    if np.linalg.det(matrix) < 0.0:
+        raise UsageError(
+            "the axes {text!r} mirror the motion; change one sign", text=text[:80]
+        )
+    return matrix
+
+
+def axes_text(axes: Floats) -> str:
+    """Return the text that `device_axes` reads as this rotation, to six digits."""
+    is_signed = np.abs(np.abs(axes) - np.round(np.abs(axes))).max() < 1e-9
+    if not is_signed:
+        return ",".join(f"{value:.6g}" for value in axes.ravel().tolist())
+    columns = np.abs(axes).argmax(axis=1)
+    signs = axes[np.arange(3), columns]
+    return ",".join(
+        ("-" if sign < 0.0 else "") + AXES[column]
+        for sign, column in zip(signs, columns, strict=True)
+    )
 
 
 def all_mountings() -> list[str]:

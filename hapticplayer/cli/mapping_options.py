@@ -3,18 +3,14 @@
 import argparse
 from dataclasses import replace
 
-import numpy as np
-
-from hapticplayer.capture.mounting import axes_matrix
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.capture.mounting import device_axes
+from hapticplayer.errors import UsageError
 from hapticplayer.model import Mapping, ranges
-from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import SOFT_KNEE_N, AxisGains
 from hapticplayer.rendering import LEVER_ARMS_M
 from hapticplayer.sequence.presets import PRESETS
 
 FIT = "fit"
-_ROUNDING = 2e-3  # of matrices that people type with three digits
 
 
 def add_mapping(command: argparse.ArgumentParser) -> None:
@@ -29,7 +25,7 @@ def add_mapping(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--axes",
-        type=_axes,
+        type=device_axes,
         metavar="AXES",
         help="what the device's right, up and towards the user are in the actor's axes "
         "(x right, y front, z up): three of them (default x,z,-y; write --axes=-x,...) "
@@ -118,23 +114,3 @@ def _three(option: str, text: str, within: ranges.Range) -> tuple[float, float, 
         )
     x, y, z = (within.parse(option, part) for part in parts)
     return x, y, z
-
-
-def _axes(text: str) -> Floats:
-    parts = text.split(",")
-    if len(parts) != 9:
-        return axes_matrix(text)
-    refusal = UsageError(
-        "--axes={text} is not a rotation; give nine numbers, row by row, with rows of "
-        "length 1 at right angles and determinant +1",
-        text=text[:80],
-    )
-    try:
-        rows = np.array([float(part) for part in parts]).reshape(3, 3)
-        left, sizes, right = np.linalg.svd(rows)
-        axes = Mapping(axes=left @ right).axes
-    except (ValueError, InputError, np.linalg.LinAlgError):
-        raise refusal from None
-    if np.abs(sizes - 1.0).max() > _ROUNDING:
-        raise refusal
-    return axes

@@ -14,7 +14,7 @@ from hapticplayer.cli.mapping_options import (
     chosen_mapping,
     mapping_text,
 )
-from hapticplayer.errors import SequenceError
+from hapticplayer.errors import InputError, SequenceError
 from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import copy_changed, fitted_gain, set_mapping
@@ -66,7 +66,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         if options.in_place:
             change(folder, progress=progress)
         else:
-            copy_changed(folder, target, change, progress)
+            copy_changed(folder, target, change, progress=progress)
     made = open_sequence(target)
     after = sequence_figures(made)
     if options.json:
@@ -78,7 +78,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         say(json.dumps(content, ensure_ascii=False))
         return 0
     realistic = made.description["feedbacks"]["realistic"]
-    offer = FIT if fits_gain else f"--gain fit: {fitted_gain(target, made.mapping):.4g}"
+    offer = _offer(made, fits_gain=fits_gain)
     say(
         f"{target}: {mapping_text(made.mapping)} ({offer}); "
         f"preset {preset_of(made.tracks['realistic'])}"
@@ -87,3 +87,12 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     for note in excursion_texts(realistic["excursion"]):
         say(f"note: {note}")
     return 0
+
+
+def _offer(made: store.Sequence, *, fits_gain: bool) -> str:
+    if fits_gain:
+        return FIT
+    try:
+        return f"--gain fit: {fitted_gain(made, made.mapping):.4g}"
+    except InputError:  # no valid motion while the clip plays
+        return "no motion to fit a gain to"

@@ -18,7 +18,6 @@ from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.excursion import predict
-from hapticplayer.sequence.figures import ForceFigures, force_figures
 from hapticplayer.sequence.presets import Rendering, preset_of
 
 MAX_TITLE = 300
@@ -101,23 +100,6 @@ def remove_track(folder: Path, name: str) -> None:
     _put(folder, {**description, "feedbacks": kept}, {})
 
 
-def set_gain(
-    folder: Path,
-    gain_n_per_mps2: float,
-    *,
-    progress: files.Progress = files.no_progress,
-) -> None:
-    """Render the realistic and the random track again with another gain.
-
-    Raises:
-        InputError: for a gain that is not positive and finite.
-        SequenceError: when the sequence is damaged or cannot be written.
-    """
-    mapping = store.open_sequence(folder).mapping
-    mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain_n_per_mps2)
-    set_mapping(folder, mapping, progress=progress)
-
-
 def set_mapping(
     folder: Path,
     mapping: model.Mapping,
@@ -145,13 +127,9 @@ def set_mapping(
         SequenceError: when the sequence is damaged or cannot be written.
     """
     sequence = store.open_sequence(folder)
-    if fits_gain:
-        duration_s = _duration_s(sequence.description)
-        imu = _angular_rate(sequence, mapping)
-        gain = rendering.fit_gain(store.motion_of(sequence), mapping, duration_s, imu)
-        mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
-    chosen = store.effects_of(sequence) if effects is None else effects
-    realistic = rendering_of(sequence, preset, mapping).track(chosen)
+    mapping, realistic = render_sequence(
+        sequence, mapping, fits_gain=fits_gain, preset=preset, effects=effects
+    )
     tracks = {
         condition.name: condition.track(
             rendering.Ingredients(realistic, _seed(sequence.tracks[condition.name])), {}
@@ -168,6 +146,25 @@ def set_mapping(
         },
     }
     _replace_tracks(folder, description, tracks, progress, effects)
+
+
+def render_sequence(
+    sequence: store.Sequence,
+    mapping: model.Mapping,
+    *,
+    fits_gain: bool = False,
+    preset: str | None = None,
+    effects: EffectList | None = None,
+) -> tuple[model.Mapping, ForceTrack]:
+    """Return the mapping, its gain fitted if asked, and the realistic track it gives.
+
+    Nothing is written; arguments and errors as of `set_mapping`.
+    """
+    if fits_gain:
+        gain = fitted_gain(sequence, mapping)
+        mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
+    chosen = store.effects_of(sequence) if effects is None else effects
+    return mapping, rendering_of(sequence, preset, mapping).track(chosen)
 
 
 def set_effects(
@@ -245,29 +242,39 @@ def copy_changed(
     folder: Path,
     target: Path,
     change: Change,
+    *,
+    title: str | None = None,
     progress: files.Progress = files.no_progress,
 ) -> None:
     """Write a copy of a sequence that is changed before it has its name.
 
+    Args:
+        folder: of the sequence.
+        target: folder of the copy.
+        change: made in the copy.
+        title: of the copy; None keeps that of the sequence.
+        progress: called with the done share; raises Cancelled to stop.
+
     Raises:
         InputError: as the change.
-        UsageError: as the change.
+        UsageError: as the change, or for a title that cannot be.
         SequenceError: when the target exists or cannot be written, or the sequence is
             damaged; then no part of the copy remains.
     """
     with files.written_aside(target) as aside:
         store.copy_files(folder, aside, lambda f, step: progress(0.5 * f, step))
         change(aside, progress=lambda f, step: progress(0.5 + 0.5 * f, step))
+        if title is not None:
+            rename_sequence(aside, title)
 
 
-def fitted_gain(folder: Path, mapping: model.Mapping) -> float:
+def fitted_gain(sequence: store.Sequence, mapping: model.Mapping) -> float:
     """Return the gain that `rendering.fit_gain` offers for a sequence.
 
     Raises:
         InputError: when there is no motion to fit a gain to.
         SequenceError: when the sequence is damaged.
     """
-    sequence = store.open_sequence(folder)
     return rendering.fit_gain(
         store.motion_of(sequence),
         mapping,
@@ -292,30 +299,6 @@ def _angular_rate(
     if not mapping.moves_point:
         return None
     return store.recorded_log(sequence)
-
-
-def preview_gain(
-    folder: Path,
-    gain_n_per_mps2: float,
-    *,
-    progress: files.Progress = files.no_progress,
-) -> ForceFigures:
-    """Return the effect of `set_gain` without writing anything.
-
-    Raises:
-        InputError: for a gain that is not positive and finite.
-        SequenceError: when the sequence is damaged.
-    """
-    sequence = store.open_sequence(folder)
-    mapping = dataclasses.replace(sequence.mapping, gain_n_per_mps2=gain_n_per_mps2)
-    effects = store.effects_of(sequence)
-    track = rendering_of(sequence, mapping=mapping).track(effects)
-    return force_figures(
-        track,
-        _duration_s(sequence.description),
-        mapping.force_limit_n,
-        progress=_reporter(progress, 0, 1),
-    )
 
 
 def _described(folder: Path) -> Mapping[str, Any]:

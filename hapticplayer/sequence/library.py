@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import InputError, Message, SequenceError, message_of
+from hapticplayer.model import Feedback, PresetName
 from hapticplayer.sequence import files
 from hapticplayer.sequence.report import Finding, quality_report
 from hapticplayer.sequence.store import DESCRIPTION, SCHEMA
@@ -48,6 +49,7 @@ class Entry:
         camera: that recorded the motion.
         created_utc: time of the import.
         gain_n_per_mps2: of its mapping; None where the axes have different ones.
+        preset: of its realistic track.
         tracks: its force tracks.
         findings: its quality report.
         problem: why it cannot be used, or "".
@@ -61,6 +63,7 @@ class Entry:
     camera: str = ""
     created_utc: str = ""
     gain_n_per_mps2: float | None = None
+    preset: str = PresetName.FAITHFUL
     tracks: tuple[Track, ...] = ()
     findings: list[Finding] = field(default_factory=list)
     problem: str = ""
@@ -119,6 +122,7 @@ def _entry(folder: Path, description: Mapping[str, Any]) -> Entry:
         camera=str(made_of.get("camera", "")),
         created_utc=str(made_of.get("created_utc", "")),
         gain_n_per_mps2=_one_gain(description["mapping"]["gain_n_per_mps2"]),
+        preset=_preset(description["feedbacks"]),
         tracks=tuple(
             _track(name, entry)
             for name, entry in description["feedbacks"].items()
@@ -139,6 +143,12 @@ def _track(name: str, entry: Mapping[str, Any]) -> Track:
         rms_n,
         None if reach is None else _finite(reach),
     )
+
+
+def _preset(feedbacks: Mapping[str, Any]) -> str:
+    """Return the preset of the realistic track; earlier versions had one."""
+    made_of = feedbacks.get(Feedback.REALISTIC, {}).get("provenance", {})
+    return without_controls(str(made_of.get("preset", PresetName.FAITHFUL)))
 
 
 def _one_gain(value: Any) -> float | None:

@@ -60,6 +60,10 @@
         <translation>&amp;Effekte bearbeiten…</translation>
     </message>
     <message>
+        <source>Re&amp;ndering…</source>
+        <translation>Re&amp;ndering…</translation>
+    </message>
+    <message>
         <source>S&amp;hare…</source>
         <translation>&amp;Teilen…</translation>
     </message>
@@ -489,6 +493,10 @@
         <translation>Nur eine Sequenz kann geteilt werden: Importieren Sie das Video zuerst. Eine Datei, die mit Ihnen geteilt wurde, können Sie weitergeben, wie sie ist.</translation>
     </message>
     <message>
+        <source>Only a sequence can be rendered: import the video first, or unpack a file that was shared with you.</source>
+        <translation>Nur die Kraft einer Sequenz kann neu berechnet werden: Importieren Sie zuerst das Video, oder entpacken Sie eine Datei, die mit Ihnen geteilt wurde.</translation>
+    </message>
+    <message>
         <source>Choose a device first, then try out its forces</source>
         <translation>Wählen Sie zuerst ein Gerät und probieren Sie dann seine Kräfte aus</translation>
     </message>
@@ -509,7 +517,7 @@
     <name>EditorPage</name>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Zeit</translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Show less of the clip (+)</source>
@@ -521,11 +529,11 @@
     </message>
     <message>
         <source>&amp;Whole clip</source>
-        <translation type="unfinished">&amp;Ganzer Clip</translation>
+        <translation>&amp;Ganzer Clip</translation>
     </message>
     <message>
         <source>Show the whole clip</source>
-        <translation type="unfinished">Den ganzen Clip zeigen</translation>
+        <translation>Den ganzen Clip zeigen</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -537,7 +545,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Edit effects</source>
@@ -1483,7 +1491,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <name>Lanes</name>
     <message>
         <source>{time} s</source>
-        <translation type="unfinished">{time} s</translation>
+        <translation>{time} s</translation>
     </message>
     <message>
         <source>Force x (right)</source>
@@ -1507,7 +1515,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished">Ton</translation>
+        <translation>Ton</translation>
     </message>
     <message>
         <source>Time line</source>
@@ -1526,15 +1534,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
-        <translation type="unfinished">Die Tonausgabe {name} meldet eine Latenz von {ms:.0f} ms</translation>
+        <translation>Die Tonausgabe {name} meldet eine Latenz von {ms:.0f} ms</translation>
     </message>
     <message>
         <source>The sound output {name} seems to be wireless</source>
-        <translation type="unfinished">Die Tonausgabe {name} scheint drahtlos zu sein</translation>
+        <translation>Die Tonausgabe {name} scheint drahtlos zu sein</translation>
     </message>
     <message>
         <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
-        <translation type="unfinished">die tatsächliche Latenz kann höher sein. Benutzen Sie Kopfhörer mit Kabel, oder messen Sie sie: Wiedergabe &gt; Latenzen messen</translation>
+        <translation>die tatsächliche Latenz kann höher sein. Benutzen Sie Kopfhörer mit Kabel, oder messen Sie sie: Wiedergabe &gt; Latenzen messen</translation>
     </message>
 </context>
 <context>
@@ -1651,14 +1659,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Arbeitsraum</translation>
     </message>
     <message>
-        <source>Gain</source>
-        <translation>Verstärkung</translation>
-    </message>
-    <message>
-        <source> N per m/s²</source>
-        <translation> N je m/s²</translation>
-    </message>
-    <message>
         <source>&amp;Add a track…</source>
         <translation>Spur &amp;hinzufügen…</translation>
     </message>
@@ -1669,30 +1669,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Save the track for other software</source>
         <translation>Die Spur für andere Programme speichern</translation>
-    </message>
-    <message>
-        <source>Apply &amp;gain</source>
-        <translation>&amp;Verstärkung anwenden</translation>
-    </message>
-    <message>
-        <source>Render the realistic and the random track again with this gain</source>
-        <translation>Realistische und zufällige Spur mit dieser Verstärkung neu berechnen</translation>
-    </message>
-    <message>
-        <source>about {peak} N peak, {rms} N RMS…</source>
-        <translation>etwa {peak} N Spitze, {rms} N RMS…</translation>
-    </message>
-    <message>
-        <source>{peak} N peak, {rms} N RMS, {share} of the time at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N Spitze, {rms} N RMS, {share} der Zeit an der Grenze; genutzter Arbeitsraum: lockere Hand {relaxed}, normale {normal}, feste {firm}</translation>
-    </message>
-    <message>
-        <source>the force would be stopped</source>
-        <translation>die Kraft würde abgeschaltet</translation>
-    </message>
-    <message>
-        <source>Rendering the force</source>
-        <translation>Kraft wird berechnet</translation>
     </message>
     <message>
         <source>Rena&amp;me…</source>
@@ -1715,6 +1691,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Spur entfernen</translation>
     </message>
     <message>
+        <source>Ren&amp;dering…</source>
+        <translation>Ren&amp;dering…</translation>
+    </message>
+    <message>
+        <source>Render the force in another way, after a look at what changes</source>
+        <translation>Die Kraft anders berechnen, nach einem Blick auf das, was sich ändert</translation>
+    </message>
+    <message>
         <source>Choose a force track</source>
         <translation>Kraftspur wählen</translation>
     </message>
@@ -1733,6 +1717,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Name</source>
         <translation>Name</translation>
+    </message>
+    <message>
+        <source>{rendering}; one gain for each axis</source>
+        <translation>{rendering}; eine Verstärkung je Achse</translation>
+    </message>
+    <message>
+        <source>{rendering}; gain {gain} N per m/s²</source>
+        <translation>{rendering}; Verstärkung {gain} N je m/s²</translation>
     </message>
 </context>
 <context>
@@ -1899,14 +1891,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Befestigung</translation>
     </message>
     <message>
-        <source>Gain</source>
-        <translation>Verstärkung</translation>
-    </message>
-    <message>
-        <source> N per m/s²</source>
-        <translation> N je m/s²</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Titel</translation>
     </message>
@@ -1921,18 +1905,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>&amp;Mounting</source>
         <translation>&amp;Befestigung</translation>
-    </message>
-    <message>
-        <source>Device position</source>
-        <translation>Position des Geräts</translation>
-    </message>
-    <message>
-        <source>Use the same gain for all sequences that you compare</source>
-        <translation>Dieselbe Verstärkung für alle Sequenzen, die verglichen werden</translation>
-    </message>
-    <message>
-        <source>Rendering</source>
-        <translation>Rendering</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -1983,52 +1955,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Nach unten gerichtet</translation>
     </message>
     <message>
-        <source>in front of the user: forward pulls the hand away</source>
-        <translation>vor der Person: vorwärts zieht die Hand weg</translation>
-    </message>
-    <message>
-        <source>to the right of the user</source>
-        <translation>rechts von der Person</translation>
-    </message>
-    <message>
-        <source>behind the user</source>
-        <translation>hinter der Person</translation>
-    </message>
-    <message>
-        <source>to the left of the user</source>
-        <translation>links von der Person</translation>
-    </message>
-    <message>
-        <source>Faithful</source>
-        <translation>Getreu</translation>
-    </message>
-    <message>
-        <source>Balanced</source>
-        <translation>Ausgewogen</translation>
-    </message>
-    <message>
-        <source>Equal</source>
-        <translation>Gleich</translation>
-    </message>
-    <message>
         <source>Choose another library folder</source>
         <translation>Anderen Ordner für die Bibliothek wählen</translation>
     </message>
     <message>
-        <source>&amp;Device position</source>
-        <translation>Position des &amp;Geräts</translation>
-    </message>
-    <message>
-        <source>&amp;Gain</source>
-        <translation>&amp;Verstärkung</translation>
-    </message>
-    <message>
-        <source>&amp;Rendering</source>
-        <translation>&amp;Rendering</translation>
-    </message>
-    <message>
         <source>Choose…</source>
-        <translation type="unfinished">Wählen…</translation>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>Choose a calibration</source>
@@ -2086,7 +2018,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <name>PlotArea</name>
     <message>
         <source>Live plots</source>
-        <translation type="unfinished">Kurven</translation>
+        <translation>Kurven</translation>
     </message>
 </context>
 <context>
@@ -2327,6 +2259,311 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Clear list</source>
         <translation>Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>RenderingFields</name>
+    <message>
+        <source>S&amp;often strong forces (soft knee at {knee} N)</source>
+        <translation>Starke Kräfte abm&amp;ildern (weiches Knie bei {knee} N)</translation>
+    </message>
+    <message>
+        <source>Compresses what is above instead of cutting it at the limit</source>
+        <translation>Staucht, was darüber liegt, statt es an der Grenze abzuschneiden</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Rendering</translation>
+    </message>
+    <message>
+        <source>Kind of gain</source>
+        <translation>Art der Verstärkung</translation>
+    </message>
+    <message>
+        <source>One for all axes</source>
+        <translation>Eine für alle Achsen</translation>
+    </message>
+    <message>
+        <source>One for each axis</source>
+        <translation>Eine je Achse</translation>
+    </message>
+    <message>
+        <source>Fitted to this clip</source>
+        <translation>An diesen Clip angepasst</translation>
+    </message>
+    <message>
+        <source> N per m/s²</source>
+        <translation> N je m/s²</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Use the same gain for all sequences that you compare</source>
+        <translation>Dieselbe Verstärkung für alle Sequenzen, die verglichen werden</translation>
+    </message>
+    <message>
+        <source>Device position</source>
+        <translation>Position des Geräts</translation>
+    </message>
+    <message>
+        <source>in front of the user: forward pulls the hand away</source>
+        <translation>vor der Person: vorwärts zieht die Hand weg</translation>
+    </message>
+    <message>
+        <source>to the right of the user</source>
+        <translation>rechts von der Person</translation>
+    </message>
+    <message>
+        <source>behind the user</source>
+        <translation>hinter der Person</translation>
+    </message>
+    <message>
+        <source>to the left of the user</source>
+        <translation>links von der Person</translation>
+    </message>
+    <message>
+        <source>other axes</source>
+        <translation>andere Achsen</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>The device’s right, up and towards the user in the actor’s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
+        <translation>Rechts, oben und zur Person hin am Gerät, in den Achsen der aufnehmenden Person (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>Handlebar</source>
+        <translation>Lenker</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Sitz</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Felt point</source>
+        <translation>Gefühlter Punkt</translation>
+    </message>
+    <message>
+        <source>the recorder itself</source>
+        <translation>das Aufnahmegerät selbst</translation>
+    </message>
+    <message>
+        <source>{point}, from a recorder on the chest</source>
+        <translation>{point}, Aufnahmegerät auf der Brust</translation>
+    </message>
+    <message>
+        <source>another point</source>
+        <translation>ein anderer Punkt</translation>
+    </message>
+    <message>
+        <source>From the recorder</source>
+        <translation>Vom Aufnahmegerät aus</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>&amp;Rendering</source>
+        <translation>&amp;Rendering</translation>
+    </message>
+    <message>
+        <source>&amp;Gain</source>
+        <translation>&amp;Verstärkung</translation>
+    </message>
+    <message>
+        <source>&amp;Device position</source>
+        <translation>Position des &amp;Geräts</translation>
+    </message>
+    <message>
+        <source>&amp;Felt point</source>
+        <translation>Gefühlter &amp;Punkt</translation>
+    </message>
+    <message>
+        <source>Fitted to this clip: {gain} N per m/s². Sequences with different gains cannot be compared</source>
+        <translation>An diesen Clip angepasst: {gain} N je m/s². Sequenzen mit verschiedenen Verstärkungen sind nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>Faithful</source>
+        <translation>Getreu</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Ausgewogen</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>Gleich</translation>
+    </message>
+    <message>
+        <source>towards the user</source>
+        <translation>zur Person hin</translation>
+    </message>
+</context>
+<context>
+    <name>RenderingPage</name>
+    <message>
+        <source>Rendering</source>
+        <translation>Rendering</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Workspace used, {hand} hand</source>
+        <translation>Genutzter Arbeitsraum, {hand} Hand</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>lockere</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>firm</source>
+        <translation>feste</translation>
+    </message>
+    <message>
+        <source>Force, RMS</source>
+        <translation>Kraft, Effektivwert</translation>
+    </message>
+    <message>
+        <source>Force, peak</source>
+        <translation>Kraft, Spitze</translation>
+    </message>
+    <message>
+        <source>Time at the force limit</source>
+        <translation>Zeit an der Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>Cancel; nothing is kept</source>
+        <translation>Abbrechen; nichts bleibt zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;New sequence…</source>
+        <translation>&amp;Neue Sequenz…</translation>
+    </message>
+    <message>
+        <source>Keep this sequence, and make another one in the library</source>
+        <translation>Diese Sequenz behalten und eine weitere in der Bibliothek anlegen</translation>
+    </message>
+    <message>
+        <source>Change this se&amp;quence</source>
+        <translation>Diese Sequenz än&amp;dern</translation>
+    </message>
+    <message>
+        <source>Render the realistic and the random track again</source>
+        <translation>Die realistische und die zufällige Spur neu berechnen</translation>
+    </message>
+    <message>
+        <source>The demo stays as it is</source>
+        <translation>Die Demo bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Predicting</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>The sequence was rendered again</source>
+        <translation>Die Kraft der Sequenz wurde neu berechnet</translation>
+    </message>
+    <message>
+        <source>{title} ({rendering})</source>
+        <translation>{title} ({rendering})</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>New sequence</source>
+        <translation>Neue Sequenz</translation>
+    </message>
+    <message>
+        <source>New sequence: {folder}</source>
+        <translation>Neue Sequenz: {folder}</translation>
+    </message>
+    <message>
+        <source>Rendering the force</source>
+        <translation>Kraft wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>RenderingPicture</name>
+    <message>
+        <source>Force and predicted excursion, before and after</source>
+        <translation>Kraft und vorhergesagte Auslenkung, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Excursion from the centre: beyond {far} mm outward force is reduced, at {end} mm the workspace ends</source>
+        <translation>Auslenkung aus der Mitte: jenseits von {far} mm wird die Kraft nach außen abgeschwächt, bei {end} mm endet der Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>Force to the right, N</source>
+        <translation>Kraft nach rechts, N</translation>
+    </message>
+    <message>
+        <source>Force up, N</source>
+        <translation>Kraft nach oben, N</translation>
+    </message>
+    <message>
+        <source>Force towards the user, N</source>
+        <translation>Kraft zur Person hin, N</translation>
+    </message>
+    <message>
+        <source>Excursion of a relaxed hand, mm</source>
+        <translation>Auslenkung einer lockeren Hand, mm</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
     </message>
 </context>
 <context>
@@ -2824,7 +3061,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Cancel; nothing is kept</source>
-        <translation type="unfinished">Abbrechen; nichts bleibt zurück</translation>
+        <translation>Abbrechen; nichts bleibt zurück</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
@@ -3334,27 +3571,27 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <name>ThemeMenus</name>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished">&amp;Farbschema</translation>
+        <translation>&amp;Farbschema</translation>
     </message>
     <message>
         <source>System default</source>
-        <translation type="unfinished">Wie das System</translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished">Dunkel</translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished">Hell</translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>High contrast</source>
-        <translation type="unfinished">Hoher Kontrast</translation>
+        <translation>Hoher Kontrast</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished">&amp;Sprache</translation>
+        <translation>&amp;Sprache</translation>
     </message>
 </context>
 <context>
@@ -5220,7 +5457,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>RMS</source>
-        <translation type="unfinished">Effektiv</translation>
+        <translation>Effektiv</translation>
     </message>
     <message>
         <source>Ramp</source>
@@ -5244,7 +5481,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished">Startwert</translation>
+        <translation>Startwert</translation>
     </message>
     <message>
         <source>Shocks that stand out of what surrounds them</source>
@@ -6175,6 +6412,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Antwort konnte nicht gespeichert werden ({reason})</translation>
     </message>
     <message>
+        <source>the axes {text!r} mirror the motion; change one sign</source>
+        <translation>die Achsen {text!r} spiegeln die Bewegung; kehren Sie ein Vorzeichen um</translation>
+    </message>
+    <message>
         <source>the board&apos;s axes</source>
         <translation>Achsen der Platine</translation>
     </message>
@@ -6301,6 +6542,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
+        <translation>{text!r} sind keine drei Achsen; gesucht sind rechts, oben und zur Person hin am Gerät, in den Achsen der aufnehmenden Person (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>
+        <translation>{text!r} ist keine Drehung; geben Sie neun Zahlen an, Zeile für Zeile, mit Zeilen der Länge 1, rechtwinklig zueinander, und Determinante +1</translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>

@@ -60,6 +60,10 @@
         <translation>Modifier les &amp;effets…</translation>
     </message>
     <message>
+        <source>Re&amp;ndering…</source>
+        <translation>Re&amp;ndu…</translation>
+    </message>
+    <message>
         <source>S&amp;hare…</source>
         <translation>Parta&amp;ger…</translation>
     </message>
@@ -489,6 +493,10 @@
         <translation>Seule une séquence peut être partagée&#xa0;: importez d’abord la vidéo. Un fichier qu’on a partagé avec vous peut être transmis tel quel.</translation>
     </message>
     <message>
+        <source>Only a sequence can be rendered: import the video first, or unpack a file that was shared with you.</source>
+        <translation>Seule la force d’une séquence peut être recalculée&#xa0;: importez d’abord la vidéo, ou dépaquetez un fichier qu’on a partagé avec vous.</translation>
+    </message>
+    <message>
         <source>Choose a device first, then try out its forces</source>
         <translation>Choisissez d’abord un appareil, puis essayez ses forces</translation>
     </message>
@@ -509,7 +517,7 @@
     <name>EditorPage</name>
     <message>
         <source>Time</source>
-        <translation type="unfinished">Temps</translation>
+        <translation>Temps</translation>
     </message>
     <message>
         <source>Show less of the clip (+)</source>
@@ -521,11 +529,11 @@
     </message>
     <message>
         <source>&amp;Whole clip</source>
-        <translation type="unfinished">Clip &amp;entier</translation>
+        <translation>Clip &amp;entier</translation>
     </message>
     <message>
         <source>Show the whole clip</source>
-        <translation type="unfinished">Montrer tout le clip</translation>
+        <translation>Montrer tout le clip</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -537,7 +545,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Fermer</translation>
+        <translation>Fermer</translation>
     </message>
     <message>
         <source>Edit effects</source>
@@ -1483,7 +1491,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>Lanes</name>
     <message>
         <source>{time} s</source>
-        <translation type="unfinished">{time} s</translation>
+        <translation>{time} s</translation>
     </message>
     <message>
         <source>Force x (right)</source>
@@ -1507,7 +1515,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished">Son</translation>
+        <translation>Son</translation>
     </message>
     <message>
         <source>Time line</source>
@@ -1526,15 +1534,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
-        <translation type="unfinished">La sortie audio {name} annonce une latence de {ms:.0f} ms</translation>
+        <translation>La sortie audio {name} annonce une latence de {ms:.0f} ms</translation>
     </message>
     <message>
         <source>The sound output {name} seems to be wireless</source>
-        <translation type="unfinished">La sortie son {name} semble être sans fil</translation>
+        <translation>La sortie son {name} semble être sans fil</translation>
     </message>
     <message>
         <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
-        <translation type="unfinished">la latence réelle peut être plus élevée. Utilisez un casque filaire, ou mesurez-la&#xa0;: Lecture &gt; Mesurer les latences</translation>
+        <translation>la latence réelle peut être plus élevée. Utilisez un casque filaire, ou mesurez-la&#xa0;: Lecture &gt; Mesurer les latences</translation>
     </message>
 </context>
 <context>
@@ -1651,14 +1659,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Espace de travail</translation>
     </message>
     <message>
-        <source>Gain</source>
-        <translation>Gain</translation>
-    </message>
-    <message>
-        <source> N per m/s²</source>
-        <translation> N par m/s²</translation>
-    </message>
-    <message>
         <source>&amp;Add a track…</source>
         <translation>&amp;Ajouter une piste…</translation>
     </message>
@@ -1669,30 +1669,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Save the track for other software</source>
         <translation>Enregistrer la piste pour d’autres logiciels</translation>
-    </message>
-    <message>
-        <source>Apply &amp;gain</source>
-        <translation>Appliquer le &amp;gain</translation>
-    </message>
-    <message>
-        <source>Render the realistic and the random track again with this gain</source>
-        <translation>Recalculer les pistes réaliste et aléatoire avec ce gain</translation>
-    </message>
-    <message>
-        <source>about {peak} N peak, {rms} N RMS…</source>
-        <translation>environ {peak} N crête, {rms} N RMS…</translation>
-    </message>
-    <message>
-        <source>{peak} N peak, {rms} N RMS, {share} of the time at the limit; workspace used: relaxed hand {relaxed}, normal {normal}, firm {firm}</source>
-        <translation>{peak} N crête, {rms} N RMS, {share} du temps à la limite&#xa0;; espace utilisé&#xa0;: main relâchée {relaxed}, normale {normal}, ferme {firm}</translation>
-    </message>
-    <message>
-        <source>the force would be stopped</source>
-        <translation>la force serait coupée</translation>
-    </message>
-    <message>
-        <source>Rendering the force</source>
-        <translation>Calcul de la force</translation>
     </message>
     <message>
         <source>Rena&amp;me…</source>
@@ -1715,6 +1691,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Enlever la piste</translation>
     </message>
     <message>
+        <source>Ren&amp;dering…</source>
+        <translation>Ren&amp;du…</translation>
+    </message>
+    <message>
+        <source>Render the force in another way, after a look at what changes</source>
+        <translation>Calculer la force autrement, après un coup d’œil sur ce qui change</translation>
+    </message>
+    <message>
         <source>Choose a force track</source>
         <translation>Choisir une piste de force</translation>
     </message>
@@ -1733,6 +1717,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Name</source>
         <translation>Nom</translation>
+    </message>
+    <message>
+        <source>{rendering}; one gain for each axis</source>
+        <translation>{rendering}&#xa0;; un gain par axe</translation>
+    </message>
+    <message>
+        <source>{rendering}; gain {gain} N per m/s²</source>
+        <translation>{rendering}&#xa0;; gain {gain} N par m/s²</translation>
     </message>
 </context>
 <context>
@@ -1899,14 +1891,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Fixation</translation>
     </message>
     <message>
-        <source>Gain</source>
-        <translation>Gain</translation>
-    </message>
-    <message>
-        <source> N per m/s²</source>
-        <translation> N par m/s²</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Titre</translation>
     </message>
@@ -1921,18 +1905,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>&amp;Mounting</source>
         <translation>&amp;Fixation</translation>
-    </message>
-    <message>
-        <source>Device position</source>
-        <translation>Position de l’appareil</translation>
-    </message>
-    <message>
-        <source>Use the same gain for all sequences that you compare</source>
-        <translation>Le même gain pour toutes les séquences à comparer</translation>
-    </message>
-    <message>
-        <source>Rendering</source>
-        <translation>Rendu</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -1983,52 +1955,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Vers le bas</translation>
     </message>
     <message>
-        <source>in front of the user: forward pulls the hand away</source>
-        <translation>devant l’utilisateur&#xa0;: l’avant éloigne la main</translation>
-    </message>
-    <message>
-        <source>to the right of the user</source>
-        <translation>à droite de l’utilisateur</translation>
-    </message>
-    <message>
-        <source>behind the user</source>
-        <translation>derrière l’utilisateur</translation>
-    </message>
-    <message>
-        <source>to the left of the user</source>
-        <translation>à gauche de l’utilisateur</translation>
-    </message>
-    <message>
-        <source>Faithful</source>
-        <translation>Fidèle</translation>
-    </message>
-    <message>
-        <source>Balanced</source>
-        <translation>Équilibré</translation>
-    </message>
-    <message>
-        <source>Equal</source>
-        <translation>Égal</translation>
-    </message>
-    <message>
         <source>Choose another library folder</source>
         <translation>Choisir un autre dossier de bibliothèque</translation>
     </message>
     <message>
-        <source>&amp;Device position</source>
-        <translation>Position de l’&amp;appareil</translation>
-    </message>
-    <message>
-        <source>&amp;Gain</source>
-        <translation>&amp;Gain</translation>
-    </message>
-    <message>
-        <source>&amp;Rendering</source>
-        <translation>&amp;Rendu</translation>
-    </message>
-    <message>
         <source>Choose…</source>
-        <translation type="unfinished">Choisir…</translation>
+        <translation>Choisir…</translation>
     </message>
     <message>
         <source>Choose a calibration</source>
@@ -2086,7 +2018,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>PlotArea</name>
     <message>
         <source>Live plots</source>
-        <translation type="unfinished">Courbes</translation>
+        <translation>Courbes</translation>
     </message>
 </context>
 <context>
@@ -2327,6 +2259,311 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Clear list</source>
         <translation>Vider la liste</translation>
+    </message>
+</context>
+<context>
+    <name>RenderingFields</name>
+    <message>
+        <source>S&amp;often strong forces (soft knee at {knee} N)</source>
+        <translation>Ad&amp;oucir les forces élevées (coude à {knee} N)</translation>
+    </message>
+    <message>
+        <source>Compresses what is above instead of cutting it at the limit</source>
+        <translation>Comprime ce qui dépasse au lieu de le couper à la limite</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Rendu</translation>
+    </message>
+    <message>
+        <source>Kind of gain</source>
+        <translation>Type de gain</translation>
+    </message>
+    <message>
+        <source>One for all axes</source>
+        <translation>Un pour tous les axes</translation>
+    </message>
+    <message>
+        <source>One for each axis</source>
+        <translation>Un par axe</translation>
+    </message>
+    <message>
+        <source>Fitted to this clip</source>
+        <translation>Ajusté à ce clip</translation>
+    </message>
+    <message>
+        <source> N per m/s²</source>
+        <translation> N par m/s²</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Use the same gain for all sequences that you compare</source>
+        <translation>Le même gain pour toutes les séquences à comparer</translation>
+    </message>
+    <message>
+        <source>Device position</source>
+        <translation>Position de l’appareil</translation>
+    </message>
+    <message>
+        <source>in front of the user: forward pulls the hand away</source>
+        <translation>devant l’utilisateur&#xa0;: l’avant éloigne la main</translation>
+    </message>
+    <message>
+        <source>to the right of the user</source>
+        <translation>à droite de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>behind the user</source>
+        <translation>derrière l’utilisateur</translation>
+    </message>
+    <message>
+        <source>to the left of the user</source>
+        <translation>à gauche de l’utilisateur</translation>
+    </message>
+    <message>
+        <source>other axes</source>
+        <translation>autres axes</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>The device’s right, up and towards the user in the actor’s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
+        <translation>La droite, le haut et la direction de l’utilisateur de l’appareil, dans les axes de la personne filmée (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
+    </message>
+    <message>
+        <source>Handlebar</source>
+        <translation>Guidon</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Selle</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Tête</translation>
+    </message>
+    <message>
+        <source>Felt point</source>
+        <translation>Point ressenti</translation>
+    </message>
+    <message>
+        <source>the recorder itself</source>
+        <translation>l’enregistreur lui-même</translation>
+    </message>
+    <message>
+        <source>{point}, from a recorder on the chest</source>
+        <translation>{point}, enregistreur sur la poitrine</translation>
+    </message>
+    <message>
+        <source>another point</source>
+        <translation>un autre point</translation>
+    </message>
+    <message>
+        <source>From the recorder</source>
+        <translation>Depuis l’enregistreur</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>haut</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>&amp;Rendering</source>
+        <translation>&amp;Rendu</translation>
+    </message>
+    <message>
+        <source>&amp;Gain</source>
+        <translation>&amp;Gain</translation>
+    </message>
+    <message>
+        <source>&amp;Device position</source>
+        <translation>Position de l’&amp;appareil</translation>
+    </message>
+    <message>
+        <source>&amp;Felt point</source>
+        <translation>&amp;Point ressenti</translation>
+    </message>
+    <message>
+        <source>Fitted to this clip: {gain} N per m/s². Sequences with different gains cannot be compared</source>
+        <translation>Ajusté à ce clip&#xa0;: {gain} N par m/s². Des séquences de gains différents ne sont pas comparables</translation>
+    </message>
+    <message>
+        <source>Faithful</source>
+        <translation>Fidèle</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Équilibré</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>Égal</translation>
+    </message>
+    <message>
+        <source>towards the user</source>
+        <translation>vers l’utilisateur</translation>
+    </message>
+</context>
+<context>
+    <name>RenderingPage</name>
+    <message>
+        <source>Rendering</source>
+        <translation>Rendu</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
+    </message>
+    <message>
+        <source>Workspace used, {hand} hand</source>
+        <translation>Espace de travail utilisé, main {hand}</translation>
+    </message>
+    <message>
+        <source>relaxed</source>
+        <translation>détendue</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>firm</source>
+        <translation>ferme</translation>
+    </message>
+    <message>
+        <source>Force, RMS</source>
+        <translation>Force efficace</translation>
+    </message>
+    <message>
+        <source>Force, peak</source>
+        <translation>Force maximale</translation>
+    </message>
+    <message>
+        <source>Time at the force limit</source>
+        <translation>Temps à la limite de force</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Arrê&amp;ter</translation>
+    </message>
+    <message>
+        <source>Cancel; nothing is kept</source>
+        <translation>Annuler&#xa0;; rien n’est conservé</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;New sequence…</source>
+        <translation>&amp;Nouvelle séquence…</translation>
+    </message>
+    <message>
+        <source>Keep this sequence, and make another one in the library</source>
+        <translation>Garder cette séquence et en créer une autre dans la bibliothèque</translation>
+    </message>
+    <message>
+        <source>Change this se&amp;quence</source>
+        <translation>&amp;Modifier cette séquence</translation>
+    </message>
+    <message>
+        <source>Render the realistic and the random track again</source>
+        <translation>Recalculer la piste réaliste et la piste aléatoire</translation>
+    </message>
+    <message>
+        <source>The demo stays as it is</source>
+        <translation>La démo reste telle quelle</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Predicting</source>
+        <translation>Prévision</translation>
+    </message>
+    <message>
+        <source>The sequence was rendered again</source>
+        <translation>La force de la séquence a été recalculée</translation>
+    </message>
+    <message>
+        <source>{title} ({rendering})</source>
+        <translation>{title} ({rendering})</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>New sequence</source>
+        <translation>Nouvelle séquence</translation>
+    </message>
+    <message>
+        <source>New sequence: {folder}</source>
+        <translation>Nouvelle séquence&#xa0;: {folder}</translation>
+    </message>
+    <message>
+        <source>Rendering the force</source>
+        <translation>Calcul de la force</translation>
+    </message>
+</context>
+<context>
+    <name>RenderingPicture</name>
+    <message>
+        <source>Force and predicted excursion, before and after</source>
+        <translation>Force et excursion prévue, avant et après</translation>
+    </message>
+    <message>
+        <source>Excursion from the centre: beyond {far} mm outward force is reduced, at {end} mm the workspace ends</source>
+        <translation>Excursion depuis le centre&#xa0;: au-delà de {far} mm la force vers l’extérieur est affaiblie, à {end} mm l’espace de travail se termine</translation>
+    </message>
+    <message>
+        <source>Force to the right, N</source>
+        <translation>Force vers la droite, N</translation>
+    </message>
+    <message>
+        <source>Force up, N</source>
+        <translation>Force vers le haut, N</translation>
+    </message>
+    <message>
+        <source>Force towards the user, N</source>
+        <translation>Force vers l’utilisateur, N</translation>
+    </message>
+    <message>
+        <source>Excursion of a relaxed hand, mm</source>
+        <translation>Excursion d’une main détendue, mm</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
     </message>
 </context>
 <context>
@@ -2824,7 +3061,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Cancel; nothing is kept</source>
-        <translation type="unfinished">Annuler&#xa0;; rien n’est conservé</translation>
+        <translation>Annuler&#xa0;; rien n’est conservé</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
@@ -3334,27 +3571,27 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>ThemeMenus</name>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished">&amp;Thème</translation>
+        <translation>&amp;Thème</translation>
     </message>
     <message>
         <source>System default</source>
-        <translation type="unfinished">Par défaut du système</translation>
+        <translation>Par défaut du système</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished">Sombre</translation>
+        <translation>Sombre</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished">Clair</translation>
+        <translation>Clair</translation>
     </message>
     <message>
         <source>High contrast</source>
-        <translation type="unfinished">Contraste élevé</translation>
+        <translation>Contraste élevé</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished">&amp;Langue</translation>
+        <translation>&amp;Langue</translation>
     </message>
 </context>
 <context>
@@ -5220,7 +5457,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>RMS</source>
-        <translation type="unfinished">RMS</translation>
+        <translation>RMS</translation>
     </message>
     <message>
         <source>Ramp</source>
@@ -5244,7 +5481,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished">Graine</translation>
+        <translation>Graine</translation>
     </message>
     <message>
         <source>Shocks that stand out of what surrounds them</source>
@@ -6175,6 +6412,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la réponse n’a pas pu être enregistrée ({reason})</translation>
     </message>
     <message>
+        <source>the axes {text!r} mirror the motion; change one sign</source>
+        <translation>les axes {text!r} inversent le mouvement en miroir&#xa0;; changez un signe</translation>
+    </message>
+    <message>
         <source>the board&apos;s axes</source>
         <translation>axes de la carte</translation>
     </message>
@@ -6301,6 +6542,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
+        <translation>{text!r} ne sont pas trois axes&#xa0;; donnez la droite, le haut et la direction de l’utilisateur dans les axes de la personne filmée (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>
+        <translation>{text!r} n’est pas une rotation&#xa0;; donnez neuf nombres, ligne par ligne, avec des lignes de longueur 1, perpendiculaires, et un déterminant +1</translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>

@@ -32,6 +32,7 @@ from app.editor.page import EditorPage, Means
 from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
+from app.experimenter.rendering_page import RenderingPage
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
@@ -53,7 +54,6 @@ from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
 from hapticplayer.errors import DeviceError
 from hapticplayer.playback.player import Player
-from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.preflight import SessionCheck
 
@@ -85,8 +85,10 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "import-report": lambda: _import_at(REPORT, window, folder),
         "library-empty": lambda: LibraryPage(folder, window),
         "library": lambda: LibraryPage(_library(window), window),
-        "library-gain": lambda: _library_with_gain(window),
         "effects": lambda: _editor(window),
+        "rendering": lambda: RenderingPage(
+            window.player.snapshot().source.path, "A ride", folder, window
+        ),
         "keyboard": lambda: KeysDialog(window.settings, window),
         "about": lambda: about_dialog(window),
         "set-up": lambda: SetupPage(
@@ -118,7 +120,7 @@ def _no_export(_target, _form, _progress) -> list[str]:
 def close(face: QWidget) -> None:
     """Close a page; the window ends the work of those that it has opened."""
     face.close()
-    if isinstance(face, EditorPage | ImportWizard | LibraryPage):
+    if isinstance(face, EditorPage | ImportWizard | LibraryPage | RenderingPage):
         face.close_jobs()
 
 
@@ -148,16 +150,6 @@ def make_player(clock, sink, device) -> Player:
 
 def _library(window: PlayerWindow):
     return window.player.snapshot().source.path.parent
-
-
-def _library_with_gain(window: PlayerWindow) -> LibraryPage:
-    """Return the library with another gain and its prediction, the longest there is."""
-    page = LibraryPage(_library(window), window)
-    reaches = {"relaxed": 0.88, "normal": 0.55, "firm": 0.44}
-    page.details.show_preview(
-        ForceFigures(4.5, 1.19, 0.037, reaches, ("relaxed", "normal"))
-    )
-    return page
 
 
 def _operator(surface) -> SessionControl:

@@ -320,12 +320,13 @@ def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
 
 
 def test_the_chosen_rendering_is_explained_and_taken(wizard):
-    page = wizard.mounting
-    assert page.chosen_preset() == "balanced"
-    balanced = page.preset_text.text()
-    page.preset.setCurrentIndex(page.preset.findText("Equal"))
-    assert "every participant" in page.preset_text.text() != balanced
-    assert page.chosen_preset() == "equal"
+    fields = wizard.mounting.rendering
+    assert fields.chosen().preset == "balanced"
+    assert not fields.chosen().fits_gain
+    balanced = fields.preset_text.text()
+    fields.preset.setCurrentIndex(fields.preset.findText("Equal"))
+    assert "every participant" in fields.preset_text.text() != balanced
+    assert fields.chosen().preset == "equal"
 
 
 def test_problems_are_told_on_the_page(wizard, ride, wait_for, tmp_path):

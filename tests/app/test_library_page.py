@@ -1,7 +1,6 @@
 """The library page over a folder of sequences, and what it changes in them."""
 
 import shutil
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from app.experimenter.library_page import LibraryPage
 from hapticplayer.interchange.force_formats import FORCE_FORMATS, read_force
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence
-from hapticplayer.sequence.editing import rename_sequence, set_mapping
+from hapticplayer.sequence.editing import rename_sequence
 
 
 @pytest.fixture
@@ -78,19 +77,7 @@ def test_why_a_damaged_one_does_not_open_is_not_greyed(page):
     assert "cannot be played" in page.details.report.toPlainText()
     assert page.details.report.isEnabled()
     assert not page.details.tracks.isEnabled()
-    assert not page.details.gain.isEnabled()
-
-
-def test_the_preview_of_a_gain_is_whole_and_moves_nothing(page, qtbot, wait_for):
-    page.list.setCurrentRow(0)
-    qtbot.wait(20)
-    before = page.details.tracks.geometry()
-    page.details.gain.setValue(15)
-    wait_for(lambda: "relaxed hand" in page.details.preview.text())
-    preview = page.details.preview
-    assert preview.height() >= preview.heightForWidth(preview.width())
-    qtbot.wait(20)
-    assert page.details.tracks.geometry() == before
+    assert not page.details.rendering.isEnabled()
 
 
 def test_deleting_asks_and_can_be_undone(page, library, monkeypatch):
@@ -149,38 +136,6 @@ def test_a_track_is_added_renamed_and_removed(
     assert len(list((library / "a").glob("force_*"))) == 2
 
 
-def test_the_gain_is_previewed_and_then_used(page, library, wait_for):
-    page.list.setCurrentRow(0)
-    before = open_sequence(library / "a").tracks["realistic"]
-    page.details.gain.setValue(15)  # 0.20, half of what it was
-    assert page.details.number.value() == pytest.approx(0.20)
-    assert f"{before.peak_n() / 2:.2f} N" in page.details.preview.text()
-    wait_for(lambda: "relaxed hand" in page.details.preview.text())
-    page.details.apply.click()
-    wait_for(lambda: not page.details.apply.isEnabled() and not page.jobs.is_busy)
-    after = open_sequence(library / "a")
-    np.testing.assert_allclose(
-        after.tracks["realistic"].force_n, before.force_n / 2, atol=1e-6
-    )
-    assert after.mapping.gain_n_per_mps2 == pytest.approx(0.2)
-    assert (page.chosen().tracks[0].peak_n) == pytest.approx(before.peak_n() / 2)
-    verify_sequence(library / "a")
-
-
-def test_one_gain_replaces_those_of_the_axes(page, library, wait_for):
-    folder = library / "a"
-    mapping = open_sequence(folder).mapping
-    set_mapping(folder, replace(mapping, gain_n_per_mps2=(0.1, 0.2, 0.3)))
-    page.refresh()
-    page.list.setCurrentRow(0)
-    assert not page.details.apply.isEnabled()
-    page.details.number.setValue(0.2)
-    wait_for(lambda: "relaxed hand" in page.details.preview.text())
-    page.details.apply.click()
-    wait_for(lambda: not page.details.apply.isEnabled() and not page.jobs.is_busy)
-    assert open_sequence(folder).mapping.gain_n_per_mps2 == pytest.approx(0.2)
-
-
 def test_a_sequence_is_opened_from_the_window(window, library, settings, wait_for):
     settings.keep("library", str(library))
     window.commands.library.trigger()
@@ -217,8 +172,8 @@ def test_a_track_is_exported_and_its_cost_is_told(page, library, wait_for, tmp_p
     assert page.details.export.isEnabled()
     (form,) = (one for one in write_filters().values() if one.name == "hjif")
     page.details.export_force(tmp_path / "for others", form)
-    wait_for(lambda: "kbit/s" in page.details.preview.text())
-    assert "largest error" in page.details.preview.text()
+    wait_for(lambda: "kbit/s" in page.details.notes.text())
+    assert "largest error" in page.details.notes.text()
     back = read_force(tmp_path / "for others.hjif").track
     track = open_sequence(library / "a").tracks["realistic"]
     at_s = np.arange(0.0, 0.9, 0.001)

@@ -6,6 +6,7 @@ from pathlib import Path
 from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import FILES, MOUNTING, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
+from app.experimenter.rendering_page import RenderingPage
 from app.player.share_page import SharePage
 from app.player.video_question import video_question
 from app.widgets.layout import resize_within_screen
@@ -22,6 +23,7 @@ def pictures(stage: Stage) -> Pictures:
     """Yield every page about recordings and their answers."""
     yield from _import(stage)
     yield from _library(stage)
+    yield from _rendering(stage)
     yield from _share(stage)
     yield from _analysis(stage)
 
@@ -83,9 +85,6 @@ def _library(stage: Stage) -> Pictures:
             page.list.setCurrentRow(row)
             yield f"library-{row + 1}", stage.picture(page)
         page.list.setCurrentRow(page.list.count() - 1)
-        page.details.number.setValue(0.31)
-        stage.wait_until(lambda: ";" in page.details.preview.text())
-        yield "library-gain", page.grab()
         entry = page.chosen()
         yield "library-delete", stage.asked(lambda: page.is_sure(entry))
         yield "library-rename", stage.asked(page._rename)
@@ -95,6 +94,42 @@ def _library(stage: Stage) -> Pictures:
         page.undo.show()
         page.search.setText("nothing is called so")
         yield "library-nothing-found", stage.picture(page)
+
+
+def _rendering(stage: Stage) -> Pictures:
+    page = RenderingPage(stage.source.path, stage.source.title, Path(SHOWN))
+    with stage.shown(page):
+        yield "rendering-reading", page.grab()
+        stage.wait_until(lambda: page.before is not None)
+        yield "rendering-before", stage.picture(page)
+        fields = page.fields
+        fields.preset.setCurrentIndex(fields.preset.count() - 1)
+        fields.gain_kind.setCurrentIndex(1)
+        for number, box in enumerate(fields.gains.boxes):
+            box.setValue(0.4 + 0.2 * number)
+        stage.wait_until(lambda: page.after is not None)
+        yield "rendering-equal", stage.picture(page)
+        fields.gain_kind.setCurrentIndex(2)
+        fields.preset.setCurrentIndex(0)
+        for combo in (fields.device, fields.lever_arm):
+            combo.setCurrentIndex(combo.count() - 1)
+        fields.axes.setText("x,y")
+        stage.wait_until(lambda: not page.jobs.is_busy and bool(page.status.text()))
+        yield "rendering-wrong-axes", stage.picture(page)
+        fields.axes.setText("0.6,0.8,0,0,0,1,0.8,-0.6,0")
+        fields.knee.setChecked(True)
+        stage.wait_until(lambda: page.after is not None)
+        yield "rendering-fitted", stage.picture(page)
+        page.render_in_place()
+        stage.wait_until(page.bar.isVisible)
+        yield "rendering-writing", page.grab()
+        page.jobs.cancel()
+        stage.wait_until(lambda: not page.jobs.is_busy)
+    nowhere = stage.folder / "nowhere"
+    page = RenderingPage(nowhere, "A name that is much too long " * 8, Path(SHOWN))
+    with stage.shown(page):
+        stage.wait_until(lambda: not page.jobs.is_busy)
+        yield "rendering-damaged", stage.picture(page)
 
 
 def _share(stage: Stage) -> Pictures:
@@ -122,7 +157,9 @@ def _no_export(*_: object) -> list[str]:
 
 def _analysis(stage: Stage) -> Pictures:
     answers = simulated_answers(PARTICIPANTS, seed=1)
-    page = AnalysisPage("Rides", lambda: answers, _no_export, print, SystemClock())
+    page = AnalysisPage(
+        "Rides", lambda _progress: answers, _no_export, print, SystemClock()
+    )
     resize_within_screen(page, 1040, 860)
     with stage.shown(page):
         page.analyse()

@@ -14,6 +14,7 @@ from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, UsageE
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import MATROSKA, Additions, remux, video_payload
+from hapticplayer.model import Mapping
 from hapticplayer.sequence import editing, open_sequence, verify_sequence
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
@@ -72,7 +73,7 @@ def test_motion_is_shared_only_when_asked_for(sequence_folder, tmp_path):
     unpack(tmp_path / "ride.mkv", tmp_path / "again")
     verify_sequence(tmp_path / "again")
     with pytest.raises(HapticPlayerError, match="shared without its motion"):
-        editing.set_gain(tmp_path / "again", 0.2)
+        editing.set_mapping(tmp_path / "again", Mapping())
 
 
 def test_the_mp4_names_its_side_car_and_plays_alone(sequence_folder, tmp_path):

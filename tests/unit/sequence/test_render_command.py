@@ -11,7 +11,8 @@ from hapticplayer.cli.importing import chosen_import
 from hapticplayer.model import ClockMap, ImuLog, Mapping
 from hapticplayer.sequence import open_sequence, store, verify_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
-from hapticplayer.sequence.editing import preview_gain, set_gain
+from hapticplayer.sequence.comparison import previewed_rendering
+from hapticplayer.sequence.editing import set_mapping
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.library import read_entry
 from hapticplayer.sequence.store import read_recorded
@@ -92,7 +93,8 @@ def test_fit_is_offered_by_value_and_recorded(folder, tmp_path, capsys):
     p = open_sequence(folder).motion
     expected = rendering.fit_gain(p, Mapping(), 2.0)
     assert cli.main(["render", str(folder), "--gain", "0.3", "--in-place"]) == 0
-    assert f"--gain fit: {expected:.4g}" in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert f"--gain fit: {expected:.4g}" in out
     target = tmp_path / "fit"
     assert cli.main(["render", str(folder), "--gain", "fit", "-o", str(target)]) == 0
     assert f"gain {expected:.4g} N per m/s^2 (fit)" in capsys.readouterr().out
@@ -155,8 +157,9 @@ def test_a_preset_is_rendered_kept_and_taken_back(folder, tmp_path, capsys):
     assert made["changed_share"] > 0.0
     reach = predict(equal, 2.0)["hands"]["relaxed"]["reach"]
     assert reach * 0.04 <= 0.022
-    assert preview_gain(target, 1.6).reaches["relaxed"] == pytest.approx(reach)
-    set_gain(target, 1.5)
+    found = previewed_rendering(target, Mapping(gain_n_per_mps2=1.6))
+    assert found.figures.reaches["relaxed"] == pytest.approx(reach)
+    set_mapping(target, Mapping(gain_n_per_mps2=1.5))
     assert open_sequence(target).tracks["realistic"].provenance["preset"] == "equal"
     words = ["--preset", "faithful", "--gain", "0.4", "--in-place"]
     assert cli.main(["render", str(target), *words]) == 0

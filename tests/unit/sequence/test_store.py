@@ -9,7 +9,7 @@ import pytest
 
 from hapticplayer import motion, rendering
 from hapticplayer.errors import SequenceError
-from hapticplayer.model import Sampling
+from hapticplayer.model import Mapping, Sampling
 from hapticplayer.motion.conditioning import average
 from hapticplayer.sequence import editing, files, open_sequence, verify_sequence
 from hapticplayer.sequence.build import write_sequence
@@ -119,7 +119,7 @@ def test_averaged_motion_keeps_its_kind_and_its_dense_track(averaged_folder):
     stored = sequence.tracks["realistic"]
     assert stored.provenance["reconstruction"] == "integral-spline"
     assert len(stored.time_s) == 4 * (len(sequence.motion) - 1) + 1
-    editing.set_gain(averaged_folder, sequence.mapping.gain_n_per_mps2)
+    editing.set_mapping(averaged_folder, sequence.mapping)
     again = open_sequence(averaged_folder).tracks["realistic"]
     assert np.array_equal(again.force_n, stored.force_n)
 
@@ -127,7 +127,7 @@ def test_averaged_motion_keeps_its_kind_and_its_dense_track(averaged_folder):
 def test_a_sequence_made_before_keeps_its_lines(averaged_folder):
     with_sampling(averaged_folder)
     before = open_sequence(averaged_folder)
-    editing.set_gain(averaged_folder, 0.2)
+    editing.set_mapping(averaged_folder, Mapping(gain_n_per_mps2=0.2))
     track = open_sequence(averaged_folder).tracks["realistic"]
     assert np.array_equal(track.time_s, before.motion.time_s)
     assert track.provenance["reconstruction"] == "linear"
