@@ -2,6 +2,7 @@
 
 import argparse
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -53,6 +54,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="force track of a sequence (default: realistic)",
     )
     add_writing(command)
+    command.add_argument(
+        "--with-motion",
+        action="store_true",
+        help="of mpegv: the motion too, as RigidBodyMotion, for seats that move",
+    )
     add_overwrite(command)
     command.add_argument("--json", action="store_true", help="print a report as JSON")
 
@@ -77,7 +83,7 @@ def _export_sequence(options: argparse.Namespace) -> int:
             options.feedback,
             target,
             form.name,
-            choices=write_choices(options),
+            choices=replace(write_choices(options), with_motion=options.with_motion),
             progress=progress,
         )
     report = {

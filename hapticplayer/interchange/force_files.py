@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError, Message
-from hapticplayer.model import ForceTrack
+from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.model.ranges import Range
 from hapticplayer.outputs import IsOurs
 
@@ -40,6 +40,8 @@ class WriteChoices:
         sample_rate_hz: of audio.
         funscript_version: "1.0", "1.1" or "2.0".
         overwrite: replace a file that this program wrote in the same format.
+        with_motion: write the motion of a sequence beside the force.
+        motion: that motion.
     """
 
     duration_s: float | None = None
@@ -47,6 +49,8 @@ class WriteChoices:
     sample_rate_hz: int = 1000
     funscript_version: str = "1.1"
     overwrite: bool = False
+    with_motion: bool = False
+    motion: MotionTrack | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +115,7 @@ class ForceFormat:
         read: None where it is only written.
         loss: reads a file that was just written and compares it.
         other_suffixes: of files that are read, too.
+        takes_motion: motion is written beside the force, if it is given.
     """
 
     name: str
@@ -122,6 +127,7 @@ class ForceFormat:
     read: Read | None
     loss: MeasureLoss
     other_suffixes: tuple[str, ...] = ()
+    takes_motion: bool = False
 
 
 def refuse_large(

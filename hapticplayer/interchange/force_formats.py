@@ -12,6 +12,7 @@ from hapticplayer.interchange import (
     hjif,
     hjif_read,
     mpegv,
+    mpegv_read,
     wav,
 )
 from hapticplayer.interchange.force_files import (
@@ -70,9 +71,10 @@ _FORMATS = (
         Message("the force in newtons on three axes, within the tolerance"),
         mpegv.is_ours,
         mpegv.write,
-        mpegv.read,
-        read_back(mpegv.read),
+        mpegv_read.read,
+        read_back(mpegv_read.read),
         (".xml",),
+        takes_motion=True,
     ),
     ForceFormat(
         "funscript",

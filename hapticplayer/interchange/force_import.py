@@ -7,6 +7,8 @@ from typing import Any
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
 from hapticplayer.interchange.force_formats import (
+    FORCE_FORMATS,
+    WRITTEN,
     export_track,
     format_of,
     read_force,
@@ -14,6 +16,7 @@ from hapticplayer.interchange.force_formats import (
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import files, open_sequence
 from hapticplayer.sequence.editing import add_track
+from hapticplayer.sequence.store import motion_of
 from hapticplayer.sequence.unpack import require_packed
 
 
@@ -79,10 +82,17 @@ def export_force(
         What it has cost, see `export_track`.
 
     Raises:
-        UsageError: for an unknown track or format.
+        UsageError: for an unknown track or format, or one that takes no motion.
         InputError: when the track does not fit the format, or it cannot be written.
-        SequenceError: when the sequence is damaged.
+        SequenceError: when the sequence is damaged, or was shared without its motion.
     """
+    asked = choices or WriteChoices()
+    if asked.with_motion and not FORCE_FORMATS[form].takes_motion:
+        raise UsageError(
+            "{name} holds no motion; choose one of {known}",
+            name=form,
+            known=", ".join(one.name for one in WRITTEN.values() if one.takes_motion),
+        )
     is_folder = folder.is_dir()
     sequence = open_sequence(folder) if is_folder else require_packed(folder).sequence
     track = sequence.tracks.get(feedback)
@@ -94,5 +104,6 @@ def export_force(
         )
     progress(0.0, Message("writing {name}", name=target.name))
     duration_s = float(sequence.description["clip"]["duration_s"])
-    asked = replace(choices or WriteChoices(), duration_s=duration_s)
+    motion = motion_of(sequence) if asked.with_motion else None
+    asked = replace(asked, duration_s=duration_s, motion=motion)
     return export_track(track, target, format_of(target, form), asked)

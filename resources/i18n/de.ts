@@ -5560,6 +5560,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Matrix von Kräften hat nicht drei Zahlen je Zeile</translation>
     </message>
     <message>
+        <source>a rig moves only with the realistic feedback of a sequence that has its motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a rig track needs at least one row</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5976,6 +5980,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Achsen der Abbildung müssen eine Drehung sein (orthogonal, Determinante +1)</translation>
     </message>
     <message>
+        <source>motion beside the force was left out ({count})</source>
+        <translation>Bewegung neben der Kraft wurde ausgelassen ({count})</translation>
+    </message>
+    <message>
         <source>motion without gravity</source>
         <translation>Bewegung ohne Schwerkraft</translation>
     </message>
@@ -6014,6 +6022,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no force</source>
         <translation>keine Kraft</translation>
+    </message>
+    <message>
+        <source>nobody listens at {address}: start the rig&apos;s software</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>not read: {what} ({count})</source>
@@ -6070,6 +6082,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>order {order} plays {sequence} twice in a row</source>
         <translation>Reihenfolge {order} spielt {sequence} zweimal hintereinander</translation>
+    </message>
+    <message>
+        <source>port {port} cannot be opened ({reason}); end what listens there</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>position lies outside of any clip</source>
@@ -6540,7 +6556,19 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Spur braucht mehr als {most} Keyframes</translation>
     </message>
     <message>
+        <source>there is no outlet {name!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>update hapticplayer here and where the clip is served</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds no motion; choose one of {known}</source>
+        <translation>{name} enthält keine Bewegung; wählen Sie {known}</translation>
+    </message>
+    <message>
+        <source>{outlet}: {what}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5560,6 +5560,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une matrice de forces n’a pas trois nombres par ligne</translation>
     </message>
     <message>
+        <source>a rig moves only with the realistic feedback of a sequence that has its motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a rig track needs at least one row</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5976,6 +5980,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les axes de la transformation doivent être une rotation (orthogonale, déterminant +1)</translation>
     </message>
     <message>
+        <source>motion beside the force was left out ({count})</source>
+        <translation>le mouvement à côté de la force a été laissé de côté ({count})</translation>
+    </message>
+    <message>
         <source>motion without gravity</source>
         <translation>mouvement sans gravité</translation>
     </message>
@@ -6014,6 +6022,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no force</source>
         <translation>aucune force</translation>
+    </message>
+    <message>
+        <source>nobody listens at {address}: start the rig&apos;s software</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>not read: {what} ({count})</source>
@@ -6070,6 +6082,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>order {order} plays {sequence} twice in a row</source>
         <translation>l’ordre {order} joue {sequence} deux fois de suite</translation>
+    </message>
+    <message>
+        <source>port {port} cannot be opened ({reason}); end what listens there</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>position lies outside of any clip</source>
@@ -6540,7 +6556,19 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la piste nécessite plus de {most} images clés</translation>
     </message>
     <message>
+        <source>there is no outlet {name!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>update hapticplayer here and where the clip is served</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds no motion; choose one of {known}</source>
+        <translation>{name} ne contient pas de mouvement&#xa0;; choisissez {known}</translation>
+    </message>
+    <message>
+        <source>{outlet}: {what}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

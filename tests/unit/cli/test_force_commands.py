@@ -48,6 +48,16 @@ def test_every_format_is_made_of_a_csv(name, told, tmp_path):
     assert set(report) >= {"kbit_s", "kbit_s_compressed", "track_kbit_s", "notes"}
 
 
+def test_motion_is_exported_where_it_was_shared(told, sequence_folder, tmp_path):
+    path = tmp_path / "a.sem"
+    told("export", sequence_folder, "-o", path, "--with-motion")
+    assert b"MoveToward" in path.read_bytes()
+    told("pack", sequence_folder, "-o", tmp_path / "ride.mkv")
+    packed = ["export", str(tmp_path / "ride.mkv"), "--with-motion", "-o"]
+    assert cli.main([*packed, str(tmp_path / "b.sem")]) == 1
+    assert cli.main([*packed, str(tmp_path / "b.hjif")]) == 2
+
+
 def test_a_packed_video_is_exported_like_its_folder(told, sequence_folder, tmp_path):
     told("pack", sequence_folder, "-o", tmp_path / "ride.mkv")
     one = told("export", sequence_folder, "-o", tmp_path / "a.wav")

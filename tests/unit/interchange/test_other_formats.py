@@ -1,6 +1,7 @@
 """WAV, MPEG-V, funscript and AHAP: units, axes, and what others write."""
 
 import json
+import re
 import struct
 
 import numpy as np
@@ -14,7 +15,7 @@ from hapticplayer.interchange.force_formats import (
     export_track,
     read_force,
 )
-from hapticplayer.model import ForceTrack, Reconstruction
+from hapticplayer.model import ForceTrack, MotionTrack, Reconstruction
 from hapticplayer.sequence.excursion import predict, travel_m
 
 RAMP = ForceTrack([0.0, 0.5, 1.0], [[0, 0, 0], [1, 2, -3], [0, 0, 0]])
@@ -100,7 +101,8 @@ def test_mpegv_is_valid_by_the_schema_of_2010(written, shared_data):
         pytest.skip("the schema (interchange/mpegv-2010) is not in the shared data")
     parser = etree.XMLParser(no_network=True, resolve_entities=False)
     rules = etree.XMLSchema(etree.parse(str(schema), parser))
-    assert rules.validate(etree.parse(str(written("mpegv")), parser))
+    path = written("mpegv", motion=moving((1, 2, 3)))
+    assert rules.validate(etree.parse(str(path), parser))
 
 
 def test_mpegv_effects_of_others_are_read_and_the_rest_is_listed(read):
@@ -128,6 +130,52 @@ def test_mpegv_motion_and_vibration_become_force(read):
     found = read(SEM.format(effects), ".xml", full_scale_n=2.0)
     np.testing.assert_allclose(at(found.track, 0.5)[0], [0, 0, -1.0], atol=1e-6)
     assert np.abs(found.track.force_n[:, 1]).max() == pytest.approx(1.0, abs=1e-3)
+
+
+def moving(acceleration_mps2, valid=True):
+    rows = np.tile(np.asarray(acceleration_mps2, dtype=float), (201, 1))
+    return MotionTrack(
+        time_s=np.arange(201) / 200.0,
+        acceleration_mps2=rows,
+        gravity_mps2=np.zeros((201, 3)),
+        accelerometer_gain=1.0,
+        quaternion_wxyz=np.tile([1.0, 0.0, 0.0, 0.0], (201, 1)),
+        gravity_sigma_mps2=None,
+        valid=np.full(201, valid),
+    )
+
+
+NO_FORCE = ForceTrack([0.0, 1.0], np.zeros((2, 3)))
+
+
+@pytest.mark.parametrize("way", [(0, 2, 0), (1, 0, 0), (0, 0, -3), (-1, -2, 1.5)])
+def test_mpegv_motion_is_the_acceleration_of_the_actor(written, read, way):
+    text = written("mpegv", NO_FORCE, motion=moving(way)).read_text()
+    alone = SEM.format("".join(re.findall("<Effect.*RigidBody.*</Effect>", text)))
+    force_n = at(read(alone, ".sem").track, 0.01, 0.5, 0.99)
+    right, front, up = 0.4 * np.array(way)
+    np.testing.assert_allclose(force_n, [[right, up, -front]] * 3, atol=0.02)
+    assert text.count("MoveToward") == 20
+
+
+def test_motion_beside_a_force_adds_nothing_to_it(written, read):
+    plain = written("mpegv").read_bytes()
+    path = written("mpegv", motion=moving((0, 2, 0)), overwrite=True)
+    both = read_force(path)
+    assert b"RigidBodyMotion" in path.read_bytes()
+    np.testing.assert_array_equal(both.track.force_n, read(plain, ".sem").track.force_n)
+    assert "left out (20)" in str(both.notes[0])
+
+
+@pytest.mark.parametrize("motion", [moving((0, 0, 0)), moving((1, 2, 3), False)])
+def test_what_does_not_move_or_is_not_valid_is_not_written(written, motion):
+    assert "Rigid" not in written("mpegv", motion=motion).read_text()
+
+
+def test_more_motion_than_is_read_is_refused(written, monkeypatch):
+    monkeypatch.setattr("hapticplayer.interchange.mpegv.MAX_TAGS", 60)
+    with pytest.raises(InputError, match="too long"):
+        written("mpegv", motion=moving((0, 2, 0)))
 
 
 @pytest.mark.parametrize(
