@@ -135,35 +135,43 @@ def more(progress: Progress) -> str:
 
 def needs_nothing(device: str) -> tuple[str, str]:
     """Return title and text for a device that needs no setting up."""
-    kind = device.partition(":")[0]
-    title = translate("SetupTexts", "No setup needed")
-    if kind == "simulated":
-        return title, translate(
+    texts = {
+        "simulated": translate(
             "SetupTexts",
             "Simulated Falcon, held by a simulated hand: for trying "
             "everything without hardware.",
-        )
-    if kind == "gamepad":
-        return title, translate(
+        ),
+        "gamepad": translate(
             "SetupTexts",
             "Connect a DualSense or DualShock 4 by USB cable. Its vibration "
             "follows the strength of the force, not its direction.",
-        )
-    if kind == "wheel":
-        return title, translate(
+        ),
+        "wheel": translate(
             "SetupTexts",
             "Connect a wheel or joystick with a motor. It exerts one axis of the force, "
             "by default sideways; wheel:axis=y on the command line chooses another.",
-        )
-    if kind == "rumble":
-        return title, translate(
+        ),
+        "rumble": translate(
             "SetupTexts",
             "Connect a game pad that Linux can rumble. Its vibration follows the "
             "strength of the force, not its direction.",
-        )
-    if kind == NO_DEVICE:
-        return title, translate("SetupTexts", "The clip plays without force.")
-    return title, translate("SetupTexts", "Connect it as its maker says.")
+        ),
+        "buttplug": translate(
+            "SetupTexts",
+            "Start Intiface and connect what vibrates. Its vibration follows the "
+            "strength of the force, not its direction.",
+        ),
+        "tcode": translate(
+            "SetupTexts",
+            "A board that takes TCode by UDP at port 8000 of this computer; "
+            "tcode:/dev/ttyUSB0 on the command line chooses a serial port. Its "
+            "vibration follows the strength of the force.",
+        ),
+        NO_DEVICE: translate("SetupTexts", "The clip plays without force."),
+    }
+    other = translate("SetupTexts", "Connect it as its maker says.")
+    title = translate("SetupTexts", "No setup needed")
+    return title, texts.get(device.partition(":")[0], other)
 
 
 def licence() -> str:

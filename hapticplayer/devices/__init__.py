@@ -11,7 +11,15 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Protocol
 
-from hapticplayer.devices.capabilities import FALCON, GAMEPAD, RIG, RUMBLE, WHEEL
+from hapticplayer.devices.capabilities import (
+    BUTTPLUG,
+    FALCON,
+    GAMEPAD,
+    RIG,
+    RUMBLE,
+    TCODE,
+    WHEEL,
+)
 from hapticplayer.errors import DeviceError, Message, joined
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
@@ -170,6 +178,24 @@ _BUILT_IN = (
         RUMBLE,
         "hapticplayer.devices.evdev.driver:make_rumble",
         "hapticplayer.devices.evdev.driver:silence_rumble",
+        has_serials=True,
+    ),
+    DeviceEntry(
+        "buttplug",
+        Message("Intiface"),
+        "toys through Intiface (Buttplug): vibration only",
+        BUTTPLUG,
+        "hapticplayer.devices.buttplug:make",
+        "hapticplayer.devices.buttplug:silence",
+        has_serials=True,
+    ),
+    DeviceEntry(
+        "tcode",
+        Message("TCode"),
+        "a board that takes TCode by UDP or a serial port: vibration only",
+        TCODE,
+        "hapticplayer.devices.tcode:make",
+        "hapticplayer.devices.tcode:silence",
         has_serials=True,
     ),
 )

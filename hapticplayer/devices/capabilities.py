@@ -45,3 +45,6 @@ WHEEL = DeviceCapabilities(
 )
 
 RUMBLE = replace(GAMEPAD, latency_s=0.015)
+
+TCODE = replace(GAMEPAD, rate_hz=50.0, latency_s=0.030)
+BUTTPLUG = replace(GAMEPAD, rate_hz=20.0, latency_s=0.050)

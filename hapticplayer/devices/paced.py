@@ -24,8 +24,8 @@ class Port(Protocol):
 
     Attributes:
         translator: of forces and reports, for as long as the port is open.
-        is_quiet: whether it says nothing by itself, so that taking what it is told is
-            the only sign of life.
+        is_quiet: whether its silence means nothing: it says nothing by itself, and owes
+            no answer; then taking what it is told is the sign of life.
     """
 
     @property

@@ -2981,6 +2981,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Referenzierte Gelenke: {legs}. Die Kraft ist aus.</translation>
     </message>
     <message>
+        <source>Start Intiface and connect what vibrates. Its vibration follows the strength of the force, not its direction.</source>
+        <translation>Starten Sie Intiface und verbinden Sie, was vibriert. Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
+    </message>
+    <message>
+        <source>A board that takes TCode by UDP at port 8000 of this computer; tcode:/dev/ttyUSB0 on the command line chooses a serial port. Its vibration follows the strength of the force.</source>
+        <translation>Eine Platine, die TCode per UDP an Port 8000 dieses Rechners annimmt; tcode:/dev/ttyUSB0 auf der Kommandozeile wählt eine serielle Schnittstelle. Ihre Vibration folgt der Stärke der Kraft.</translation>
+    </message>
+    <message>
         <source>No setup needed</source>
         <translation>Keine Einrichtung nötig</translation>
     </message>
@@ -5408,6 +5416,26 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Stoß von {peak_mps2:.1f} m/s², auch zu hören</translation>
     </message>
     <message>
+        <source>Intiface</source>
+        <translation>Intiface</translation>
+    </message>
+    <message>
+        <source>Intiface at {where} does not answer {name}; restart it</source>
+        <translation>Intiface an {where} antwortet nicht auf {name}; starten Sie es neu</translation>
+    </message>
+    <message>
+        <source>Intiface at {where} refuses: {reason}; update it</source>
+        <translation>Intiface an {where} lehnt ab: {reason}; aktualisieren Sie es</translation>
+    </message>
+    <message>
+        <source>Intiface describes a device in a way that is not known: {reason}; update it</source>
+        <translation>Intiface beschreibt ein Gerät auf unbekannte Weise: {reason}; aktualisieren Sie es</translation>
+    </message>
+    <message>
+        <source>Intiface has no device that vibrates; connect one in Intiface and choose the device again</source>
+        <translation>Intiface hat kein Gerät, das vibriert; verbinden Sie eines in Intiface und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
         <source>Inverted</source>
         <translation>Umgekehrt</translation>
     </message>
@@ -5506,6 +5534,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Stillness</source>
         <translation>Stillstand</translation>
+    </message>
+    <message>
+        <source>TCode</source>
+        <translation>TCode</translation>
     </message>
     <message>
         <source>The accelerometer is at the end of its range</source>
@@ -5674,6 +5706,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>curve: {kind} takes {most} points at most</source>
         <translation>curve: {kind} nimmt höchstens {most} Punkte</translation>
+    </message>
+    <message>
+        <source>device option {part!r}: not known; use HOST:PORT or a serial port, then channel=V0</source>
+        <translation>Geräteoption {part!r}: unbekannt; verwenden Sie HOST:PORT oder eine serielle Schnittstelle, dann channel=V0</translation>
     </message>
     <message>
         <source>device option {part!r}: not known; use event5 (a name in /dev/input), axis=x, y or z, full=N (0.5 to 20 newtons of the track), sign=+ or -</source>
@@ -6034,6 +6070,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>nothing is being recorded: {reason}</source>
         <translation>es wird nichts aufgezeichnet: {reason}</translation>
+    </message>
+    <message>
+        <source>nothing takes TCode at {where} any more; connect it and choose the device again</source>
+        <translation>an {where} nimmt nichts mehr TCode an; schließen Sie es an und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
@@ -6408,6 +6448,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Python-Paket hidapi fehlt; ./run richtet es in .venv ein</translation>
     </message>
     <message>
+        <source>the Python package websockets is missing; install hapticplayer with its extra websockets</source>
+        <translation>das Python-Paket websockets fehlt; installieren Sie hapticplayer mit dem Zusatz websockets</translation>
+    </message>
+    <message>
         <source>the angular rate is zero throughout, so no rotation is assumed</source>
         <translation>die Drehrate ist durchweg null, es wird also keine Drehung angenommen</translation>
     </message>
@@ -6578,6 +6622,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>
         <translation>{text!r} ist keine Drehung; geben Sie neun Zahlen an, Zeile für Zeile, mit Zeilen der Länge 1, rechtwinklig zueinander, und Determinante +1</translation>
+    </message>
+    <message>
+        <source>{title} does not answer at {url}; start it and choose the device again</source>
+        <translation>{title} antwortet nicht an {url}; starten Sie es und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>{title} has closed the connection; start it and choose the device again</source>
+        <translation>{title} hat die Verbindung geschlossen; starten Sie es und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>{where} cannot be opened: {reason}; see whether the board is connected and you may use it</source>
+        <translation>{where} kann nicht geöffnet werden: {reason}; prüfen Sie, ob die Platine angeschlossen ist und Sie sie benutzen dürfen</translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>

@@ -2981,6 +2981,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Articulations repérées&#xa0;: {legs}. La force est coupée.</translation>
     </message>
     <message>
+        <source>Start Intiface and connect what vibrates. Its vibration follows the strength of the force, not its direction.</source>
+        <translation>Démarrez Intiface et connectez ce qui vibre. La vibration suit l&apos;intensité de la force, pas sa direction.</translation>
+    </message>
+    <message>
+        <source>A board that takes TCode by UDP at port 8000 of this computer; tcode:/dev/ttyUSB0 on the command line chooses a serial port. Its vibration follows the strength of the force.</source>
+        <translation>Une carte qui accepte TCode par UDP sur le port 8000 de cet ordinateur&#xa0;; tcode:/dev/ttyUSB0 en ligne de commande choisit un port série. Sa vibration suit l&apos;intensité de la force.</translation>
+    </message>
+    <message>
         <source>No setup needed</source>
         <translation>Aucune configuration nécessaire</translation>
     </message>
@@ -5408,6 +5416,26 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Choc de {peak_mps2:.1f} m/s², entendu aussi</translation>
     </message>
     <message>
+        <source>Intiface</source>
+        <translation>Intiface</translation>
+    </message>
+    <message>
+        <source>Intiface at {where} does not answer {name}; restart it</source>
+        <translation>Intiface à {where} ne répond pas à {name}&#xa0;; redémarrez-le</translation>
+    </message>
+    <message>
+        <source>Intiface at {where} refuses: {reason}; update it</source>
+        <translation>Intiface à {where} refuse&#xa0;: {reason}&#xa0;; mettez-le à jour</translation>
+    </message>
+    <message>
+        <source>Intiface describes a device in a way that is not known: {reason}; update it</source>
+        <translation>Intiface décrit un appareil d&apos;une façon inconnue&#xa0;: {reason}&#xa0;; mettez-le à jour</translation>
+    </message>
+    <message>
+        <source>Intiface has no device that vibrates; connect one in Intiface and choose the device again</source>
+        <translation>Intiface n&apos;a aucun appareil qui vibre&#xa0;; connectez-en un dans Intiface et choisissez l&apos;appareil à nouveau</translation>
+    </message>
+    <message>
         <source>Inverted</source>
         <translation>Inversée</translation>
     </message>
@@ -5506,6 +5534,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Stillness</source>
         <translation>Immobilité</translation>
+    </message>
+    <message>
+        <source>TCode</source>
+        <translation>TCode</translation>
     </message>
     <message>
         <source>The accelerometer is at the end of its range</source>
@@ -5674,6 +5706,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>curve: {kind} takes {most} points at most</source>
         <translation>curve: {kind} prend au plus {most} points</translation>
+    </message>
+    <message>
+        <source>device option {part!r}: not known; use HOST:PORT or a serial port, then channel=V0</source>
+        <translation>option d&apos;appareil {part!r}&#xa0;: inconnue&#xa0;; utilisez HOST:PORT ou un port série, puis channel=V0</translation>
     </message>
     <message>
         <source>device option {part!r}: not known; use event5 (a name in /dev/input), axis=x, y or z, full=N (0.5 to 20 newtons of the track), sign=+ or -</source>
@@ -6034,6 +6070,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>nothing is being recorded: {reason}</source>
         <translation>rien n’est enregistré&#xa0;: {reason}</translation>
+    </message>
+    <message>
+        <source>nothing takes TCode at {where} any more; connect it and choose the device again</source>
+        <translation>plus rien n&apos;accepte TCode à {where}&#xa0;; branchez-le et choisissez l&apos;appareil à nouveau</translation>
     </message>
     <message>
         <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
@@ -6408,6 +6448,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le paquet Python hidapi manque&#xa0;; ./run l’installe dans .venv</translation>
     </message>
     <message>
+        <source>the Python package websockets is missing; install hapticplayer with its extra websockets</source>
+        <translation>le paquet Python websockets manque&#xa0;; installez hapticplayer avec son extra websockets</translation>
+    </message>
+    <message>
         <source>the angular rate is zero throughout, so no rotation is assumed</source>
         <translation>la vitesse angulaire est partout nulle, aucune rotation n’est donc supposée</translation>
     </message>
@@ -6578,6 +6622,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>
         <translation>{text!r} n’est pas une rotation&#xa0;; donnez neuf nombres, ligne par ligne, avec des lignes de longueur 1, perpendiculaires, et un déterminant +1</translation>
+    </message>
+    <message>
+        <source>{title} does not answer at {url}; start it and choose the device again</source>
+        <translation>{title} ne répond pas à {url}&#xa0;; démarrez-le et choisissez l&apos;appareil à nouveau</translation>
+    </message>
+    <message>
+        <source>{title} has closed the connection; start it and choose the device again</source>
+        <translation>{title} a fermé la connexion&#xa0;; démarrez-le et choisissez l&apos;appareil à nouveau</translation>
+    </message>
+    <message>
+        <source>{where} cannot be opened: {reason}; see whether the board is connected and you may use it</source>
+        <translation>{where} ne peut pas être ouvert&#xa0;: {reason}&#xa0;; vérifiez que la carte est branchée et que vous pouvez l&apos;utiliser</translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>

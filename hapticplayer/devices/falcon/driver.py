@@ -22,6 +22,7 @@ from hapticplayer.devices.falcon.link import WRITE_S, Link, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Lights, Reply, encode_command
 from hapticplayer.devices.falcon.tracker import Tracker
 from hapticplayer.devices.falcon.transport import OpenTransport, Transport, open_falcon
+from hapticplayer.devices.handing_over import hand_over
 from hapticplayer.errors import DeviceError, Message
 from hapticplayer.model.device import DeviceReading, Vector
 
@@ -249,7 +250,7 @@ def opening(line: int, serial: str = "") -> OpenTransport:
         transport = open_falcon(serial)
         file = usbfs.open_descriptor(transport.bus, transport.address)
         if file is not None and line >= 0:
-            usbfs.hand_over(line, file)
+            hand_over(line, file)
         return transport
 
     return open_and_share

@@ -23,6 +23,7 @@ from hapticplayer.devices.falcon.transport import (
     list_falcons,
     open_all,
 )
+from hapticplayer.devices.handing_over import take_over
 from hapticplayer.errors import DeviceError
 
 NO_LINE = -1
@@ -75,7 +76,7 @@ class Silencer:
             self._file = None
 
     def _listen(self) -> None:
-        newest = usbfs.take_over(self._line) if self._line != NO_LINE else None
+        newest = take_over(self._line) if self._line != NO_LINE else None
         if newest is not None:
             self.close()
             self._file = newest

@@ -8,14 +8,10 @@ write to the device while the loop stalls, and after it has died.
 import contextlib
 import ctypes
 import fcntl
-import os
-import socket
-from collections.abc import Iterator
 from pathlib import Path
 
 NODE = "/dev/bus/usb/{:03}/{:03}"
 _OPEN_FILES = Path("/proc/self/fd")
-_HELLO = b"usb"
 
 
 class _Bulk(ctypes.Structure):
@@ -54,38 +50,3 @@ def bulk_write(descriptor: int, endpoint: int, data: bytes, timeout_s: float) ->
     timeout_ms = max(1, round(1000.0 * timeout_s))
     bulk = _Bulk(endpoint, len(data), timeout_ms, ctypes.addressof(buffer))
     return int(fcntl.ioctl(descriptor, BULK, bulk, True))
-
-
-def hand_over(line: int, descriptor: int) -> None:
-    """Send a descriptor along one end of a SOCK_SEQPACKET pair; never waits.
-
-    Nobody may be at the other end; then there is nothing to hand over.
-    """
-    with contextlib.suppress(OSError), _borrowed(line) as end:
-        socket.send_fds(end, [_HELLO], [descriptor])
-
-
-def take_over(line: int) -> int | None:
-    """Return the newest descriptor that has come along the line, or None."""
-    newest = None
-    with contextlib.suppress(OSError), _borrowed(line) as end:
-        while True:
-            data, found, _, _ = socket.recv_fds(end, len(_HELLO), 1)
-            if not data:
-                break
-            for descriptor in found:
-                if newest is not None:
-                    os.close(newest)
-                newest = descriptor
-    return newest
-
-
-@contextlib.contextmanager
-def _borrowed(line: int) -> Iterator[socket.socket]:
-    """Use a descriptor as a socket that never waits, and leave it open."""
-    end = socket.socket(fileno=line)
-    end.setblocking(False)
-    try:
-        yield end
-    finally:
-        end.detach()

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
+from hapticplayer.devices.addresses import host_and_port
 from hapticplayer.devices.rig.packets import FORMATS, RigFormat
 from hapticplayer.errors import DeviceError, HapticPlayerError, Message, joined
 from hapticplayer.model.ranges import Range
@@ -18,7 +19,6 @@ RATE_HZ = Range(50, 500, "Hz")
 GAIN = Range(0, 4)
 LATENCY_MS = Range(0, 1000, "ms")
 IDENTITY = Range(-(2**31), 2**31 - 1, is_whole=True)
-PORT = Range(1, 65535, is_whole=True)
 
 AXES: dict[str, tuple[str, ...]] = {
     "surge": ("front_mps2", "front_mps"),
@@ -104,11 +104,8 @@ def _with(settings: RigSettings, part: str) -> RigSettings:
 
 
 def _address(text: str) -> dict[str, Any]:
-    host, colon, port = text.rpartition(":")
-    host = host.removeprefix("[").removesuffix("]")
-    if not (colon and host):
-        raise DeviceError("{text!r} is not HOST:PORT", text=text)
-    return {"host": host, "port": int(PORT.parse("port", port))}
+    host, port = host_and_port(text)
+    return {"host": host, "port": port}
 
 
 def _named(name: str, value: str) -> dict[str, Any]:

@@ -4,6 +4,6 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-BESIDE = (HERE.parent / "gamepad", HERE.parent / "evdev", HERE.parents[2] / "faults")
-for folder in (HERE, *BESIDE):
+BESIDE = [HERE.parent / name for name in ("gamepad", "evdev", "toys")]
+for folder in (HERE, *BESIDE, HERE.parents[2] / "faults"):
     sys.path.insert(0, str(folder))

@@ -12,6 +12,7 @@ from hapticplayer.devices.falcon import usbfs
 from hapticplayer.devices.falcon.protocol import encode_command
 from hapticplayer.devices.falcon.silence import Silencer
 from hapticplayer.devices.falcon.transport import ENDPOINT_OUT
+from hapticplayer.devices.handing_over import hand_over, take_over
 
 ZERO_FRAME = encode_command((0, 0, 0))
 
@@ -59,22 +60,22 @@ def test_a_device_is_found_among_the_open_files(tmp_path, monkeypatch):
 
 
 def test_the_newest_file_arrives_and_older_ones_are_closed(lines, tmp_path):
-    assert usbfs.take_over(lines[1]) is None
+    assert take_over(lines[1]) is None
     for name in ("first", "second"):
         with (tmp_path / name).open("w+b") as file:
-            usbfs.hand_over(lines[0], file.fileno())
+            hand_over(lines[0], file.fileno())
     before = len(list(Path("/proc/self/fd").iterdir()))
-    newest = usbfs.take_over(lines[1])
+    newest = take_over(lines[1])
     assert Path(f"/proc/self/fd/{newest}").readlink() == tmp_path / "second"
     assert len(list(Path("/proc/self/fd").iterdir())) == before + 1
     os.close(newest)
-    assert usbfs.take_over(lines[1]) is None
+    assert take_over(lines[1]) is None
 
 
 def test_without_anybody_to_take_it_nothing_happens(lines, tmp_path):
     with (tmp_path / "file").open("w+b") as file:
         for _ in range(10_000):  # more than a queue holds
-            usbfs.hand_over(lines[0], file.fileno())
+            hand_over(lines[0], file.fileno())
 
 
 def test_the_guard_writes_through_the_loops_own_file(lines, tmp_path, running, kernel):
@@ -83,7 +84,7 @@ def test_the_guard_writes_through_the_loops_own_file(lines, tmp_path, running, k
     assert silencer()
     assert kernel.asked == ()
     with (tmp_path / "file").open("w+b") as file:
-        usbfs.hand_over(lines[0], file.fileno())
+        hand_over(lines[0], file.fileno())
         assert silencer()
         assert kernel.asked[0] != file.fileno()  # a descriptor of its own
     assert kernel.asked[1:] == (usbfs.BULK, ENDPOINT_OUT, ZERO_FRAME, 5)

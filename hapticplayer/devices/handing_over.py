@@ -1,0 +1,43 @@
+"""Descriptors that the loop hands to its guard, along the line between both."""
+
+import contextlib
+import os
+import socket
+from collections.abc import Iterator
+
+_HELLO = b"fd"
+
+
+def hand_over(line: int, descriptor: int) -> None:
+    """Send a descriptor along one end of a SOCK_SEQPACKET pair; never waits.
+
+    Nobody may be at the other end, or the line -1: then nothing is handed over.
+    """
+    with contextlib.suppress(OSError, ValueError), _borrowed(line) as end:
+        socket.send_fds(end, [_HELLO], [descriptor])
+
+
+def take_over(line: int) -> int | None:
+    """Return the newest descriptor that has come along the line, or None."""
+    newest = None
+    with contextlib.suppress(OSError), _borrowed(line) as end:
+        while True:
+            data, found, _, _ = socket.recv_fds(end, len(_HELLO), 1)
+            if not data:
+                break
+            for descriptor in found:
+                if newest is not None:
+                    os.close(newest)
+                newest = descriptor
+    return newest
+
+
+@contextlib.contextmanager
+def _borrowed(line: int) -> Iterator[socket.socket]:
+    """Use a descriptor as a socket that never waits, and leave it open."""
+    end = socket.socket(fileno=line)
+    end.setblocking(False)
+    try:
+        yield end
+    finally:
+        end.detach()

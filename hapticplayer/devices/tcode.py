@@ -1,0 +1,157 @@
+"""TCode 0.3: boards that vibrate, by UDP or on a serial port.
+
+Source: multiaxis/TCode-Specification. A line such as "V05000I20" sets channel V0 to half
+within 20 ms; "DSTOP" stops everything. Boards answer nothing and keep their last target
+for ever, so `DSTOP` is sent on every way out, and by the guard.
+"""
+
+import contextlib
+import os
+import re
+import socket
+from collections.abc import Callable, Iterator
+
+from hapticplayer.devices.addresses import host_and_port
+from hapticplayer.devices.capabilities import TCODE
+from hapticplayer.devices.gamepad.rumble import FULL_LEVEL, Rumble
+from hapticplayer.devices.paced import PacedDriver, silencer
+from hapticplayer.errors import DeviceError
+from hapticplayer.model.device import Vector
+
+DEFAULT = "127.0.0.1:8000"
+REFRESH_S = 0.5
+STOP = b"DSTOP\n"
+_FULL, _RAMP_MS = 9999, 20
+_MOST_READ = 256
+_SERIAL_BAUD = "B115200"
+
+
+class Vibration:
+    """A force as the strength of one channel (`paced.Translator`)."""
+
+    def __init__(self, channel: str) -> None:
+        self._channel, self._rumble = channel, Rumble()
+        self.off = f"{channel}0000\n".encode() + STOP
+
+    def command(self, force_n: Vector, now_s: float) -> bytes:
+        """Return the line for a force."""
+        level = self._rumble.levels(force_n, now_s)[0]
+        if not level:
+            return self.off
+        share = level * _FULL // FULL_LEVEL
+        return f"{self._channel}{share:04}I{_RAMP_MS}\n".encode()
+
+    def buttons(self, report: bytes) -> int | None:
+        """Return that none is pressed; a board says nothing but greetings."""
+        return 0 if report.isascii() else None
+
+
+class TCodePort:
+    """A board at the other end of a descriptor (`paced.Port`)."""
+
+    is_quiet = True
+
+    def __init__(self, descriptor: int, where: str, translator: Vibration) -> None:
+        self.translator, self._where = translator, where
+        self._descriptor: int | None = descriptor
+        os.set_blocking(descriptor, False)
+
+    def write(self, command: bytes) -> None:
+        """Send lines; what a full buffer does not take is told again later."""
+        with self._told(), contextlib.suppress(BlockingIOError):
+            os.write(self._open(), command)
+
+    def read(self) -> bytes:
+        """Return what it says."""
+        with self._told(), contextlib.suppress(BlockingIOError):
+            return os.read(self._open(), _MOST_READ)
+        return b""
+
+    def close(self) -> None:
+        """Let go."""
+        if self._descriptor is not None:
+            os.close(self._descriptor)
+            self._descriptor = None
+
+    def _open(self) -> int:
+        if self._descriptor is None:
+            raise self._gone()
+        return self._descriptor
+
+    @contextlib.contextmanager
+    def _told(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as problem:
+            self.close()  # a datagram's failure is told once
+            raise self._gone() from problem
+
+    def _gone(self) -> DeviceError:
+        return DeviceError(
+            "nothing takes TCode at {where} any more; connect it and choose the device "
+            "again",
+            where=self._where,
+        )
+
+
+def open_board(text: str) -> TCodePort:
+    """Return the board at `HOST:PORT` or `/dev/ttyUSB0`, with `,channel=V1`.
+
+    Raises:
+        DeviceError: for what makes no sense, and where nothing can be opened.
+    """
+    where, _, rest = (text or DEFAULT).partition(",")
+    channel = rest.removeprefix("channel=") or "V0"
+    if not re.fullmatch(r"[LRVA]\d", channel):
+        raise DeviceError(
+            "device option {part!r}: not known; use HOST:PORT or a serial port, then "
+            "channel=V0",
+            part=rest,
+        )
+    try:
+        descriptor = _serial(where) if where.startswith("/") else _udp(where)
+    except OSError as problem:
+        raise DeviceError(
+            "{where} cannot be opened: {reason}; see whether the board is connected and "
+            "you may use it",
+            where=where,
+            reason=problem.strerror or str(problem),
+        ) from problem
+    return TCodePort(descriptor, where, Vibration(channel))
+
+
+def _udp(where: str) -> int:
+    host, port = host_and_port(where)
+    family, kind, protocol, _, address = socket.getaddrinfo(
+        host, port, type=socket.SOCK_DGRAM
+    )[0]
+    with socket.socket(family, kind, protocol) as end:
+        end.connect(address)
+        return end.detach()
+
+
+def _serial(where: str) -> int:
+    """Open 115200 8N1, raw; the line keeps its level, which would reset a board."""
+    import termios  # not on Windows
+
+    descriptor = os.open(where, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+    try:
+        state = termios.tcgetattr(descriptor)
+        baud = getattr(termios, _SERIAL_BAUD)
+        control = termios.CS8 | termios.CREAD | termios.CLOCAL
+        state[:6] = [0, 0, control, 0, baud, baud]
+        termios.tcsetattr(descriptor, termios.TCSANOW, state)
+    except termios.error as problem:
+        os.close(descriptor)
+        raise OSError(*problem.args) from problem
+    return descriptor
+
+
+def make(_line: int, text: str = "") -> PacedDriver:
+    """Return the driver of a board."""
+    return PacedDriver("tcode", TCODE, lambda: open_board(text), REFRESH_S)
+
+
+def silence(_line: int, text: str = "") -> Callable[[], bool]:
+    """Return what stops a board, for the guard."""
+    return silencer(lambda: open_board(text))

@@ -1,0 +1,83 @@
+"""A service that is spoken to over a WebSocket."""
+
+import contextlib
+
+from hapticplayer.errors import DeviceError
+
+OPENING_S = 3.0
+_MOST_BYTES = 1 << 20
+_CLOSING_S = 0.2
+
+
+class Connection:
+    """An open connection to a service, whose messages are texts.
+
+    Args:
+        url: ws://HOST:PORT/...
+        title: of the service, for people.
+
+    Raises:
+        DeviceError: when nobody answers, also for all methods; and without the package
+            websockets.
+    """
+
+    def __init__(self, url: str, title: str) -> None:
+        self._title, self._held = title, contextlib.ExitStack()
+        try:
+            from websockets.exceptions import WebSocketException
+            from websockets.sync.client import connect
+        except ImportError as problem:
+            raise DeviceError(
+                "the Python package websockets is missing; install hapticplayer with its "
+                "extra websockets"
+            ) from problem
+        self._problems = (OSError, WebSocketException)
+        try:
+            connecting = connect(
+                url,
+                open_timeout=OPENING_S,
+                close_timeout=_CLOSING_S,
+                max_size=_MOST_BYTES,
+                ping_interval=None,
+                compression=None,
+                proxy=None,
+            )
+            self._socket = self._held.enter_context(connecting)
+        except self._problems as problem:
+            raise DeviceError(
+                "{title} does not answer at {url}; start it and choose the device again",
+                title=title,
+                url=url,
+            ) from problem
+
+    def fileno(self) -> int:
+        """Return the descriptor of the connection."""
+        return int(self._socket.socket.fileno())
+
+    def send(self, text: str) -> None:
+        """Send a message."""
+        try:
+            self._socket.send(text)
+        except self._problems as problem:
+            raise self._gone() from problem
+
+    def receive(self, timeout_s: float = 0.0) -> str | bytes:
+        """Return the text of the next message, "" when none has come in time."""
+        try:
+            received: str | bytes = self._socket.recv(timeout_s)
+        except TimeoutError:
+            return ""
+        except self._problems as problem:
+            raise self._gone() from problem
+        return received
+
+    def close(self) -> None:
+        """Close the connection; may be called again."""
+        with contextlib.suppress(*self._problems):
+            self._held.close()
+
+    def _gone(self) -> DeviceError:
+        return DeviceError(
+            "{title} has closed the connection; start it and choose the device again",
+            title=self._title,
+        )

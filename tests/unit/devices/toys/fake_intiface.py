@@ -1,0 +1,123 @@
+"""A Buttplug server of version 4 or 3 with one toy of two motors.
+
+As docs.buttplug.io: it answers each message by its Id, stops the toy when its client is
+gone, and, where it wants pings, when one is late.
+"""
+
+import contextlib
+import json
+import threading
+
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.server import serve
+
+from hapticplayer.clock import SystemClock
+
+NEW_TOY = {
+    "DeviceName": "Toy",
+    "DeviceIndex": 3,
+    "DeviceMessageTimingGap": 0,
+    "DeviceFeatures": {
+        "0": {"FeatureIndex": 0, "Output": {"Vibrate": {"Value": [0, 20]}}},
+        "1": {"FeatureIndex": 1, "Output": {"Rotate": {"Value": [0, 20]}}},
+        "2": {"FeatureIndex": 2, "Output": {"Vibrate": {"Value": [0, 100]}}},
+    },
+}
+OLD_TOY = {
+    "DeviceName": "Toy",
+    "DeviceIndex": 3,
+    "DeviceMessages": {
+        "StopDeviceCmd": {},
+        "ScalarCmd": [
+            {"StepCount": 20, "FeatureDescriptor": "", "ActuatorType": "Vibrate"},
+            {"StepCount": 20, "FeatureDescriptor": "", "ActuatorType": "Rotate"},
+            {"StepCount": 100, "FeatureDescriptor": "", "ActuatorType": "Vibrate"},
+        ],
+    },
+}
+
+
+class FakeIntiface:
+    def __init__(self, version=4, max_ping_ms=0, toys=1):
+        self.version, self.max_ping_ms, self.toys = version, max_ping_ms, toys
+        self.strength, self.heard, self.arrived_s = {}, [], []
+        self.answers, self.nonsense, self.pings = True, False, 0
+        self.connections, self._clock = [], SystemClock()
+        self._server = serve(self._talk, "127.0.0.1", 0)
+        self.where = f"127.0.0.1:{self._server.socket.getsockname()[1]}"
+        self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
+        self._thread.start()
+
+    def close(self):
+        self.hang_up()
+        self._server.shutdown()
+        self._thread.join(10)
+
+    def hang_up(self):
+        for connection in self.connections:
+            connection.socket.close()
+
+    def babble(self, count):
+        for connection in self.connections:
+            for _ in range(count):
+                connection.send("}{")
+
+    def _talk(self, connection):
+        self.connections.append(connection)
+        limit_s = self.max_ping_ms / 1000.0 or None
+        pinged_s = self._clock.now_s()
+        try:
+            while True:
+                left_s = limit_s and limit_s - (self._clock.now_s() - pinged_s)
+                for message in json.loads(connection.recv(left_s)):
+                    ((name, content),) = message.items()
+                    if name == "Ping":
+                        pinged_s = self._clock.now_s()
+                    if self.answers:
+                        answer = self._answer(name, content)
+                        connection.send(json.dumps([answer]))
+        except (ConnectionClosed, OSError, TimeoutError):
+            self.strength.clear()  # the client is gone, or silent
+            with contextlib.suppress(OSError):
+                connection.close()
+
+    def _answer(self, name, content):
+        self.heard.append((name, content))
+        self.arrived_s.append(self._clock.now_s())
+        number = content["Id"]
+        if name == "RequestServerInfo":
+            return self._greeting(content, number)
+        if name == "RequestDeviceList":
+            return {"DeviceList": {"Id": number, "Devices": self._devices()}}
+        if name == "OutputCmd":
+            ((kind, told),) = content["Command"].items()
+            feature = NEW_TOY["DeviceFeatures"][str(content["FeatureIndex"])]
+            low, high = feature["Output"][kind]["Value"]
+            assert low <= told["Value"] <= high
+            self.strength[content["FeatureIndex"]] = told["Value"] / high
+        elif name == "ScalarCmd":
+            for scalar in content["Scalars"]:
+                assert 0.0 <= scalar["Scalar"] <= 1.0
+                self.strength[scalar["Index"]] = scalar["Scalar"]
+        elif name in ("StopCmd", "StopAllDevices"):
+            self.strength.clear()
+        elif name == "Ping":
+            self.pings += 1
+        else:
+            return {"Error": {"Id": number, "ErrorMessage": name, "ErrorCode": 3}}
+        return {"Ok": {"Id": number}}
+
+    def _greeting(self, content, number):
+        told = {"Id": number, "ServerName": "fake", "MaxPingTime": self.max_ping_ms}
+        if self.version == 3:
+            if "MessageVersion" not in content:
+                text = "missing field `MessageVersion`"
+                return {"Error": {"Id": 0, "ErrorMessage": text, "ErrorCode": 3}}
+            return {"ServerInfo": {**told, "MessageVersion": 3}}
+        versions = {"ProtocolVersionMajor": 4, "ProtocolVersionMinor": 0}
+        return {"ServerInfo": {**told, **versions}}
+
+    def _devices(self):
+        if self.version == 3:
+            return [OLD_TOY][: self.toys]
+        return dict([("3", NEW_TOY)][: self.toys])
