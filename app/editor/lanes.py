@@ -70,7 +70,9 @@ class Lanes(QWidget):
         self.effects, self.events = NO_EFFECTS, tuple[Event, ...]()
         self._loudness: Curve | None = None
         self._rows: list[int] = []
-        self._still: QPixmap | None = None  # what does not move
+        self.selected: int | None = None  # of the effects
+        self._still: QPixmap | None = None  # what editing does not change
+        self._front: QPixmap | None = None  # the same with events and effects
         view.changed.connect(self._redraw)
 
     def show_clip(
@@ -80,13 +82,22 @@ class Lanes(QWidget):
         self.track, self.events = track, line.events
         self._loudness = line.loudness
         self.frame_s = 1.0 / frame_rate_hz if frame_rate_hz else USUAL_FRAME_S
-        self.show_effects(line.effects)
-
-    def show_effects(self, effects: EffectList) -> None:
-        """Show other effects."""
-        self.effects = effects
-        self._rows = rows_of([(one.start_s, one.end_s) for one in effects.effects])
         self._redraw()
+
+    def show_force(self, track: ForceTrack) -> None:
+        """Show another force."""
+        self.track = track
+        self._redraw()
+
+    def show_effects(self, effects: EffectList, selected: int | None = None) -> None:
+        """Show other effects, one of them as selected."""
+        self.effects, self.selected = effects, selected
+        before = self._count_rows()
+        self._rows = rows_of([(one.start_s, one.end_s) for one in effects.effects])
+        if self._count_rows() != before:
+            self._still = None
+        self._front = None
+        self.update()
 
     def set_cursor(self, media_s: float) -> None:
         """Show where the clip is."""
@@ -136,7 +147,8 @@ class Lanes(QWidget):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Draw the cursor along."""
-        self.point_at(self.view.time_at(event.position().x(), self.width()))
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self.point_at(self.view.time_at(event.position().x(), self.width()))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom around the pointer, or move the view."""
@@ -179,26 +191,37 @@ class Lanes(QWidget):
 
     def resizeEvent(self, _event: QResizeEvent) -> None:
         """Draw in the new size."""
-        self._still = None
+        self._still = self._front = None
 
     def _redraw(self) -> None:
-        self._still = None
+        self._still = self._front = None
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Copy what stands still, and draw what moves over it."""
-        still = self._still
-        if still is None or still.devicePixelRatio() != self.devicePixelRatioF():
-            still = self._still = self._draw_still()
+        """Copy what stands still, and draw the cursor over it."""
+        front = self._front
+        if front is None or front.devicePixelRatio() != self.devicePixelRatioF():
+            front = self._front = self._draw_front()
         with QPainter(self) as painter:
             painter.setClipRect(event.rect())
-            painter.drawPixmap(0, 0, still)
+            painter.drawPixmap(0, 0, front)
             x = self.view.x_of(self.cursor_s, self.width())
             painter.setPen(QPen(QColor(theme.TEXT), 1.5))
             painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
             if self.hasFocus():
                 painter.setPen(QPen(QColor(theme.FOCUS), 2))
                 painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
+
+    def _draw_front(self) -> QPixmap:
+        still = self._still
+        if still is None or still.devicePixelRatio() != self.devicePixelRatioF():
+            still = self._still = self._draw_still()
+        made, lanes = QPixmap(still), self.lanes
+        with QPainter(made) as painter:
+            painter.setFont(theme.scaled(self.font(), 0.9))
+            self._paint_events(painter, lanes.events)
+            self._paint_effects(painter, lanes.effects)
+        return made
 
     def _draw_still(self) -> QPixmap:
         ratio = self.devicePixelRatioF()
@@ -214,8 +237,6 @@ class Lanes(QWidget):
                 lane_painter.paint_sound(
                     painter, lanes.sound, self.view, self._loudness
                 )
-            self._paint_events(painter, lanes.events)
-            self._paint_effects(painter, lanes.effects)
         return made
 
     def _paint_events(self, painter: QPainter, lane: QRectF) -> None:
@@ -242,9 +263,11 @@ class Lanes(QWidget):
         if box.right() < 0 or box.left() > self.width():
             return
         colour = QColor(theme.PRIMARY if effect.enabled else theme.RAISED)
-        painter.setPen(QColor(theme.BORDER))
+        is_selected = number == self.selected
+        edge = QColor(theme.FOCUS if is_selected else theme.BORDER)
+        painter.setPen(QPen(edge, 3 if is_selected else 1))
         painter.setBrush(colour)
-        painter.drawRect(box)
+        painter.drawRect(box.adjusted(1, 1, -1, -1) if is_selected else box)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         text = theme.PRIMARY_TEXT if effect.enabled else theme.DIM
         self._write(painter, box, effect_title(effect), text)

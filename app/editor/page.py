@@ -5,13 +5,25 @@ from pathlib import Path
 from typing import NamedTuple
 
 from PySide6.QtCore import QKeyCombination, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialog, QScrollBar, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QMessageBox,
+    QScrollBar,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.bridge.jobs import Jobs, Progress, in_child
 from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings, latencies_of, screen_name
-from app.editor.lanes import Lanes
+from app.editor.document import Document
+from app.editor.editing import Editing
+from app.editor.editing_lanes import EditingLanes
+from app.editor.effect_panel import EffectPanel
+from app.editor.kind_list import KindList
 from app.editor.view import TimeView
 from app.player.fullscreen import EscapeFilter
 from app.player.session import Session
@@ -37,6 +49,7 @@ from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import Feedback
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
+from hapticplayer.sequence.editing import set_effects
 from hapticplayer.sequence.time_line import TimeLine, time_line_of
 
 WIDTH_PX, HEIGHT_PX = 1180, 860
@@ -74,6 +87,9 @@ class EditorPage(QDialog):
     ready = Signal()
     """The sequence is shown."""
 
+    saved = Signal(object)
+    """The sequence in this folder has other effects and tracks."""
+
     def __init__(
         self, folder: Path, means: Means, parent: QWidget | None = None
     ) -> None:
@@ -84,10 +100,14 @@ class EditorPage(QDialog):
         self.loaded: Loaded | None = None
         self.jobs = Jobs(self._on_failed)
         self.view = TimeView()
-        self.surface, self.lanes = VideoSurface(), Lanes(self.view)
+        self.document = Document()
+        self.editing = Editing(self.document)
+        self.surface = VideoSurface()
+        self.lanes = EditingLanes(self.view, self.editing)
+        self.kinds, self.panel = KindList(), EffectPanel(self.editing)
         self.messages, self.job_bar = MessageBar(), JobBar()
         self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
-        self._has_just_stopped = False
+        self._has_just_stopped = self._closes_when_saved = False
         self._make_parts()
         self._lay_out()
         self._escape = EscapeFilter(self._on_escape, self)
@@ -117,6 +137,16 @@ class EditorPage(QDialog):
         self.wider.setAccessibleName(self.tr("Zoom out"))
         for button in (self.closer, self.wider):
             button.setMinimumWidth(36)
+        self.snap = QCheckBox(self.tr("S&nap"))
+        self.snap.setToolTip(self.tr("Snap to frames, events and other effects"))
+        self.snap.setChecked(True)
+        self.undo_button = text_button(self.tr("&Undo"), "")
+        self.redo_button = text_button(self.tr("&Redo"), "")
+        self.save_button = text_button(
+            self.tr("&Save"),
+            self.tr("Save the effects and render the force with them (Ctrl+S)"),
+            "primary",
+        )
         self.close_button = text_button(self.tr("Close"), "")
         self.bar = QScrollBar(Qt.Orientation.Horizontal)
         self.note = paragraph(colour=theme.DIM)
@@ -131,20 +161,35 @@ class EditorPage(QDialog):
         self.wider.clicked.connect(lambda: self._zoom(_ZOOM))
         self.whole.clicked.connect(self.view.show_whole)
         self.close_button.clicked.connect(self.close)
+        self.snap.toggled.connect(self._on_snap)
+        self.kinds.wanted.connect(self._add_at_cursor)
+        stack = self.document.stack
+        self.undo_button.clicked.connect(self.undo)
+        self.redo_button.clicked.connect(self.redo)
+        self.save_button.clicked.connect(self.save)
+        self.document.changed.connect(self._show_document)
+        stack.cleanChanged.connect(lambda _is_clean: self._show_document())
+        keys = QKeySequence.StandardKey
+        for key, slot in (
+            (keys.Undo, self.undo),
+            (keys.Redo, self.redo),
+            (keys.Save, self.save),
+        ):
+            QShortcut(key, self).activated.connect(slot)
         self.bar.valueChanged.connect(self._on_scrolled)
         self.view.changed.connect(self._show_scroll)
         self.lanes.pointed.connect(self._on_pointed)
         self.job_bar.cancelled.connect(self.reject)
 
     def _lay_out(self) -> None:
-        self.setWindowTitle(self.tr("Edit effects"))
+        self.setWindowTitle(f"{self.tr('Edit effects')}[*]")
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.surface.setMinimumHeight(_VIDEO_PX)
         stage, below, split = QWidget(), QWidget(), QSplitter(Qt.Orientation.Vertical)
-        row_of((framed(self.surface), 1), of=stage)
+        row_of(self.kinds, (framed(self.surface), 1), self.panel, spacing=8, of=stage)
         controls = row_of(
             *(self.play_button, self.stop_button, self.time, STRETCH),
-            *(self.wider, self.closer, self.whole),
+            *(self.snap, self.wider, self.closer, self.whole),
             spacing=8,
         )
         column_of(controls, (framed(self.lanes), 1), self.bar, spacing=6, of=below)
@@ -152,7 +197,11 @@ class EditorPage(QDialog):
             split.addWidget(part)
         split.setSizes([_STAGE_PX, _LANES_PX])
         split.setChildrenCollapsible(False)
-        buttons = row_of((self.note, 1), self.close_button, spacing=8)
+        buttons = row_of(
+            *(self.undo_button, self.redo_button, (self.note, 1)),
+            *(self.save_button, self.close_button),
+            spacing=8,
+        )
         whole: QVBoxLayout = fill_page(
             self, self.messages, self.job_bar, (split, 1), buttons, spacing=8
         )
@@ -161,9 +210,11 @@ class EditorPage(QDialog):
     def _set_usable(self, *, is_usable: bool) -> None:
         for widget in (
             *(self.play_button, self.stop_button, self.lanes),
-            *(self.closer, self.wider, self.whole),
+            *(self.closer, self.wider, self.whole, self.snap),
+            *(self.kinds, self.panel),
         ):
             widget.setEnabled(is_usable)
+        self._show_document()
 
     # --- beginning and end ---------------------------------------------------
 
@@ -179,10 +230,12 @@ class EditorPage(QDialog):
     def _take(self, loaded: Loaded) -> None:
         self.loaded = loaded
         source, line = loaded
-        self.setWindowTitle(titled(self.tr("Edit effects"), source.title))
+        self.setWindowTitle(titled(self.tr("Edit effects"), f"{source.title}[*]"))
         self.view.set_duration(source.clip.duration_s)
         track = source.tracks[Feedback.REALISTIC.value]
         self.lanes.show_clip(track, line, source.clip.frame_rate_hz)
+        self.editing.duration_s = source.clip.duration_s
+        self.document.open(line.effects)
         self._show_scroll()
         self._show_time(0.0)
         if line.problem:
@@ -219,14 +272,39 @@ class EditorPage(QDialog):
         return None
 
     def _on_failed(self, problem: BaseException) -> None:
+        self._closes_when_saved = False
+        if self.loaded is not None:
+            self._set_usable(is_usable=True)
         if not isinstance(problem, HapticPlayerError):
             raise problem
         self.messages.show_text(message_of(problem))
 
     def reject(self) -> None:
-        """Stop before anything else; Escape comes here too."""
+        """Stop before anything else; ask about changes that are not saved."""
+        if self.session is not None:
+            self.session.stop()
+        if self.jobs.is_busy and self.loaded is not None:
+            return  # it is being saved
+        if not self.document.stack.isClean() and not self._may_close():
+            return
         self._end()
         super().reject()
+
+    def _may_close(self) -> bool:
+        """Ask; where the changes are to be saved, the page closes after that."""
+        buttons = QMessageBox.StandardButton
+        box = QMessageBox(
+            QMessageBox.Icon.Question,
+            self.tr("Edit effects"),
+            self.tr("Save the changes of the effects?"),
+            buttons.Save | buttons.Discard | buttons.Cancel,
+            self,
+        )
+        chosen = QMessageBox.StandardButton(box.exec())
+        if chosen is buttons.Save:
+            self._closes_when_saved = True
+            self.save()
+        return chosen is buttons.Discard
 
     def close_jobs(self) -> None:
         """End what runs; the window is about to close."""
@@ -254,6 +332,51 @@ class EditorPage(QDialog):
         """Take the force away at once, or let it come back."""
         if self.session is not None:
             self.session.stop_or_rearm()
+
+    def undo(self) -> None:
+        """Take the last change back."""
+        if self.lanes.isEnabled():
+            self.document.stack.undo()
+
+    def redo(self) -> None:
+        """Make the change again that was taken back."""
+        if self.lanes.isEnabled():
+            self.document.stack.redo()
+
+    def save(self) -> None:
+        """Write the effects, and render the force with them in a process of its own."""
+        if self.loaded is None or self.jobs.is_busy or self.document.stack.isClean():
+            return
+        folder, effects = self.folder, self.document.effects
+
+        def work(progress: Progress) -> Source:
+            in_child(set_effects, folder, effects, progress=progress)
+            return open_source(folder)
+
+        if self.session is not None:
+            self.session.player.pause()
+        self.jobs.run(self.tr("Rendering the force"), work, self._on_saved)
+        self._set_usable(is_usable=False)
+
+    def _on_saved(self, source: Source) -> None:
+        assert self.loaded is not None  # it was saved
+        self.loaded = Loaded(source, self.loaded.line)
+        self.document.stack.setClean()
+        self._set_usable(is_usable=True)
+        self.lanes.show_force(source.tracks[Feedback.REALISTIC.value])
+        self.saved.emit(self.folder)
+        if self._closes_when_saved:
+            self.reject()
+        elif self.session is not None:
+            at_s = self.lanes.cursor_s
+            self.session.player.open(source)
+            self.session.player.seek(at_s)
+
+    def _add_at_cursor(self, kind: str) -> None:
+        self.editing.add_kind(kind, self.lanes.cursor_s)
+
+    def _on_snap(self, is_on: bool) -> None:
+        self.lanes.snaps = is_on
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Play and pause by the space bar; Escape that stopped something ends here."""
@@ -332,6 +455,20 @@ class EditorPage(QDialog):
             widest = "".join("8" if c.isdigit() else c for c in text)
             self.time.fix_width(self.time.fontMetrics().horizontalAdvance(widest) + 4)
         self.time.set_text(text)
+
+    def _show_document(self) -> None:
+        """Show what can be undone, and whether there is anything to save."""
+        stack, can_edit = self.document.stack, self.lanes.isEnabled()
+        for button, text, can_do in (
+            (self.undo_button, stack.undoText(), stack.canUndo()),
+            (self.redo_button, stack.redoText(), stack.canRedo()),
+        ):
+            button.setEnabled(can_edit and can_do)
+            name = button.text().replace("&", "")
+            button.setToolTip(titled(name, text) if can_do else name)
+        self.save_button.setEnabled(can_edit and not stack.isClean())
+        self.setWindowModified(not stack.isClean())
+        self.note.setText("" if stack.isClean() else self.tr("Not saved yet"))
 
     def _show_scroll(self) -> None:
         view, bar = self.view, self.bar

@@ -26,7 +26,7 @@ from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
-from hapticplayer.playback.source import Source
+from hapticplayer.playback.source import Source, open_source
 from hapticplayer.rendering import FEEDBACKS
 
 if TYPE_CHECKING:
@@ -178,8 +178,16 @@ class Dialogs(QObject):
         self._release()
         means = Means(clock, device, self._settings, self._own_player)
         page = EditorPage(folder, means, self._window)
+        page.saved.connect(self._show_again)
         page.finished.connect(lambda _: self._session.choose_device(device))
         self._open_working(page)
+
+    def _show_again(self, folder: Path) -> None:
+        """Load a sequence that is open with what has changed in it."""
+        now = self._session.player.snapshot()
+        if now.source is not None and now.source.path == folder:
+            self._session.show_source(open_source(folder))
+            self._session.player.seek(now.media_s)
 
     def share(self) -> None:
         """Write the sequence that is open as a file to send."""

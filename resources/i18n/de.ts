@@ -514,6 +514,56 @@
     </message>
 </context>
 <context>
+    <name>Editing</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>Ausschalten</translation>
+    </message>
+</context>
+<context>
+    <name>EditingLanes</name>
+    <message>
+        <source>Time line</source>
+        <translation type="unfinished">Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Add the effect: {name}, {span}</source>
+        <translation>Effekt hinzufügen: {name}, {span}</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>EditorPage</name>
     <message>
         <source>Time</source>
@@ -544,6 +594,30 @@
         <translation>Verkleinern</translation>
     </message>
     <message>
+        <source>S&amp;nap</source>
+        <translation>Ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>Snap to frames, events and other effects</source>
+        <translation>An Bildern, Ereignissen und anderen Effekten einrasten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the effects and render the force with them (Ctrl+S)</source>
+        <translation>Effekte speichern und die Kraft damit rendern (Strg+S)</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -552,8 +626,51 @@
         <translation>Effekte bearbeiten</translation>
     </message>
     <message>
+        <source>Save the changes of the effects?</source>
+        <translation>Die Änderungen der Effekte speichern?</translation>
+    </message>
+    <message>
+        <source>Rendering the force</source>
+        <translation type="unfinished">Kraft wird berechnet</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+    <message>
         <source>Reading the sequence</source>
         <translation>Sequenz wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>EffectPanel</name>
+    <message>
+        <source>Drag a kind of effect onto the time line, or click an event there. The recorded motion never changes.</source>
+        <translation>Eine Art von Effekt auf die Zeitleiste ziehen oder dort ein Ereignis anklicken. Die aufgezeichnete Bewegung ändert sich nie.</translation>
+    </message>
+    <message>
+        <source>Switched &amp;on</source>
+        <translation>&amp;Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Add a copy after it (Ctrl+D)</source>
+        <translation>Eine Kopie dahinter einfügen (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate</source>
+        <translation>D&amp;uplizieren</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete it (Del)</source>
+        <translation>Löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>No effect is selected</source>
+        <translation>Kein Effekt ausgewählt</translation>
     </message>
 </context>
 <context>
@@ -1485,6 +1602,17 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Command</source>
         <translation>Befehl</translation>
+    </message>
+</context>
+<context>
+    <name>KindList</name>
+    <message>
+        <source>Kinds of effects</source>
+        <translation>Arten von Effekten</translation>
+    </message>
+    <message>
+        <source>Drag onto the time line; Enter adds at the cursor</source>
+        <translation>Auf die Zeitleiste ziehen; Enter fügt am Cursor ein</translation>
     </message>
 </context>
 <context>

@@ -514,6 +514,56 @@
     </message>
 </context>
 <context>
+    <name>Editing</name>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Étirer</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>Activer</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>Désactiver</translation>
+    </message>
+</context>
+<context>
+    <name>EditingLanes</name>
+    <message>
+        <source>Time line</source>
+        <translation type="unfinished">Ligne de temps</translation>
+    </message>
+    <message>
+        <source>Add the effect: {name}, {span}</source>
+        <translation>Ajouter l’effet&#xa0;: {name}, {span}</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+</context>
+<context>
     <name>EditorPage</name>
     <message>
         <source>Time</source>
@@ -544,6 +594,30 @@
         <translation>Réduire</translation>
     </message>
     <message>
+        <source>S&amp;nap</source>
+        <translation>Mag&amp;nétisme</translation>
+    </message>
+    <message>
+        <source>Snap to frames, events and other effects</source>
+        <translation>Aligner sur les images, les événements et les autres effets</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Réta&amp;blir</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save the effects and render the force with them (Ctrl+S)</source>
+        <translation>Enregistrer les effets et calculer la force avec eux (Ctrl+S)</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
@@ -552,8 +626,51 @@
         <translation>Modifier les effets</translation>
     </message>
     <message>
+        <source>Save the changes of the effects?</source>
+        <translation>Enregistrer les modifications des effets&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Rendering the force</source>
+        <translation type="unfinished">Calcul de la force</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Pas encore enregistré</translation>
+    </message>
+    <message>
         <source>Reading the sequence</source>
         <translation>Lecture de la séquence</translation>
+    </message>
+</context>
+<context>
+    <name>EffectPanel</name>
+    <message>
+        <source>Drag a kind of effect onto the time line, or click an event there. The recorded motion never changes.</source>
+        <translation>Glissez un type d’effet sur la ligne de temps ou cliquez-y sur un événement. Le mouvement enregistré ne change jamais.</translation>
+    </message>
+    <message>
+        <source>Switched &amp;on</source>
+        <translation>Act&amp;ivé</translation>
+    </message>
+    <message>
+        <source>Add a copy after it (Ctrl+D)</source>
+        <translation>Ajouter une copie à la suite (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate</source>
+        <translation>D&amp;upliquer</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>Supp&amp;rimer</translation>
+    </message>
+    <message>
+        <source>Delete it (Del)</source>
+        <translation>Supprimer (Suppr)</translation>
+    </message>
+    <message>
+        <source>No effect is selected</source>
+        <translation>Aucun effet sélectionné</translation>
     </message>
 </context>
 <context>
@@ -1485,6 +1602,17 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Command</source>
         <translation>Commande</translation>
+    </message>
+</context>
+<context>
+    <name>KindList</name>
+    <message>
+        <source>Kinds of effects</source>
+        <translation>Types d’effets</translation>
+    </message>
+    <message>
+        <source>Drag onto the time line; Enter adds at the cursor</source>
+        <translation>Glissez sur la ligne de temps&#xa0;; Entrée ajoute au curseur</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,231 @@
+"""Effects edited on the time line by mouse and keys, offered, saved and kept."""
+
+import shutil
+
+import numpy as np
+import pytest
+from faces import make_player
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QDropEvent, QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from app.editor.kind_list import MIME
+from app.editor.page import EditorPage, Means
+from hapticplayer.clock import SystemClock
+from hapticplayer.rendering.effects import Effect, EffectList
+from hapticplayer.sequence import open_sequence, store, verify_sequence
+from hapticplayer.sequence.editing import set_effects
+
+FRAME_S = 0.04
+EFFECTS = EffectList((Effect("gain", 0.2, 0.6), Effect("sine", 1.2, 1.6)))
+
+
+@pytest.fixture
+def folder(sequence, tmp_path):
+    target = tmp_path / "edited"
+    shutil.copytree(sequence, target)
+    set_effects(target, EFFECTS)
+    return target
+
+
+@pytest.fixture
+def page(application, qtbot, settings, wait_for, folder):
+    made = EditorPage(folder, Means(SystemClock(), "none", settings, make_player))
+    # else it asks
+    qtbot.addWidget(made, before_close_func=lambda _: made.document.stack.setClean())
+    made.show()
+    wait_for(lambda: made.loaded is not None)
+    yield made
+    made.reject()
+
+
+def drag(lanes, at, by_px, steps=4) -> None:
+    """Press, move in some steps, let go."""
+    kinds, left = QEvent.Type, Qt.MouseButton.LeftButton
+    places = [at + QPointF(by_px * k / steps, 0.0) for k in range(steps + 1)]
+    for kind, place in (
+        (kinds.MouseButtonPress, places[0]),
+        *((kinds.MouseMove, place) for place in places[1:]),
+        (kinds.MouseButtonRelease, places[-1]),
+    ):
+        held = Qt.MouseButton.NoButton if kind == kinds.MouseButtonRelease else left
+        event = QMouseEvent(
+            kind, place, lanes.mapToGlobal(place), left, held, Qt.KeyboardModifier(0)
+        )
+        QApplication.sendEvent(lanes, event)
+
+
+def px(page, seconds) -> float:
+    return seconds / page.view.span_s * page.lanes.width()
+
+
+def test_dragging_moves_in_one_step_and_snaps_to_frames(page):
+    box = page.lanes.effect_box(0)
+    drag(page.lanes, box.center(), px(page, 0.311))
+    moved = page.document.effect
+    assert moved.start_s == pytest.approx(0.52)  # the next frame to 0.511
+    assert moved.duration_s == pytest.approx(0.4)
+    assert page.document.stack.count() == 1
+    page.undo_button.click()
+    assert page.document.effects == EFFECTS
+    assert page.document.stack.isClean()
+    page.redo_button.click()
+    assert page.document.effect == moved
+
+
+def test_without_snapping_it_stays_where_it_is_let_go(page):
+    page.snap.click()
+    drag(page.lanes, page.lanes.effect_box(0).center(), px(page, 0.311))
+    assert page.document.effect.start_s == pytest.approx(0.511, abs=0.004)
+
+
+def test_an_end_snaps_to_another_effect(page):
+    box = page.lanes.effect_box(0)
+    end = QPointF(box.right() - 2.0, box.center().y())
+    drag(page.lanes, end, px(page, 0.598))
+    assert page.document.effect.start_s == 0.2
+    assert page.document.effect.end_s == 1.2  # where the other begins
+
+
+def test_tab_goes_through_effects_and_arrows_move_by_frames(page):
+    lanes = page.lanes
+    lanes.setFocus()
+    for expected in (0, 1):
+        QTest.keyClick(lanes, Qt.Key.Key_Tab)
+        assert page.document.selected == expected
+        assert page.focusWidget() is lanes
+    assert "Sine" in lanes.accessibleName()
+    QTest.keyClick(lanes, Qt.Key.Key_Right)
+    QTest.keyClick(lanes, Qt.Key.Key_Right)
+    assert page.document.effect.start_s == pytest.approx(1.2 + 2 * FRAME_S)
+    QTest.keyClick(lanes, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
+    assert page.document.effect.end_s == pytest.approx(1.6 + FRAME_S)
+    QTest.keyClick(lanes, Qt.Key.Key_E)
+    assert not page.document.effect.enabled
+    assert not page.panel.enabled.isChecked()
+    QTest.keyClick(lanes, Qt.Key.Key_Tab)
+    assert page.focusWidget() is not lanes
+    assert page.document.selected == 1  # for the panel
+    lanes.setFocus()
+    QTest.keyClick(lanes, Qt.Key.Key_Delete)
+    assert len(page.document.effects) == 1
+    while page.document.stack.canUndo():
+        QTest.keyClick(lanes, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert page.document.effects == EFFECTS
+
+
+def test_copies_are_put_after_the_effect_and_at_the_cursor(page):
+    page.document.select(0)
+    page.panel.duplicate.click()
+    assert page.document.effect.start_s == pytest.approx(0.6)
+    control = Qt.KeyboardModifier.ControlModifier
+    QTest.keyClick(page.lanes, Qt.Key.Key_C, control)
+    page.lanes.point_at(1.0)
+    QTest.keyClick(page.lanes, Qt.Key.Key_V, control)
+    assert page.document.effect.start_s == pytest.approx(1.0)
+    assert len(page.document.effects) == 4
+
+
+def test_a_kind_is_dropped_where_the_pointer_is(page):
+    lanes = page.lanes
+    item = page.kinds.item(3)  # mute
+    data = page.kinds.mimeData([item])
+    assert bytes(data.data(MIME).data()) == b"mute"
+    place = QPointF(px(page, 0.53), lanes.height() - 20.0)
+    drop = QDropEvent(
+        place,
+        Qt.DropAction.CopyAction,
+        data,
+        Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier(0),
+    )
+    lanes.dropEvent(drop)
+    assert page.document.effect.kind == "mute"
+    assert page.document.effect.start_s == pytest.approx(0.52)  # a frame
+    page.lanes.point_at(0.0)
+    page.kinds.setCurrentRow(7)
+    QTest.keyClick(page.kinds, Qt.Key.Key_Return)
+    assert page.document.effect.kind == "knock"
+    assert page.document.effect.start_s == 0.0
+
+
+def test_an_event_offers_its_effect_and_applies_nothing(page):
+    event = page.loaded.line.events[0] if page.loaded.line.events else None
+    if event is None:
+        page.lanes.events = (made_event(),)
+        event = page.lanes.events[0]
+    place = page.lanes.event_box(0).center()
+    drag(page.lanes, place, 0.0)
+    menu = page.lanes.menu
+    assert page.document.effects == EFFECTS
+    assert menu.isVisible()
+    menu.actions()[-1].trigger()
+    assert page.document.effects.effects[-1] == event.effect
+    menu.close()
+    page.lanes.point_at(0.0)
+    page.lanes.setFocus()
+    page.document.select(None)
+    QTest.keyClick(page.lanes, Qt.Key.Key_PageDown)
+    assert page.lanes.cursor_s == pytest.approx(event.start_s)
+
+
+def made_event():
+    from hapticplayer.errors import Message
+    from hapticplayer.rendering.event import Event
+
+    effect = Effect("knock", 0.9, 1.1, parameters={"amplitude": 2.0})
+    return Event("impact", 0.9, 1.0, 0.8, Message("A shock"), effect)
+
+
+def test_saving_writes_effects_and_renders(page, folder, wait_for):
+    before = open_sequence(folder).tracks["realistic"]
+    page.document.select(0)
+    page.panel.delete.click()
+    page.kinds.setCurrentRow(3)
+    page.lanes.point_at(0.0)
+    QTest.keyClick(page.kinds, Qt.Key.Key_Return)
+    assert page.note.text() == "Not saved yet"
+    kept = page.document.effects
+    page.save_button.click()
+    assert not page.lanes.isEnabled()
+    wait_for(lambda: page.document.stack.isClean() and page.lanes.isEnabled())
+    verify_sequence(folder)
+    sequence = open_sequence(folder)
+    assert store.effects_of(sequence) == kept
+    after, at_s = sequence.tracks["realistic"], np.array([0.62])  # of a shake of 2 Hz
+    assert abs(after.at(at_s)).max() < 0.2 * abs(before.at(at_s)).max()
+    assert page.lanes.track.provenance == after.provenance
+    page.undo_button.click()  # also what was saved
+    assert page.save_button.isEnabled()
+
+
+@pytest.mark.parametrize("answer", ["Cancel", "Discard", "Save"])
+def test_closing_asks_about_changes(page, folder, answer, monkeypatch, wait_for):
+    buttons = QMessageBox.StandardButton
+    asked = []
+
+    def choose(box):
+        asked.append(box.text())
+        return int(getattr(buttons, answer))
+
+    monkeypatch.setattr(QMessageBox, "exec", choose)
+    page.document.select(1)
+    page.panel.delete.click()
+    page.close()
+    assert asked == ["Save the changes of the effects?"]
+    if answer == "Cancel":
+        assert page.isVisible()
+    else:
+        wait_for(lambda: not page.isVisible())
+    count = len(store.effects_of(open_sequence(folder)))
+    assert count == (1 if answer == "Save" else 2)
+
+
+def test_a_click_beside_effects_selects_none(page):
+    page.document.select(0)
+    lane = page.lanes.lanes.effects
+    at = QPoint(round(px(page, 0.9)), round(lane.top() + 5))
+    QTest.mouseClick(page.lanes, Qt.MouseButton.LeftButton, Qt.KeyboardModifier(0), at)
+    assert page.document.selected is None
+    assert page.panel.hint.isVisible()
