@@ -38,8 +38,17 @@ MAX_CONNECTIONS, MAX_CONNECTIONS_OF_ONE = 64, 16
 CONNECTION_S = 30.0
 """How long a connection may wait for its next request, or take for one piece of an answer."""
 
-REQUEST_S = 5.0
-"""How long a client waits for a whole answer."""
+ANSWER_S = 5.0
+"""How long a client waits for a whole answer before it asks again."""
+
+PATIENCE_S = 20.0
+"""How long a decoder waits for its bytes before the clip is given up."""
+
+MAX_BYTES_AT_ONCE = 4 << 20
+"""Of a clip in one answer."""
+
+MAX_BYTES_KEPT = 64 << 20
+"""Of a clip in memory."""
 
 _CONTROLS = (*range(0x20), *range(0x7F, 0xA0))
 

@@ -152,7 +152,9 @@ class Thumbnails(QObject):
 
     def _begin(self) -> None:
         source = self._player.snapshot().source
-        if source is None or self._path == source.clip.path or self._is_felt():
+        if source is None or source.stream or self._is_felt():
+            return
+        if self._path == source.clip.path:
             return
         self._path = path = source.clip.path
         duration_s = source.clip.duration_s

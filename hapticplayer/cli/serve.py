@@ -86,6 +86,6 @@ def _announce(server: Server, source: Source, options: argparse.Namespace) -> No
     if options.json:
         say(json.dumps({"title": source.title, "url": server.url}))
     else:
-        say(f"{source.title} (Ctrl-C stops)")
-        say(f"  {server.url}")
+        say(f"{source.title} is served until Ctrl-C; to play it:")
+        say(f"  hapticplayer play --allow-network {server.url}")
     sys.stdout.flush()  # it may be a pipe, and nothing follows

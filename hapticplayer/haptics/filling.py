@@ -18,7 +18,7 @@ from hapticplayer.model.arrays import Floats
 
 
 class FillingTrack:
-    """Force that one thread fills in, packet by packet, while a loop may read it.
+    """Force that one thread fills in, packet by packet, while loops may read it.
 
     Attributes:
         force_n: (N, 3) float32, 1 ms apart, zero where nothing has arrived.
@@ -29,8 +29,7 @@ class FillingTrack:
         self.force_n = np.zeros((samples, 3), np.float32)
         self.has_arrived = np.zeros(-(-samples // PACKET_SAMPLES), np.uint8)
         self._lock = threading.Lock()
-        self._gain: Floats = np.ones(3)
-        self._shared: mmap.mmap | None = None
+        self._shown: list[DeviceTrack] = []
 
     def fill(self, packet: int, force_n: NDArray[np.float32]) -> None:
         """Note the force (128, 3) of a packet, N; all of it is finite."""
@@ -39,41 +38,61 @@ class FillingTrack:
         with self._lock:
             self.force_n[first : first + len(samples)] = samples
             self.has_arrived[packet] = 1
-            if self._shared is not None:
-                self._show(self._shared, packet, first, samples)
+            for shown in self._shown:
+                shown.write(packet)
 
     def has(self, media_s: float) -> bool:
         """Whether the force of a time has arrived; none is due outside the track."""
         packet = int(media_s * RATE_HZ) // PACKET_SAMPLES
         return not 0 <= packet < len(self.has_arrived) or bool(self.has_arrived[packet])
 
-    def adapt(self, gain: Floats) -> None:
-        """Scale per axis (3,) what the next loop reads; see `rendering.device_gain`."""
+    def begin(self, shown: "DeviceTrack") -> None:
+        """Let a loop have what has arrived, and what will."""
         with self._lock:
-            self._gain, self._shared = gain, None
+            for packet in np.flatnonzero(self.has_arrived).tolist():
+                shown.write(packet)
+            self._shown.append(shown)
+
+    def end(self, shown: "DeviceTrack") -> None:
+        """Let a loop have no more."""
+        with self._lock:
+            if shown in self._shown:
+                self._shown.remove(shown)
+
+
+class DeviceTrack:
+    """A track that is filled, as the loop of one device reads it.
+
+    Args:
+        whole: what is filled.
+        gain: (3,) per axis, see `rendering.device_gain`.
+    """
+
+    def __init__(self, whole: FillingTrack, gain: Floats) -> None:
+        self._whole, self._gain = whole, gain.astype(np.float32)
+        self._memory: mmap.mmap | None = None
 
     def to_shared_memory(self) -> int:
-        """Return the descriptor of memory that is filled from now on, owned by the caller.
-
-        A loop that had it before gets no more.
-        """
-        size = arriving_bytes(len(self.force_n))
+        """Return the descriptor of memory that is filled until `close`, the caller's."""
+        whole = self._whole
+        samples, packets = len(whole.force_n), len(whole.has_arrived)
+        size = arriving_bytes(samples)
         descriptor = anonymous_memory("hapticplayer-track", size)
-        shared = mmap.mmap(descriptor, size)
-        shared.write(HEADER.pack(len(self.force_n), len(self.has_arrived), ARRIVING))
-        with self._lock:
-            self._shared = shared
-            for packet in np.flatnonzero(self.has_arrived).tolist():
-                first = packet * PACKET_SAMPLES
-                samples = self.force_n[first : first + PACKET_SAMPLES]
-                self._show(shared, packet, first, samples)
+        self._memory = mmap.mmap(descriptor, size)
+        self._memory.write(HEADER.pack(samples, packets, ARRIVING))
+        whole.begin(self)
         return descriptor
 
-    def _show(
-        self, shared: mmap.mmap, packet: int, first: int, samples: NDArray[np.float32]
-    ) -> None:
+    def write(self, packet: int) -> None:
         """Write a packet, and only then that it is there."""
-        at = HEADER.size + 12 * first
+        assert self._memory is not None
+        whole, first = self._whole, packet * PACKET_SAMPLES
+        samples = whole.force_n[first : first + PACKET_SAMPLES]
         content = (self._gain * samples).astype("<f4").tobytes()
-        shared[at : at + len(content)] = content
-        shared[HEADER.size + 12 * len(self.force_n) + packet] = 1
+        at = HEADER.size + 12 * first
+        self._memory[at : at + len(content)] = content
+        self._memory[HEADER.size + 12 * len(whole.force_n) + packet] = 1
+
+    def close(self) -> None:
+        """Fill it no more."""
+        self._whole.end(self)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
-from hapticplayer.haptics.filling import FillingTrack
+from hapticplayer.haptics.filling import DeviceTrack
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.messages import Line, Word, signal_alarm
 from hapticplayer.haptics.recorder import Recording
@@ -205,7 +205,7 @@ class HapticsProcesses:
         """Report that the main thread is alive; call it at least at 10 Hz."""
         self.block.beat(self._clock.now_s())
 
-    def load(self, tracks: Mapping[str, ForceTrack | FillingTrack | RigTrack]) -> None:
+    def load(self, tracks: Mapping[str, ForceTrack | DeviceTrack | RigTrack]) -> None:
         """Hand over tracks by name, in place of those before."""
         if self._line is None:
             return
@@ -217,7 +217,7 @@ class HapticsProcesses:
             self._next_track_id += 1
             self.replace(name, track)
 
-    def replace(self, name: str, track: ForceTrack | FillingTrack | RigTrack) -> None:
+    def replace(self, name: str, track: ForceTrack | DeviceTrack | RigTrack) -> None:
         """Hand over another version of a track, also while it plays.
 
         The loop plays the old one until the new one is checked (10,000 numbers a tick,
@@ -226,7 +226,7 @@ class HapticsProcesses:
         """
         if self._line is None:
             return
-        if isinstance(track, FillingTrack):
+        if isinstance(track, DeviceTrack):
             descriptor = track.to_shared_memory()
         else:
             descriptor = to_shared_memory(track)

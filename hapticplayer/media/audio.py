@@ -1,7 +1,6 @@
 """Decodes sound into float32 blocks whose times are exact to the sample."""
 
 import math
-import os
 from collections import deque
 from dataclasses import dataclass
 from typing import Any, cast
@@ -12,6 +11,7 @@ from av.audio.resampler import AudioResampler
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.clip_bytes import AnyClip
 from hapticplayer.media.demux import ClipDecoder, PacketReader
 from hapticplayer.media.limits import MAX_AUDIO_CHANNELS, MAX_AUDIO_RATE_HZ
 from hapticplayer.media.opening import context_of, media_errors, origin_s, read_only
@@ -44,7 +44,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
 
     def __init__(
         self,
-        path: str | os.PathLike[str],
+        path: AnyClip,
         *,
         rate_hz: int = 48_000,
         channels: int = 2,

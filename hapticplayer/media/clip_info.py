@@ -1,7 +1,6 @@
 """Says what a clip holds before anything of it is played."""
 
 import math
-import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +10,7 @@ from av.video.frame import VideoFrame
 from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.clip_bytes import AnyClip, ClipBytes
 from hapticplayer.media.frames import rotation_of
 from hapticplayer.media.limits import MAX_DURATION_S
 from hapticplayer.media.opening import (
@@ -36,7 +36,10 @@ _LONGEST_NAME = 80
 
 @dataclass(frozen=True, slots=True)
 class ClipInfo:
-    """A clip as it is shown; the path is absolute, with symbolic links resolved."""
+    """A clip as it is shown; the path is absolute, with symbolic links resolved.
+
+    Of a clip from elsewhere the path is only its name, and `remote` is what it is read by.
+    """
 
     path: Path
     duration_s: float  # from the first frame to the end of the last
@@ -48,10 +51,17 @@ class ClipInfo:
     audio_rate_hz: int  # as stored; 0 without sound
     has_telemetry: bool
     names_force: bool = False  # whether its metadata say that force belongs to it
+    remote: ClipBytes | None = None
+
+    @property
+    def content(self) -> Path | ClipBytes:
+        """What decoders open."""
+        return self.remote or self.path
 
 
-def probe(path: str | os.PathLike[str]) -> ClipInfo:
+def probe(path: AnyClip) -> ClipInfo:
     """Open a clip, decode its first frame, return what it holds; raises MediaError."""
+    remote = path if isinstance(path, ClipBytes) else None
     with (
         open_media(path) as container,
         media_errors(path, Message("it cannot be probed")),
@@ -62,7 +72,7 @@ def probe(path: str | os.PathLike[str]) -> ClipInfo:
         rotation_deg = rotation_of(_first_frame(container, video, path))
         width, height = shown_size(video, rotation_deg)
         return ClipInfo(
-            path=Path(path).resolve(),
+            path=Path(remote.name) if remote else Path(str(path)).resolve(),
             duration_s=duration_s,
             width=width,
             height=height,
@@ -72,10 +82,11 @@ def probe(path: str | os.PathLike[str]) -> ClipInfo:
             audio_rate_hz=audio.rate if audio is not None else 0,
             has_telemetry=find_telemetry(container) is not None,
             names_force=any(key.lower() == POINTER for key in container.metadata),
+            remote=remote,
         )
 
 
-def camera_of(path: str | os.PathLike[str]) -> str:
+def camera_of(path: AnyClip) -> str:
     """Return the name of the camera of a clip, "" if unknown; raises MediaError."""
     with open_media(path) as container:
         said = {key.lower(): value for key, value in container.metadata.items()}
@@ -89,9 +100,7 @@ def camera_of(path: str | os.PathLike[str]) -> str:
     return whole.strip()[:_LONGEST_NAME]
 
 
-def require_video(
-    container: InputContainer, path: str | os.PathLike[str]
-) -> VideoStream:
+def require_video(container: InputContainer, path: AnyClip) -> VideoStream:
     """Return the video stream; raises MediaError when none can be decoded."""
     video = find_video(container)
     if video is None or video.time_base is None:
@@ -116,9 +125,7 @@ def shown_size(video: VideoStream, rotation_deg: int) -> tuple[int, int]:
     return (height, width) if rotation_deg in {90, 270} else (width, height)
 
 
-def _duration_s(
-    container: InputContainer, video: VideoStream, path: str | os.PathLike[str]
-) -> float:
+def _duration_s(container: InputContainer, video: VideoStream, path: AnyClip) -> float:
     duration_s = 0.0
     if video.duration and video.time_base:
         duration_s = float(video.duration * video.time_base)
@@ -135,7 +142,7 @@ def _duration_s(
 
 
 def _first_frame(
-    container: InputContainer, video: VideoStream, path: str | os.PathLike[str]
+    container: InputContainer, video: VideoStream, path: AnyClip
 ) -> VideoFrame:
     read_only(container, video)
     for count, packet in enumerate(container.demux(video)):

@@ -9,11 +9,9 @@ Source: ISO/IEC 14496-12, 4.2 (boxes), 8.7.3 (stsz, stz2) and 8.8.8 (trun).
 
 import math
 from collections.abc import Iterator
-from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
-from hapticplayer.errors import MediaError
-from hapticplayer.untrusted import open_regular
+from hapticplayer.media.clip_bytes import AnyClip, open_clip, size_of
 
 _RIFF_UNKNOWN = (0, 0xFFFFFFFF)
 _EBML, _SEGMENT = b"\x1a\x45\xdf\xa3", b"\x18\x53\x80\x67"
@@ -37,12 +35,12 @@ class _Box(NamedTuple):
     end: int
 
 
-def declared_bytes(file: Path) -> int:
+def declared_bytes(clip: AnyClip) -> int:
     """Return the length that a file declares, 0 where it does not."""
-    with open_regular(file, MediaError) as stream:
+    with open_clip(clip) as stream:
         head = stream.read(_HEAD_BYTES)
         if head[4:8] in _TOP:
-            return _end_of_boxes(stream, file.stat().st_size)
+            return _end_of_boxes(stream, size_of(stream))
     if head.startswith(b"RIFF") and len(head) >= 8:
         size = int.from_bytes(head[4:8], "little")
         return 0 if size in _RIFF_UNKNOWN else size + 8
@@ -51,16 +49,16 @@ def declared_bytes(file: Path) -> int:
     return 0
 
 
-def declared_samples(file: Path) -> float:
+def declared_samples(clip: AnyClip) -> float:
     """Return how many samples the tables and fragments of an MP4 declare together.
 
     0 for other containers, infinite where there are more boxes than any camera writes.
     """
     total = 0
-    with open_regular(file, MediaError) as stream:
+    with open_clip(clip) as stream:
         if stream.read(8)[4:] not in _TOP:
             return 0
-        boxes = _boxes(stream, file.stat().st_size, _NESTED)
+        boxes = _boxes(stream, size_of(stream), _NESTED)
         for number, box in enumerate(boxes):
             if number == MAX_BOXES:
                 return math.inf

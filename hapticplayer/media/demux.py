@@ -1,7 +1,6 @@
 """Reads and decodes the packets of one stream, past damaged ones."""
 
 import abc
-import os
 from collections import deque
 from collections.abc import Iterable, Iterator
 from typing import Generic, Self, TypeVar, cast
@@ -13,6 +12,7 @@ from av.stream import Stream
 from av.video.frame import VideoFrame
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.clip_bytes import AnyClip
 from hapticplayer.media.limits import MAX_DAMAGED_IN_A_ROW
 from hapticplayer.media.opening import media_errors, open_media
 from hapticplayer.media.packets import (
@@ -36,7 +36,7 @@ class PacketReader(Generic[FrameT]):
     """
 
     def __init__(
-        self, container: InputContainer, stream: Stream, path: str | os.PathLike[str]
+        self, container: InputContainer, stream: Stream, path: AnyClip
     ) -> None:
         self._container = container
         self._stream = stream
@@ -190,7 +190,7 @@ class ClipDecoder(abc.ABC, Generic[FrameT]):
 
     _reader: PacketReader[FrameT]
 
-    def __init__(self, path: str | os.PathLike[str]) -> None:
+    def __init__(self, path: AnyClip) -> None:
         self._path = path
         self._container = open_media(path)
         try:

@@ -2,12 +2,12 @@
 
 FFmpeg follows references: playlists, `concat:` names and network addresses. So a
 file is opened by an absolute path with the `file:` prefix, only with demuxers that
-read one file, and only if it is a regular file (a FIFO would hang for ever).
+read one file, and only if it is a regular file (a FIFO would hang for ever). What is no
+file of this machine (`ClipBytes`) is read for FFmpeg, which opens nothing itself.
 Every failure becomes one MediaError that says what to do.
 """
 
 import contextlib
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import cast
@@ -20,6 +20,7 @@ from av.stream import Disposition, Stream
 from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.clip_bytes import AnyClip, ClipBytes
 from hapticplayer.media.declared import declared_bytes, declared_samples
 from hapticplayer.media.limits import INDEX_TAIL, MAX_PIXELS, MAX_SIDE_PX, MAX_STREAMS
 from hapticplayer.untrusted import COPY_AGAIN, resolve_regular
@@ -33,7 +34,7 @@ CONVERT = Message(
 )
 
 
-def open_media(path: str | os.PathLike[str]) -> InputContainer:
+def open_media(path: AnyClip) -> InputContainer:
     """Open a media file; the container closes at the end of a `with` block.
 
     It is MP4, MOV, Matroska, WebM, AVI or WAV; symbolic links are followed.
@@ -42,14 +43,12 @@ def open_media(path: str | os.PathLike[str]) -> InputContainer:
         MediaError: when it is missing, no regular file, of another kind, damaged,
             truncated, or larger than the limits.
     """
-    file = resolve_regular(path)
+    file = path if isinstance(path, ClipBytes) else resolve_regular(path)
     with media_errors(
         file, Message("it is no video or sound that can be read"), CONVERT
     ):
         _check_tables(file)
-        container = av.open(
-            f"file:{file}", "r", options=dict(OPTIONS), metadata_errors="ignore"
-        )
+        container = _opened(file)
     try:
         with media_errors(file, Message("its headers are damaged")):
             _check_streams(container, file)
@@ -60,10 +59,18 @@ def open_media(path: str | os.PathLike[str]) -> InputContainer:
     return container
 
 
+def _opened(clip: Path | ClipBytes) -> InputContainer:
+    if not isinstance(clip, ClipBytes):
+        return av.open(
+            f"file:{clip}", "r", options=dict(OPTIONS), metadata_errors="ignore"
+        )
+    # FFmpeg itself opens nothing then: no protocol has this name
+    options = {**OPTIONS, "protocol_whitelist": "none"}
+    return av.open(clip.open(), "r", options=options, metadata_errors="ignore")
+
+
 @contextlib.contextmanager
-def media_errors(
-    path: str | os.PathLike[str], what: str, remedy: str = COPY_AGAIN
-) -> Iterator[None]:
+def media_errors(path: AnyClip, what: str, remedy: str = COPY_AGAIN) -> Iterator[None]:
     """Turn whatever PyAV raises inside the block into a MediaError."""
     try:
         yield
@@ -88,9 +95,9 @@ def media_errors(
         ) from error
 
 
-def _check_tables(file: Path) -> None:
+def _check_tables(file: Path | ClipBytes) -> None:
     """Refuse an index that FFmpeg would fill the memory with."""
-    if declared_samples(file) > file.stat().st_size:
+    if declared_samples(file) > _size_bytes(file):
         raise MediaError(
             "its index lists more samples than it has bytes",
             where=str(file),
@@ -98,7 +105,7 @@ def _check_tables(file: Path) -> None:
         )
 
 
-def _check_streams(container: InputContainer, file: Path) -> None:
+def _check_streams(container: InputContainer, file: Path | ClipBytes) -> None:
     """Refuse absurd sizes before anything is allocated for them."""
     if not len(container.streams) or len(container.streams) > MAX_STREAMS:
         raise MediaError(
@@ -129,12 +136,12 @@ def _check_streams(container: InputContainer, file: Path) -> None:
             )
 
 
-def _check_length(container: InputContainer, file: Path) -> None:
+def _check_length(container: InputContainer, file: Path | ClipBytes) -> None:
     """Refuse a file that ends before the last sample of its index.
 
     FFmpeg plays such a file to where it ends and reports nothing.
     """
-    size_bytes = file.stat().st_size
+    size_bytes = _size_bytes(file)
     indexed_bytes = max(
         (
             entry.pos + entry.size
@@ -161,6 +168,10 @@ def _check_length(container: InputContainer, file: Path) -> None:
             size_bytes=size_bytes,
             promised_bytes=promised_bytes,
         )
+
+
+def _size_bytes(clip: Path | ClipBytes) -> int:
+    return clip.size_bytes if isinstance(clip, ClipBytes) else clip.stat().st_size
 
 
 def context_of(stream: Stream) -> object | None:

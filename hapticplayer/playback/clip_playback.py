@@ -90,8 +90,8 @@ class ClipPlayback:
         """Load a source and show its first frame."""
         self.handle(Event.CLOSE)
         self.source, self.end_s = source, source.clip.duration_s
-        self.video.open(source.clip.path)
-        self.sound.open(source.clip.path, has_sound=source.clip.has_audio)
+        self.video.open(source.clip.content)
+        self.sound.open(source.clip.content, has_sound=source.clip.has_audio)
         self.handle(Event.OPEN)
 
     def close(self) -> None:

@@ -9,6 +9,7 @@ from typing import Generic, TypeVar
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.audio import AudioBlock, AudioDecoder
+from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.media.tempo import TempoFilter
 from hapticplayer.media.video import VideoDecoder
@@ -31,7 +32,7 @@ class Feeder(threading.Thread, abc.ABC, Generic[DecoderT]):
 
     _decoder: DecoderT
 
-    def __init__(self, name: str, path: Path) -> None:
+    def __init__(self, name: str, path: Path | ClipBytes) -> None:
         super().__init__(name=name, daemon=True)
         self._path = path
         self.problem: MediaError | None = None
@@ -121,7 +122,7 @@ class Feeder(threading.Thread, abc.ABC, Generic[DecoderT]):
 class VideoFeeder(Feeder[VideoDecoder]):
     """Decodes frames ahead of time; they are converted when they are shown."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path | ClipBytes) -> None:
         super().__init__("video-decoder", path)
         self._queue: deque[DecodedFrame] = deque()
         self._taken: DecodedFrame | None = None
@@ -185,7 +186,7 @@ class VideoFeeder(Feeder[VideoDecoder]):
 class AudioFeeder(Feeder[AudioDecoder]):
     """Decodes sound into the ring of the output, at the speed that the ring has."""
 
-    def __init__(self, path: Path, ring: AudioRing) -> None:
+    def __init__(self, path: Path | ClipBytes, ring: AudioRing) -> None:
         super().__init__("audio-decoder", path)
         self._ring = ring
         self._speed = 1.0

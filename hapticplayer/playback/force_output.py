@@ -15,7 +15,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.filling import FillingTrack
+from hapticplayer.haptics.filling import DeviceTrack, FillingTrack
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import DeviceCapabilities, ForceTrack, SyncStats
@@ -51,6 +51,7 @@ class ForceOutput:
         self._clock, self._reporter = clock, reporter
         self._scheduling, self._make = scheduling, make
         self._tracks: Mapping[str, AnyForce] = {}
+        self._filled: list[DeviceTrack] = []
         self._releasing: list[tuple[str, threading.Thread]] = []
         self._begin(device)
 
@@ -93,9 +94,13 @@ class ForceOutput:
         self._tracks = tracks
         if self.processes.device != NO_DEVICE:
             capabilities = find_device(self.processes.device).capabilities
-            self.processes.load(
-                {name: _adapted(track, capabilities) for name, track in tracks.items()}
-            )
+            adapted_tracks = {n: _adapted(t, capabilities) for n, t in tracks.items()}
+            for filled in self._filled:
+                filled.close()
+            self._filled = [
+                t for t in adapted_tracks.values() if isinstance(t, DeviceTrack)
+            ]
+            self.processes.load(adapted_tracks)
 
     def replace(self, name: str, track: ForceTrack) -> None:
         """Hand over another version of one of the tracks, also while it plays."""
@@ -235,10 +240,11 @@ class ForceOutput:
         self._mode = Mode(int(modes[-1]))
 
 
-def _adapted(track: AnyForce, capabilities: DeviceCapabilities) -> AnyForce:
+def _adapted(
+    track: AnyForce, capabilities: DeviceCapabilities
+) -> ForceTrack | DeviceTrack:
     if isinstance(track, FillingTrack):
-        track.adapt(device_gain(capabilities))
-        return track
+        return DeviceTrack(track, device_gain(capabilities))
     return adapted(track, capabilities)
 
 

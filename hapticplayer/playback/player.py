@@ -70,18 +70,19 @@ class Player:
         self._outlets = Outlets(clock, self._reporter, scheduling, make)
         self._clip.set_device(device)
         self._logged_audio_s = float("-inf")
-        self._was_stalled = False
+        self._was_stalled = self._is_force_late = False
         self._verdict: Verdict | None = None
 
     # --- commands: the clip ---------------------------------------------------
 
     def open(self, source: Source, feedback: str | None = None) -> None:
         """Load a source and show its first frame; it does not play yet."""
-        self._end_check()
+        self._end_source()
         self._clip.open(source)
         self._feedback = feedback or source.feedback
-        self._force.load(source.tracks)
-        self._outlets.load(source.tracks, source.motion)
+        tracks = source.stream.tracks if source.stream else source.tracks
+        self._force.load(tracks)
+        self._outlets.load(tracks, source.motion)
 
     def prepare_sound(self) -> None:
         """Open the sound output already: a clip with sound is about to be opened."""
@@ -244,7 +245,7 @@ class Player:
     def close(self) -> None:
         """Ramp the force to zero, end all threads and finish the log."""
         self._stop_all()  # before anything that takes its time
-        self._end_check()
+        self._end_source()
         self._clip.close()
         self._force.close()
         self._outlets.close()
@@ -327,6 +328,7 @@ class Player:
         now_s = self._clock.now_s()
         self._force.poll()
         next_s = self._clip.advance(now_s)
+        self._follow_stream()
         has_no_force = self._has_stalled(now_s) or self._is_withheld()
         track = NO_TRACK if has_no_force else self._feedback
         self._force.processes.beat()
@@ -341,7 +343,21 @@ class Player:
         if has_stalled is not self._was_stalled:
             self._was_stalled = has_stalled
             self._reporter.event("picture_stopped" if has_stalled else "picture_back")
+            if has_stalled and self._clip.source and self._clip.source.stream:
+                self._clip.seek(self._clip.video.frame_s)  # wait for what is to come
         return has_stalled
+
+    def _follow_stream(self) -> None:
+        """Fetch the force that comes next, and note whether it is late."""
+        source = self._clip.source
+        if source is None or source.stream is None:
+            return
+        is_there = source.stream.follow(self._feedback, self._clip.media_s)
+        if is_there is self._is_force_late:
+            self._is_force_late = not is_there
+            self._reporter.event("force_back" if is_there else "force_late")
+        if source.stream.problem and not self._clip.problem:
+            self._clip.problem = source.stream.problem
 
     def _is_withheld(self) -> bool:
         """Whether the video is not known to be the one that the force was made for."""
@@ -357,10 +373,12 @@ class Player:
         is_its_own = self._feedback in source.description["feedbacks"]
         return is_its_own and not source.check.allows_force
 
-    def _end_check(self) -> None:
-        """Stop reading a video that is not played any more."""
+    def _end_source(self) -> None:
+        """Stop reading what is not played any more."""
         if (source := self._clip.source) and source.check:
             source.check.close()
+        if source and source.stream:
+            source.stream.close()
 
     def _note_frame(self, shown_s: float, frame_s: float) -> None:
         seen_s = shown_s + self._clip.latency.display_s

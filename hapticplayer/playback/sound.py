@@ -11,6 +11,7 @@ from pathlib import Path
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import Message
+from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.playback.clock import AudioReport, MediaClock, Source
 from hapticplayer.playback.feeders import AudioFeeder
 from hapticplayer.playback.sound_process import AudioOut, OutputState
@@ -88,7 +89,7 @@ class Sound:
         """Open the output already, while something else is being done."""
         self._keeper.want(self._clock.now_s())
 
-    def open(self, path: Path, *, has_sound: bool) -> None:
+    def open(self, path: Path | ClipBytes, *, has_sound: bool) -> None:
         """Take the sound of a clip; `go_to` begins to decode it."""
         self.forget()
         if has_sound and self._keeper.make is not None:

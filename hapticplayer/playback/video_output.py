@@ -6,6 +6,7 @@ from typing import Protocol
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import message_of
+from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.feeders import VideoFeeder
@@ -94,7 +95,7 @@ class VideoOutput:
         """Whether the frame of a seek has not been shown yet."""
         return self._needs_preview
 
-    def open(self, path: Path) -> None:
+    def open(self, path: Path | ClipBytes) -> None:
         """Take another clip; `go_to` begins to decode it."""
         self.forget()
         self.feeder = VideoFeeder(path)

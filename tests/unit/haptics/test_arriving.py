@@ -7,7 +7,7 @@ import pytest
 
 from hapticplayer.haptics.arriving import FADE_S, PACKET_SAMPLES
 from hapticplayer.haptics.contract import Mode
-from hapticplayer.haptics.filling import FillingTrack
+from hapticplayer.haptics.filling import DeviceTrack, FillingTrack
 from hapticplayer.haptics.track import anonymous_memory, map_track
 from hapticplayer.model import PlaybackClock
 from tests.unit.haptics.test_step import START_S, World
@@ -18,8 +18,8 @@ FULL = np.full((PACKET_SAMPLES, 3), (0.0, 4.0, 0.0), np.float32)
 SLOPE_N = 4.0 / FADE_S * 1e-3 * 1.001
 
 
-def read(track):
-    descriptor = track.to_shared_memory()
+def read(track, gain=(1.0, 1.0, 1.0)):
+    descriptor = DeviceTrack(track, np.array(gain)).to_shared_memory()
     try:
         return map_track(descriptor)
     finally:
@@ -59,11 +59,20 @@ def test_what_has_arrived_is_felt_as_it_is(filling, rng):
 
 def test_what_arrived_before_a_loop_is_there_for_it(filling):
     filling.fill(2, FULL)
-    filling.adapt(np.array([1.0, 0.5, 0.0]))
-    loaded = read(filling)
+    weak, strong = read(filling, (1.0, 0.5, 0.0)), read(filling)
     filling.fill(3, FULL)
-    found = [loaded.force_at(t)[1] for t in (0.1, 0.3, 0.4)]
-    assert found == [0.0, 2.0, 2.0]
+    for loaded, force_n in ((weak, 2.0), (strong, 4.0)):
+        found = [loaded.force_at(t)[1] for t in (0.1, 0.3, 0.4)]
+        assert found == [0.0, force_n, force_n]
+
+
+def test_a_device_that_is_released_gets_no_more(filling):
+    track = DeviceTrack(filling, np.ones(3))
+    loaded = map_track(descriptor := track.to_shared_memory())
+    os.close(descriptor)
+    track.close()
+    filling.fill(0, FULL)
+    assert loaded.force_at(0.05) == (0.0, 0.0, 0.0)
 
 
 def test_a_lost_packet_fades_out_and_in(filling, world):

@@ -13,6 +13,14 @@ from hapticplayer.streaming.offer import Offer
 from hapticplayer.streaming.server import Server
 
 
+def wait_for(condition):
+    clock = SystemClock()
+    end_s = clock.now_s() + 30.0
+    while not condition():
+        assert clock.now_s() < end_s, "it did not happen"
+        clock.sleep_until(clock.now_s() + 0.002)
+
+
 @pytest.fixture(autouse=True)
 def _own_cache(tmp_path_factory, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))

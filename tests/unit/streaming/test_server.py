@@ -6,7 +6,7 @@ import socket
 import numpy as np
 import pytest
 
-from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.clock import ManualClock
 from hapticplayer.errors import NetworkError
 from hapticplayer.playback.source import open_source
 from hapticplayer.streaming.offer import Offer, wanted_bytes
@@ -16,7 +16,7 @@ from hapticplayer.untrusted import (
     MAX_CONNECTIONS_OF_ONE,
     MAX_PACKETS_AT_ONCE,
 )
-from tests.unit.streaming.conftest import served
+from tests.unit.streaming.conftest import served, wait_for
 
 
 def test_the_manifest_names_clip_and_force(ask, packed):
@@ -134,14 +134,6 @@ def test_a_port_in_use_is_refused_in_one_sentence(server, packed):
 def test_a_clip_without_force_is_refused(tiny_clip):
     with pytest.raises(NetworkError, match="holds no force"):
         Offer(open_source(tiny_clip.path))
-
-
-def wait_for(condition):
-    clock = SystemClock()
-    end_s = clock.now_s() + 30.0
-    while not condition():
-        assert clock.now_s() < end_s, "it did not happen"
-        clock.sleep_until(clock.now_s() + 0.002)
 
 
 def connected(server):

@@ -1,0 +1,45 @@
+"""A clip that is not a file of this machine, but is read like one."""
+
+import abc
+import os
+from typing import BinaryIO
+
+from hapticplayer.errors import MediaError
+from hapticplayer.untrusted import open_regular
+
+
+class ClipBytes(abc.ABC):
+    """Gives the content of a clip that is somewhere else.
+
+    Args:
+        name: of the clip, for people.
+        size_bytes: of all of it.
+    """
+
+    def __init__(self, name: str, size_bytes: int) -> None:
+        self.name, self.size_bytes = name, size_bytes
+
+    def __str__(self) -> str:
+        return self.name
+
+    @abc.abstractmethod
+    def open(self) -> BinaryIO:
+        """Return a reader from the beginning, for one thread; it raises MediaError."""
+
+
+AnyClip = str | os.PathLike[str] | ClipBytes
+
+
+def open_clip(clip: AnyClip) -> BinaryIO:
+    """Return a reader of a clip; raises MediaError."""
+    return (
+        clip.open() if isinstance(clip, ClipBytes) else open_regular(clip, MediaError)
+    )
+
+
+def size_of(reader: BinaryIO) -> int:
+    """Return the size of what is read, bytes."""
+    at = reader.tell()
+    size_bytes = reader.seek(0, os.SEEK_END)
+    reader.seek(at)
+    return size_bytes

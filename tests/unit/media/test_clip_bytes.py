@@ -1,0 +1,55 @@
+"""A clip that is no file is read for FFmpeg, which opens nothing by itself."""
+
+import io
+import socket
+
+import numpy as np
+import pytest
+
+from hapticplayer.errors import MediaError
+from hapticplayer.media.clip_bytes import ClipBytes
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.video import VideoDecoder
+
+
+class InMemory(ClipBytes):
+    def __init__(self, content):
+        super().__init__("ride.mp4", len(content))
+        self._content = content
+
+    def open(self):
+        return io.BytesIO(self._content)
+
+
+def test_it_is_decoded_like_the_file(tiny_clip):
+    clip = InMemory(tiny_clip.path.read_bytes())
+    found = probe(clip)
+    assert found.content is clip
+    assert str(found.path) == "ride.mp4"
+    assert found.duration_s == tiny_clip.duration_s
+    with VideoDecoder(clip) as one, VideoDecoder(tiny_clip.path) as other:
+        for a, b in zip(one.frames(), other.frames(), strict=True):
+            assert np.array_equal(a.native.to_ndarray(), b.native.to_ndarray())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "#EXTM3U\n#EXT-X-TARGETDURATION:5\n#EXTINF:5,\n{0}\n#EXT-X-ENDLIST\n",
+        "ffconcat version 1.0\nfile {0}\n",
+        '<?xml version="1.0"?><MPD><BaseURL>{0}</BaseURL></MPD>',
+    ],
+)
+def test_addresses_in_it_are_never_asked(text):
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        listener.setblocking(False)
+        address = f"http://127.0.0.1:{listener.getsockname()[1]}/canary.ts"
+        with pytest.raises(MediaError):
+            probe(InMemory(text.format(address).encode()))
+        with pytest.raises(BlockingIOError):
+            listener.accept()
+
+
+def test_a_clip_that_ends_early_is_refused(tiny_clip):
+    with pytest.raises(MediaError):
+        probe(InMemory(tiny_clip.path.read_bytes()[:-500]))
