@@ -11,9 +11,10 @@ Over a piece of the track, three axes together,
 X_h is the way of grip and hand under a force, Y the rest point of a hand that gives way,
 W the weight of an error by its frequency, see `weighting`.
 W and X_h do not change with time, so the alternating direction method of multipliers
-(Boyd et al. 2011, section 3; over-relaxation 3.4.3, varying penalty 3.4.1) solves for u
-with one division per frequency; its other steps clip and shorten vectors. The solution
-at 50 Hz gives a correction u - F that is added to the track, which keeps its detail.
+(Boyd et al. 2011, section 3; over-relaxation 3.4.3; a varying penalty for u and another
+for the excursions) solves for u with one division per frequency; its other steps clip and
+shorten vectors, in single precision. The solution at 50 Hz gives a correction u - F that
+is added to the track, which keeps its detail.
 """
 
 import hashlib
@@ -32,6 +33,9 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 from hapticplayer.rendering.weighting import CONSTANT_WEIGHT, weight
 
+Spectra = NDArray[np.complexfloating[Any, Any]]
+Singles = NDArray[np.float32]
+
 SOLVE_HZ = 50.0
 PIECE_S, BLEND_S = 30.0, 2.0
 RUN_UP_S = 8.0
@@ -44,7 +48,7 @@ _OVERLAP_S = RUN_UP_S + BLEND_S + LOOK_AHEAD_S
 _PAD_S = 8.0  # zeros in which the slowest hand comes back
 _TAPER_S = 1.0  # a piece begins and ends without a step that the track does not have
 _OVERSAMPLING = 8  # before the low-pass that comes before 50 Hz
-_RELAXATION, _FIRST_PENALTY, _PENALTY_STEP, _APART = 1.7, 2.0, 1.6, 5.0
+_RELAXATION, _FIRST_PENALTY, _PENALTY_STEP = 1.7, 2.0, 1.6
 _CHECK_EVERY, _LEAST_ITERATIONS, _MOST_ITERATIONS = 10, 40, 400
 _EXCESS_SHARE, _ERROR_STEP = 0.005, 0.0005
 _KNOWN_VERSIONS = 4  # so that undo, and before and after, are quick
@@ -197,42 +201,76 @@ def solve(force_n: Floats, washout: Washout) -> Floats:
     reaches = washout.reaches(frequency_hz)
     wanted = fft.rfft(force_n, size)
 
-    def moved(spectrum: NDArray[np.complex128]) -> Floats:
-        return np.asarray(fft.irfft(reaches * spectrum, size))
+    def furthest(spectrum: Spectra) -> float:
+        return float(_lengths(fft.irfft(reaches * spectrum, size)).max(initial=0.0))
 
-    if _lengths(moved(wanted)).max(initial=0.0) <= 1.0:
+    if furthest(wanted) <= 1.0:
         return force_n
     weight = np.square(washout.weight(frequency_hz))
     low, high = _box(force_n, size, washout.false_force_n)
-    gain = np.square(np.abs(reaches)).sum(axis=0)
-    scale = max(_energy(weight, wanted), 1e-12)
-    penalty, error = _FIRST_PENALTY, math.inf
-    copies = np.zeros((1 + len(reaches), 3, size))
+    # rows: u itself, and the excursion of each hand
+    ways = np.concatenate((np.ones_like(reaches[:1]), reaches)).astype(np.complex64)
+    limits = np.array([washout.force_limit_n] + [1.0] * len(reaches), np.float32)
+    least = _LeastSquares(ways, weight, wanted)
+    copies = np.zeros((len(ways), 3, size), np.float32)
     duals = np.zeros_like(copies)
+    scale, error = max(_energy(weight, wanted), 1e-12), math.inf
     for iteration in range(1, _MOST_ITERATIONS + 1):
-        aims = fft.rfft(copies - duals)
-        pulled = aims[0] + (np.conj(reaches) * aims[1:]).sum(axis=0)
-        spectrum = weight * wanted + penalty * pulled
-        spectrum /= weight + penalty * (1.0 + gain)
-        own = np.concatenate((fft.irfft(spectrum, size)[None], moved(spectrum)))
-        relaxed = _RELAXATION * own + (1.0 - _RELAXATION) * copies
-        before, copies = copies, relaxed + duals
-        copies[0] = _shortened(np.clip(copies[0], low, high), washout.force_limit_n)
-        copies[1:] = _shortened(copies[1:], 1.0)
-        duals += relaxed - copies
+        own = fft.irfft(ways * least.spectrum(fft.rfft(copies - duals)), size)
+        before = copies
+        duals += _RELAXATION * own + (1.0 - _RELAXATION) * before
+        copies = duals.copy()
+        np.clip(copies[0], low, high, out=copies[0])
+        copies *= _shares(copies, limits[:, None, None])
+        duals -= copies
         if iteration % _CHECK_EVERY:
             continue
-        result = fft.rfft(copies[0])
+        result = fft.rfft(copies[0].astype(np.float64))
         last, error = error, math.sqrt(_energy(weight, result - wanted) / scale)
-        excess = _lengths(moved(result)).max() - 1.0
-        is_done = excess < _EXCESS_SHARE and abs(error - last) < _ERROR_STEP
+        is_done = furthest(result) - 1.0 < _EXCESS_SHARE
+        is_done = is_done and abs(error - last) < _ERROR_STEP
         if is_done and iteration >= _LEAST_ITERATIONS:
             break
         if iteration <= _MOST_ITERATIONS // 2:
-            factor = _penalty_factor(own - copies, penalty * (copies - before))
-            penalty *= factor
-            duals /= factor
-    return np.asarray(copies[0][:, :count].copy())  # whoever keeps it keeps no more
+            for rows in (slice(0, 1), slice(1, None)):
+                residuals = own[rows] - copies[rows], copies[rows] - before[rows]
+                size_n = max(_size(own[rows]), _size(copies[rows]))
+                factor = _factor(*residuals, size_n, duals[rows])
+                duals[rows] /= least.scale_penalty(rows, factor)
+    return np.asarray(copies[0][:, :count], np.float64)
+
+
+class _LeastSquares:
+    """Finds the spectrum of u that is nearest to F and to the copies.
+
+    Args:
+        ways: (copies, 3, M) from u to what each copy limits.
+        weight: |W|^2, (M,).
+        wanted: spectrum of F, (3, M).
+    """
+
+    def __init__(self, ways: Spectra, weight: Floats, wanted: Spectra) -> None:
+        self._back, self._gains = np.conj(ways), np.square(np.abs(ways))
+        self._weight = weight.astype(np.float32)
+        self._weighted = (weight * wanted).astype(np.complex64)
+        self._penalties = np.full((len(ways), 1, 1), _FIRST_PENALTY, np.float32)
+        self._prepare()
+
+    def _prepare(self) -> None:
+        self._pull = self._penalties * self._back
+        self._divisor = self._weight + (self._penalties * self._gains).sum(axis=0)
+
+    def spectrum(self, aims: Spectra) -> Spectra:
+        """Return the spectrum (3, M) for those of the copies less duals."""
+        pulled = (self._pull * aims).sum(axis=0)
+        return np.asarray((self._weighted + pulled) / self._divisor)
+
+    def scale_penalty(self, rows: slice, factor: float) -> np.float32:
+        """Scale the penalty of some copies; return the factor as it is used."""
+        used = np.float32(factor)
+        self._penalties[rows] *= used
+        self._prepare()
+        return used
 
 
 def _energy(weight: Floats, spectrum: NDArray[np.complex128]) -> float:
@@ -253,13 +291,20 @@ def _described(washout: Washout) -> dict[str, Any]:
     return {**asdict(washout), "hands": hands, "solve_hz": SOLVE_HZ}
 
 
-def _penalty_factor(primal: Floats, dual: Floats) -> float:
-    """Return what brings the sizes of the residuals closer."""
+def _factor(primal: Singles, dual: Singles, size_n: float, duals: Singles) -> float:
+    """Return what brings the residuals closer, each relative to what it is of.
+
+    Source: Stellato et al. 2020, "OSQP: an operator splitting solver", section 5.2. The
+    penalty itself is in both parts of the second ratio.
+    """
+    first, second = _size(primal) * _size(duals), _size(dual) * size_n
+    factor = math.sqrt(max(first, 1e-12) / max(second, 1e-12))
+    return min(max(factor, 1.0 / _PENALTY_STEP), _PENALTY_STEP)
+
+
+def _size(values: Singles) -> float:
     # a sum in numpy's own order; that of a norm depends on the number of threads
-    sizes = [math.sqrt(float(np.square(one).sum())) for one in (primal, dual)]
-    if sizes[0] > _APART * sizes[1]:
-        return _PENALTY_STEP
-    return 1.0 / _PENALTY_STEP if sizes[1] > _APART * sizes[0] else 1.0
+    return math.sqrt(float(np.square(values).sum()))
 
 
 def _box(force_n: Floats, size: int, false_force_n: float) -> tuple[Floats, Floats]:
@@ -274,6 +319,13 @@ def _box(force_n: Floats, size: int, false_force_n: float) -> tuple[Floats, Floa
 def _lengths(vectors: Floats) -> Floats:
     """Return the lengths (..., N) of vectors (..., 3, N)."""
     return np.asarray(np.sqrt(np.square(vectors).sum(axis=-2, keepdims=True)))
+
+
+def _shares(vectors: Singles, limits: Singles) -> Singles:
+    """Return how much of vectors (copies, 3, N) is within limits (copies, 1, 1)."""
+    squares = np.square(vectors)
+    lengths = np.sqrt(squares[:, 0] + squares[:, 1] + squares[:, 2])[:, None]
+    return np.asarray(limits / np.maximum(lengths, limits))
 
 
 def _shortened(vectors: Floats, limit: float) -> Floats:
