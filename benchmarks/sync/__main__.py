@@ -1,10 +1,11 @@
-"""Synchronisation: frames, sound and force in playback; a log with its clip."""
+"""Synchronisation: frames, sound, force and outlets in playback; a log with its clip."""
 
 import sys
 
 from benchmarks.common import command
 
 PLACES = {
+    "outlets": "sync.outlets",
     "outside": "sync.outside",
     "pats": "sync.pats",
 }

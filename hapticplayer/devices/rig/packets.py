@@ -10,7 +10,6 @@ import struct
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from hapticplayer.errors import Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.device import Vector
 from hapticplayer.model.rig import RigMotion
@@ -30,13 +29,11 @@ class RigFormat(NamedTuple):
 
     Attributes:
         name: for command lines.
-        title: for people.
         port: where its receivers listen, unless a person says otherwise.
         encode: returns the packet of a motion at a time of the packets, s.
     """
 
     name: str
-    title: Message
     port: int
     encode: Callable[[RigMotion, float, "RigSettings"], bytes]
 
@@ -108,10 +105,8 @@ def _y_up(vector: Vector) -> Vector:
 FORMATS: dict[str, RigFormat] = {
     one.name: one
     for one in (
-        RigFormat("outsim", Message("Live for Speed OutSim"), 4123, outsim),
-        RigFormat(
-            "codemasters", Message("Codemasters extradata=3"), 20777, codemasters
-        ),
-        RigFormat("beamng", Message("BeamNG MotionSim"), 4444, beamng),
+        RigFormat("outsim", 4123, outsim),
+        RigFormat("codemasters", 20777, codemasters),
+        RigFormat("beamng", 4444, beamng),
     )
 }
