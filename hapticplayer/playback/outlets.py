@@ -14,7 +14,13 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.rig.loop import REFUSED
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.model import Feedback, MotionTrack, PlaybackClock, RigTrack
+from hapticplayer.model import (
+    Feedback,
+    ForceTrack,
+    MotionTrack,
+    PlaybackClock,
+    RigTrack,
+)
 from hapticplayer.model.device import Signal
 from hapticplayer.playback.force_output import AnyForce, ForceOutput
 from hapticplayer.playback.latency import Latencies
@@ -70,8 +76,10 @@ class Outlet:
     def load(self, tracks: Mapping[str, AnyForce], rig: RigTrack | None) -> None:
         """Hand over the signal of each condition."""
         if not self.takes_motion:
-            self._names = set(tracks)
-            self.output.load(tracks)
+            # one that still arrives is filled in for one loop: the device's
+            whole = {n: one for n, one in tracks.items() if isinstance(one, ForceTrack)}
+            self._names = set(whole)
+            self.output.load(whole)
             return
         signals = {} if rig is None else {Feedback.REALISTIC.value: rig}
         self._names = set(signals)
