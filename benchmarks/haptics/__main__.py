@@ -12,6 +12,7 @@ PLACES = {
     "kinematics": "haptics.falcon:kinematics",
     "centring": "campaigns:centring",
     "washout": "haptics.washout",
+    "editing": "haptics.editing",
     "events": "haptics.events",
     "sound_layer": "haptics.sound_layer",
 }
