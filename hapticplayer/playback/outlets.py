@@ -85,6 +85,11 @@ class Outlet:
         self._names = set(signals)
         self.output.processes.load(signals)
 
+    def replace(self, name: str, track: ForceTrack) -> None:
+        """Hand over another version of a force; a rig moves as it did."""
+        if not self.takes_motion and name in self._names:
+            self.output.replace(name, track)
+
     def publish(self, clock: PlaybackClock, feedback: str) -> None:
         """Publish where the clip is, with the condition that the player plays."""
         wanted = (self.feedback or feedback) if feedback else NO_TRACK
@@ -181,6 +186,12 @@ class Outlets:
         """Hand over the tracks and the motion of a clip in place of those before."""
         self._tracks, self._motion = tracks, motion
         self._hand_over(self)
+
+    def replace(self, name: str, track: ForceTrack) -> None:
+        """Hand over another version of one of the tracks, also while it plays."""
+        self._tracks = {**self._tracks, name: track}
+        for one in self:
+            one.replace(name, track)
 
     def _hand_over(self, outlets: Any) -> None:
         rig: RigTrack | None = None

@@ -167,6 +167,7 @@ class Player:
         tracks = {**source.tracks, name: track}
         self._clip.source = replace(source, tracks=tracks)
         self._force.replace(name, track)
+        self._outlets.replace(name, track)
         self._reporter.event("track_replaced", feedback=name)
 
     def set_device(

@@ -41,6 +41,9 @@ class Processes:
     def load(self, tracks):
         self.tracks = dict(tracks)
 
+    def replace(self, name, track):
+        self.tracks[name] = track
+
     def publish(self, clock, track):
         self.published.append((clock, track))
 
@@ -104,6 +107,15 @@ def test_without_motion_a_rig_gets_nothing(outlets):
     assert processes_of(outlets, RIG).tracks == {}
     outlets.poll(CLOCK, "realistic")
     assert processes_of(outlets, RIG).published[-1][1] == ""
+
+
+def test_an_edited_force_reaches_outlets_and_those_that_come(outlets):
+    edited = ForceTrack([0.0, 3.0], [[0, 2.0, 0]] * 2)
+    outlets.replace("realistic", edited)
+    assert processes_of(outlets, "gamepad").tracks["realistic"] is edited
+    assert isinstance(processes_of(outlets, RIG).tracks["realistic"], RigTrack)
+    outlets.use(["rumble"])
+    assert processes_of(outlets, "rumble").tracks["realistic"] is edited
 
 
 def test_an_outlet_has_its_own_condition_or_is_mute(outlets):
