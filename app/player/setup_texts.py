@@ -146,6 +146,10 @@ def needs_nothing(device: str) -> tuple[str, str]:
             "Connect a DualSense or DualShock 4 by USB cable. Its vibration "
             "follows the strength of the force, not its direction.",
         ),
+        "inverse3": translate(
+            "SetupTexts",
+            "Start Haply's Inverse Service and connect the Inverse3, with its supply.",
+        ),
         "wheel": translate(
             "SetupTexts",
             "Connect a wheel or joystick with a motor. It exerts one axis of the force, "

@@ -254,7 +254,7 @@ def silence(line: int, _where: str = "") -> Callable[[], bool]:
     def write_zero() -> bool:
         newest = take_over(line)
         if newest is not None:
-            held[:] = [newest]
+            held[:] = [newest[0]]
         try:
             for number in held:
                 with socket.socket(fileno=os.dup(number)) as connection:

@@ -48,3 +48,12 @@ RUMBLE = replace(GAMEPAD, latency_s=0.015)
 
 TCODE = replace(GAMEPAD, rate_hz=50.0, latency_s=0.030)
 BUTTPLUG = replace(GAMEPAD, rate_hz=20.0, latency_s=0.050)
+
+INVERSE3 = DeviceCapabilities(
+    axes=3,
+    peak_force_n=9.0,  # not known; about 10 N by hearsay
+    continuous_force_n=3.0,  # not known; assumed, a third of the peak
+    workspace_radius_m=0.10,  # the sphere of the vendor's demonstration
+    rate_hz=1000.0,
+    latency_s=0.002,
+)

@@ -6,29 +6,30 @@ import socket
 from collections.abc import Iterator
 
 _HELLO = b"fd"
+_MOST_NOTE = 1024
 
 
-def hand_over(line: int, descriptor: int) -> None:
-    """Send a descriptor along one end of a SOCK_SEQPACKET pair; never waits.
+def hand_over(line: int, descriptor: int, note: bytes = _HELLO) -> None:
+    """Send a descriptor, and what goes with it, along one end of a SOCK_SEQPACKET pair; never waits.
 
     Nobody may be at the other end, or the line -1: then nothing is handed over.
     """
     with contextlib.suppress(OSError, ValueError), _borrowed(line) as end:
-        socket.send_fds(end, [_HELLO], [descriptor])
+        socket.send_fds(end, [note], [descriptor])
 
 
-def take_over(line: int) -> int | None:
-    """Return the newest descriptor that has come along the line, or None."""
+def take_over(line: int) -> tuple[int, bytes] | None:
+    """Return the newest descriptor that has come along the line, and its note."""
     newest = None
     with contextlib.suppress(OSError), _borrowed(line) as end:
         while True:
-            data, found, _, _ = socket.recv_fds(end, len(_HELLO), 1)
+            data, found, _, _ = socket.recv_fds(end, _MOST_NOTE, 1)
             if not data:
                 break
             for descriptor in found:
                 if newest is not None:
-                    os.close(newest)
-                newest = descriptor
+                    os.close(newest[0])
+                newest = (descriptor, data)
     return newest
 
 

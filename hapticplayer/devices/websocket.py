@@ -1,12 +1,24 @@
 """A service that is spoken to over a WebSocket."""
 
 import contextlib
+import struct
 
 from hapticplayer.errors import DeviceError
 
 OPENING_S = 3.0
 _MOST_BYTES = 1 << 20
 _CLOSING_S = 0.2
+
+
+def text_frame(text: str) -> bytes:
+    """Return a text of at most 65535 bytes as a client's frame (RFC 6455, 5.2).
+
+    It is masked with zeros, so that it can be read as it is.
+    """
+    data = text.encode()
+    if len(data) < 126:
+        return bytes((0x81, 0x80 | len(data), 0, 0, 0, 0)) + data
+    return struct.pack(">BBHI", 0x81, 0x80 | 126, len(data), 0) + data
 
 
 class Connection:

@@ -3109,6 +3109,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Referenzierte Gelenke: {legs}. Die Kraft ist aus.</translation>
     </message>
     <message>
+        <source>Start Haply&apos;s Inverse Service and connect the Inverse3, with its supply.</source>
+        <translation>Starten Sie den Inverse Service von Haply und schließen Sie das Inverse3 mit seinem Netzteil an.</translation>
+    </message>
+    <message>
         <source>Start Intiface and connect what vibrates. Its vibration follows the strength of the force, not its direction.</source>
         <translation>Starten Sie Intiface und verbinden Sie, was vibriert. Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
     </message>
@@ -5464,10 +5468,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Störung</translation>
     </message>
     <message>
-        <source>BeamNG MotionSim</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Kurven mit mindestens 0,15 g zur Seite</translation>
     </message>
@@ -5482,10 +5482,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Changes only what would push a relaxed hand further than 26 mm from the centre.</source>
         <translation>Ändert nur, was eine entspannte Hand weiter als 26 mm aus der Mitte drücken würde.</translation>
-    </message>
-    <message>
-        <source>Codemasters extradata=3</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cut-off frequency</source>
@@ -5570,10 +5566,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Knock (decaying sine)</source>
         <translation>Schlag (abklingender Sinus)</translation>
-    </message>
-    <message>
-        <source>Live for Speed OutSim</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Low-pass</source>
@@ -5748,6 +5740,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Effekt liegt außerhalb jedes Clips</translation>
     </message>
     <message>
+        <source>answers with status {status}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>ask for a file that was packed with --with-motion</source>
         <translation>verlangen Sie eine Datei, die mit --with-motion gepackt wurde</translation>
     </message>
@@ -5776,7 +5772,23 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kann nicht nach {kind} kopiert werden, ohne dass sich das Video ändert</translation>
     </message>
     <message>
+        <source>cannot be fetched ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cannot listen on port {port} ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the address, and that `hapticplayer serve` runs there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the address, and that `hapticplayer serve` still runs there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the network, then start again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5816,6 +5828,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wählen Sie die andere Art von Datei, oder wandeln Sie das Video zuerst um</translation>
     </message>
     <message>
+        <source>closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>contents and checksums</source>
         <translation>Inhalt und Prüfsummen</translation>
     </message>
@@ -5850,6 +5866,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>does not declare its rate</source>
         <translation>gibt seine Rate nicht an</translation>
+    </message>
+    <message>
+        <source>does not have what its manifest names</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>drop one video with its log; import further ones after it</source>
@@ -5952,8 +5972,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie das Protokoll mit --imu LOG an, und {option}, wo danach gefragt wird</translation>
     </message>
     <message>
+        <source>give the one that `hapticplayer serve` prints (http://HOST:PORT/TOKEN/{name})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>haptic pattern for iPhones</source>
         <translation>Haptik-Muster für iPhones</translation>
+    </message>
+    <message>
+        <source>has a clip that was changed meanwhile</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
@@ -6088,6 +6116,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wird nicht überschrieben, denn es ist keine solche Datei dieses Programms</translation>
     </message>
     <message>
+        <source>is not the address of a stream</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is not valid XML ({reason})</source>
         <translation>ist kein gültiges XML ({reason})</translation>
     </message>
@@ -6210,6 +6242,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>one gap</source>
         <translation>eine Lücke</translation>
+    </message>
+    <message>
+        <source>only a sequence on this machine can be given another feedback</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>only {count} of {total} rows hold both specific force and angular rate</source>
@@ -6360,6 +6396,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>aufgezeichnete Messwerte</translation>
     </message>
     <message>
+        <source>refuses the token in the address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>relaxed</source>
         <translation>lockere</translation>
     </message>
@@ -6417,6 +6457,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>send it as a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sends another part than was asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sends more than was asked for</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6572,6 +6620,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Achsen der IMU</translation>
     </message>
     <message>
+        <source>the Inverse3 is not open; choose the device again</source>
+        <translation>das Inverse3 ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
         <source>the Python package hidapi is missing; ./run sets it up in .venv</source>
         <translation>das Python-Paket hidapi fehlt; ./run richtet es in .venv ein</translation>
     </message>
@@ -6598,6 +6650,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the answer could not be saved ({reason})</source>
         <translation>die Antwort konnte nicht gespeichert werden ({reason})</translation>
+    </message>
+    <message>
+        <source>the answer does not say which part it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the answer ended early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the answer has no length</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the axes {text!r} mirror the motion; change one sign</source>
@@ -6724,11 +6788,23 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the server has not answered for {s:g} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the simulated service has ended; choose the device again to start a new one</source>
+        <translation>der simulierte Dienst ist beendet; wählen Sie das Gerät erneut, um einen neuen zu starten</translation>
+    </message>
+    <message>
         <source>the track needs more than {most} keyframes</source>
         <translation>die Spur braucht mehr als {most} Keyframes</translation>
     </message>
     <message>
         <source>there is no outlet {name!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>timed out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7314,6 +7390,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Effects</source>
         <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service has no Inverse3; connect its cable and supply, and choose the device again</source>
+        <translation>der Inverse Service von Haply hat kein Inverse3; schließen Sie Kabel und Netzteil an und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>Inverse3</source>
+        <translation>Inverse3</translation>
+    </message>
+    <message>
+        <source>Inverse3 on a simulated service</source>
+        <translation>Inverse3 an simuliertem Dienst</translation>
     </message>
     <message>
         <source>No motion: force here is gravity that was not removed</source>

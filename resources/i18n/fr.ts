@@ -3109,6 +3109,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Articulations repérées&#xa0;: {legs}. La force est coupée.</translation>
     </message>
     <message>
+        <source>Start Haply&apos;s Inverse Service and connect the Inverse3, with its supply.</source>
+        <translation>Démarrez l&apos;Inverse Service de Haply et branchez l&apos;Inverse3 avec son alimentation.</translation>
+    </message>
+    <message>
         <source>Start Intiface and connect what vibrates. Its vibration follows the strength of the force, not its direction.</source>
         <translation>Démarrez Intiface et connectez ce qui vibre. La vibration suit l&apos;intensité de la force, pas sa direction.</translation>
     </message>
@@ -5464,10 +5468,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Artefact</translation>
     </message>
     <message>
-        <source>BeamNG MotionSim</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Virages d’au moins 0,15 g de côté</translation>
     </message>
@@ -5482,10 +5482,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Changes only what would push a relaxed hand further than 26 mm from the centre.</source>
         <translation>Ne change que ce qui pousserait une main détendue à plus de 26 mm du centre.</translation>
-    </message>
-    <message>
-        <source>Codemasters extradata=3</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cut-off frequency</source>
@@ -5570,10 +5566,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Knock (decaying sine)</source>
         <translation>Choc (sinus amorti)</translation>
-    </message>
-    <message>
-        <source>Live for Speed OutSim</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Low-pass</source>
@@ -5748,6 +5740,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un effet se trouve en dehors de tout clip</translation>
     </message>
     <message>
+        <source>answers with status {status}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>ask for a file that was packed with --with-motion</source>
         <translation>demandez un fichier empaqueté avec --with-motion</translation>
     </message>
@@ -5776,7 +5772,23 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne peut pas être copié en {kind} sans que sa vidéo change</translation>
     </message>
     <message>
+        <source>cannot be fetched ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cannot listen on port {port} ({reason})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the address, and that `hapticplayer serve` runs there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the address, and that `hapticplayer serve` still runs there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the network, then start again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5816,6 +5828,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez l’autre type de fichier, ou convertissez d’abord la vidéo</translation>
     </message>
     <message>
+        <source>closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>contents and checksums</source>
         <translation>contenu et sommes de contrôle</translation>
     </message>
@@ -5850,6 +5866,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>does not declare its rate</source>
         <translation>n&apos;indique pas sa fréquence</translation>
+    </message>
+    <message>
+        <source>does not have what its manifest names</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>drop one video with its log; import further ones after it</source>
@@ -5952,8 +5972,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez le journal avec --imu LOG, et {option} là où c’est demandé</translation>
     </message>
     <message>
+        <source>give the one that `hapticplayer serve` prints (http://HOST:PORT/TOKEN/{name})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>haptic pattern for iPhones</source>
         <translation>motif haptique pour iPhone</translation>
+    </message>
+    <message>
+        <source>has a clip that was changed meanwhile</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
@@ -6088,6 +6116,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas remplacé, car ce n’est pas un tel fichier de ce programme</translation>
     </message>
     <message>
+        <source>is not the address of a stream</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is not valid XML ({reason})</source>
         <translation>n’est pas du XML valide ({reason})</translation>
     </message>
@@ -6210,6 +6242,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>one gap</source>
         <translation>une lacune</translation>
+    </message>
+    <message>
+        <source>only a sequence on this machine can be given another feedback</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>only {count} of {total} rows hold both specific force and angular rate</source>
@@ -6360,6 +6396,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>échantillons enregistrés</translation>
     </message>
     <message>
+        <source>refuses the token in the address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>relaxed</source>
         <translation>détendue</translation>
     </message>
@@ -6417,6 +6457,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>send it as a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sends another part than was asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sends more than was asked for</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6572,6 +6620,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>axes de l’IMU</translation>
     </message>
     <message>
+        <source>the Inverse3 is not open; choose the device again</source>
+        <translation>l&apos;Inverse3 n&apos;est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
+    </message>
+    <message>
         <source>the Python package hidapi is missing; ./run sets it up in .venv</source>
         <translation>le paquet Python hidapi manque&#xa0;; ./run l’installe dans .venv</translation>
     </message>
@@ -6598,6 +6650,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the answer could not be saved ({reason})</source>
         <translation>la réponse n’a pas pu être enregistrée ({reason})</translation>
+    </message>
+    <message>
+        <source>the answer does not say which part it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the answer ended early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the answer has no length</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the axes {text!r} mirror the motion; change one sign</source>
@@ -6724,11 +6788,23 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the server has not answered for {s:g} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the simulated service has ended; choose the device again to start a new one</source>
+        <translation>le service simulé s&apos;est terminé&#xa0;; choisissez l&apos;appareil à nouveau pour en démarrer un autre</translation>
+    </message>
+    <message>
         <source>the track needs more than {most} keyframes</source>
         <translation>la piste nécessite plus de {most} images clés</translation>
     </message>
     <message>
         <source>there is no outlet {name!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>timed out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7314,6 +7390,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Effects</source>
         <translation>Effets</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service has no Inverse3; connect its cable and supply, and choose the device again</source>
+        <translation>l&apos;Inverse Service de Haply n&apos;a pas d&apos;Inverse3&#xa0;; branchez son câble et son alimentation, puis choisissez l&apos;appareil à nouveau</translation>
+    </message>
+    <message>
+        <source>Inverse3</source>
+        <translation>Inverse3</translation>
+    </message>
+    <message>
+        <source>Inverse3 on a simulated service</source>
+        <translation>Inverse3 sur un service simulé</translation>
     </message>
     <message>
         <source>No motion: force here is gravity that was not removed</source>

@@ -156,7 +156,8 @@ def test_devices_and_doctor_report_as_json():
     listed = report_of(hapticplayer("device", "list", "--json"))
     names = [d["name"] for d in listed["devices"]]
     assert names == [
-        *("simulated", "falcon", "falcon-simulated", "gamepad", "wheel", "rumble"),
+        *("simulated", "falcon", "falcon-simulated", "gamepad", "inverse3"),
+        *("inverse3-simulated", "wheel", "rumble"),
         *("buttplug", "tcode", "rig", "none"),
     ]
     assert report_of(hapticplayer("doctor", "--json"))

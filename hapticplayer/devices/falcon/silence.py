@@ -79,7 +79,7 @@ class Silencer:
         newest = take_over(self._line) if self._line != NO_LINE else None
         if newest is not None:
             self.close()
-            self._file = newest
+            self._file = newest[0]
 
     def _write_to_file(self, file: int) -> bool:
         try:

@@ -16,6 +16,7 @@ from fake_input import FakeInput
 from fake_intiface import FakeIntiface
 from fake_pad import FakePad
 from falcon_rig import FalconGrip
+from inverse_rig import VirtualLink
 
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices import DEVICES, buttplug, find_device, tcode
@@ -23,9 +24,12 @@ from hapticplayer.devices.capabilities import GAMEPAD
 from hapticplayer.devices.evdev import driver as evdev
 from hapticplayer.devices.falcon.silence import Silencer
 from hapticplayer.devices.gamepad.driver import REFRESH_S as PAD_REFRESH_S
+from hapticplayer.devices.inverse3.driver import Inverse3Driver
+from hapticplayer.devices.inverse3.protocol import command
 from hapticplayer.devices.paced import PacedDriver, silencer
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
+from hapticplayer.simulation.inverse3.service import Service, simulation_of
 from tests.doubles import DirectWriter
 
 ROOT = Path(__file__).parents[4]
@@ -191,6 +195,41 @@ class Stuckable(DirectWriter):
             self.is_waiting = True
         else:
             super().post(command)
+
+
+class Inverse3(World):
+    """The driver on the simulated service, in virtual time."""
+
+    def __init__(self):
+        super().__init__()
+        self.service = Service(simulation_of(), "3.5.0")
+        self.links = []
+        self.device = Inverse3Driver(self.connected, clock=self.clock)
+
+    def connected(self):
+        self.links.append(VirtualLink(self.service, self.clock))
+        return self.links[-1]
+
+    def press(self, buttons):
+        self.service.simulation.buttons = buttons
+
+    def fall_silent(self):
+        self.links[-1].answers = False
+
+    def talk_nonsense(self):
+        self.service.corrupt = 10**6
+
+    def unplug(self):
+        self.links[-1].is_open = False
+
+    def are_off(self):
+        return self.service.simulation.applied_n == ZERO
+
+    def guard(self):
+        return lambda: self.links[-1].take(command("0423", "vector", ZERO))
+
+    def kill(self):
+        """Nothing: the guard holds the connection."""
 
 
 class Toy(World):
@@ -405,6 +444,8 @@ WORLDS = {
     "falcon": Falcon,
     "falcon-simulated": lambda: Process("falcon-simulated"),
     "gamepad": Pad,
+    "inverse3": Inverse3,
+    "inverse3-simulated": lambda: Process("inverse3-simulated"),
     "wheel": lambda: EventDevice("wheel"),
     "rumble": lambda: EventDevice("rumble"),
     "buttplug": Toy,

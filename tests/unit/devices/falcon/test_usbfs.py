@@ -65,7 +65,7 @@ def test_the_newest_file_arrives_and_older_ones_are_closed(lines, tmp_path):
         with (tmp_path / name).open("w+b") as file:
             hand_over(lines[0], file.fileno())
     before = len(list(Path("/proc/self/fd").iterdir()))
-    newest = take_over(lines[1])
+    newest, _note = take_over(lines[1])
     assert Path(f"/proc/self/fd/{newest}").readlink() == tmp_path / "second"
     assert len(list(Path("/proc/self/fd").iterdir())) == before + 1
     os.close(newest)

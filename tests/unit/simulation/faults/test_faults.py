@@ -72,7 +72,9 @@ def bench(device="simulated", **more):
 
 
 @pytest.mark.realtime
-@pytest.mark.parametrize("device", ["simulated", "falcon-simulated"])
+@pytest.mark.parametrize(
+    "device", ["simulated", "falcon-simulated", "inverse3-simulated"]
+)
 @pytest.mark.parametrize("fault", [f for f in Fault if f is not Fault.LET_GO])
 def test_each_fault_meets_its_rule_and_the_force_is_gone(device, fault):
     with bench(device) as made:
