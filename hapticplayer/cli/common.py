@@ -5,7 +5,7 @@ import contextlib
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 from types import FrameType
 from typing import Any
@@ -144,24 +144,11 @@ def add_outlets(command: argparse.ArgumentParser, default: str = "simulated") ->
     the rest are `outlets`.
     """
     names = [*device_names(), *OUTLETS]
-
-    def outlet_name(text: str) -> str:
-        if text.partition(":")[0] not in names:
-            raise argparse.ArgumentTypeError(
-                f"{text!r} is not a device; choose one of {', '.join(names)}"
-            )
-        try:
-            if text != NO_DEVICE:
-                find_device(text)
-        except DeviceError as problem:
-            raise argparse.ArgumentTypeError(str(problem)) from problem
-        return text
-
     command.set_defaults(device=default, outlets=(), named=())
     command.add_argument(
         "--device",
         action=_AddOutlet,
-        type=outlet_name,
+        type=partial(_known_name, names),
         metavar="NAME[:OPTIONS]",
         help=f"{', '.join(names)}; several play at once, each with its own --device; "
         "falcon:SERIAL for one of several Falcons, rig:FORMAT[,HOST:PORT][,NAME=VALUE] "
@@ -188,22 +175,28 @@ class _AddOutlet(argparse.Action):
         namespace.outlets = tuple(n for n in others if n != namespace.device)
 
 
+def _known_name(names: Sequence[str], text: str) -> str:
+    """Return the name of a device, with settings that it takes."""
+    if text.partition(":")[0] not in names:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a device; choose one of {', '.join(names)}"
+        )
+    try:
+        if text != NO_DEVICE:
+            find_device(text)
+    except DeviceError as problem:
+        raise argparse.ArgumentTypeError(str(problem)) from problem
+    return text
+
+
 def add_device_name(
-    command: argparse.ArgumentParser, default: str = "simulated"
+    command: argparse.ArgumentParser, default: str = "simulated", *more: str
 ) -> None:
-    """Add the option that names a haptic device."""
-    names = device_names()
-
-    def device_name(text: str) -> str:
-        if text.partition(":")[0] not in names:
-            raise argparse.ArgumentTypeError(
-                f"{text!r} is not a device; choose one of {', '.join(names)}"
-            )
-        return text
-
+    """Add the option that names a haptic device, or one of some outlets."""
+    names = [*device_names(), *more]
     command.add_argument(
         "--device",
-        type=device_name,
+        type=partial(_known_name, names),
         default=default,
         metavar="NAME[:SERIAL]",
         help=f"{', '.join(names)}; of several Falcons one by its number "

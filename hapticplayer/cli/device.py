@@ -50,14 +50,14 @@ def add_options(command: argparse.ArgumentParser) -> None:
     actions = command.add_subparsers(title="actions", metavar="ACTION")
 
     def add(
-        name: str, text: str, run: Action, device: str = "falcon"
+        name: str, text: str, run: Action, device: str = "falcon", *more: str
     ) -> argparse.ArgumentParser:
         action: argparse.ArgumentParser = actions.add_parser(
             name, help=text, description=f"{text[0].upper()}{text[1:]}."
         )
         action.set_defaults(run=lambda chosen, _open_window: run(chosen))
         if device:
-            add_device_name(action, device)
+            add_device_name(action, device, *more)
         action.add_argument("--json", action="store_true", help="report as JSON")
         return action
 
@@ -91,7 +91,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="also accept an intact image that is not among the known ones",
     )
     _add_yes(upload)
-    _add_yes(add("test", "draw a slow circle of 0.8 N, after asking", test_forces))
+    slow = "draw a slow circle of 0.8 N, or move a rig gently, after asking"
+    _add_yes(add("test", slow, test_forces, "falcon", *OUTLETS))
     measure = add(
         "measure",
         "measure what is not known of a Falcon, at low force",

@@ -10,10 +10,13 @@ from numpy.typing import NDArray
 
 from hapticplayer.cli.common import agreed, complain, interruptible, say
 from hapticplayer.clock import SystemClock
+from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.rig.loop import REFUSED, SENT
+from hapticplayer.model.device import Signal
 from hapticplayer.playback.forces import ForcePlayer, moved_along
-from hapticplayer.rendering import circle
+from hapticplayer.rendering import circle, rig_demonstration
 from hapticplayer.rendering.demonstration import CIRCLE_N
 
 POLL_S = 0.02
@@ -23,6 +26,8 @@ _WAIT_FOR_HOMING = "pull the grip out as far as it goes, then push it in until i
 
 def test_forces(options: argparse.Namespace) -> int:
     """Draw a circle and say how the device took it."""
+    if find_device(options.device).capabilities.signal is Signal.MOTION:
+        return _test_rig(options)
     agreed(
         options,
         f"The device will draw a slow circle of {CIRCLE_N} N. Hold its grip loosely; "
@@ -47,6 +52,35 @@ def test_forces(options: argparse.Namespace) -> int:
         complain(player.problem)
         return 1
     return 0
+
+
+def _test_rig(options: argparse.Namespace) -> int:
+    """Move a rig gently along and about each axis, and say what was sent."""
+    track, steps = rig_demonstration()
+    agreed(
+        options,
+        f"The rig will move gently for {track.time_s[-1]:.0f} s: "
+        f"{', '.join(step.axis for step in steps)}. Its seat must be free, its emergency "
+        "stop at hand; Ctrl-C brings it to rest. Ready?",
+    )
+    clock = SystemClock()
+    player = ForcePlayer(clock, options.device, track)
+    ticks: list[NDArray[Any]] = []
+    try:
+        with interruptible():
+            player.wait_ready()
+            _play(player, clock, ticks)
+    finally:
+        player.close()
+    flags = np.concatenate(ticks)["buttons"]
+    packets = int(np.count_nonzero(flags & SENT))
+    is_heard = not np.any(flags & REFUSED)
+    report = {"device": options.device, "packets": packets, "is_heard": is_heard}
+    said = f"{packets} packets sent" + ", but nobody listens there" * (not is_heard)
+    say(json.dumps(report) if options.json else said)
+    if player.problem:
+        complain(player.problem)
+    return int(bool(player.problem))
 
 
 def _play(player: ForcePlayer, clock: SystemClock, ticks: list[NDArray[Any]]) -> None:

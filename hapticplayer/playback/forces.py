@@ -1,4 +1,4 @@
-"""Plays a force track without a clip: demonstrations and tests of a device."""
+"""Plays a track without a clip: demonstrations and tests of a device or a rig."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses, Health
-from hapticplayer.model import ForceTrack, PlaybackClock
+from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
 from hapticplayer.rendering import adapted
 
 VALID_S = 0.150
@@ -27,7 +27,7 @@ class ForcePlayer:
         HapticsError: when the haptics process cannot be started.
     """
 
-    def __init__(self, clock: Clock, device: str, track: ForceTrack) -> None:
+    def __init__(self, clock: Clock, device: str, track: ForceTrack | RigTrack) -> None:
         capabilities = find_device(device).capabilities
         self._processes = HapticsProcesses(clock, device)
         self.media_s = 0.0
@@ -36,7 +36,9 @@ class ForcePlayer:
         self._clock = clock
         self._begin_s: float | None = None
         self._epoch = 1
-        self._track = adapted(track, capabilities)
+        self._track = (
+            adapted(track, capabilities) if isinstance(track, ForceTrack) else track
+        )
         self._is_loaded = False
 
     @property

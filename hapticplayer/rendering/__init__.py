@@ -27,7 +27,7 @@ from hapticplayer.rendering.force import (
     render_force,
 )
 from hapticplayer.rendering.lever_arm import LEVER_ARMS_M, at_point
-from hapticplayer.rendering.rig import rig_track
+from hapticplayer.rendering.rig import RigStep, rig_demonstration, rig_track
 
 __all__ = [
     "FEEDBACKS",
@@ -37,6 +37,7 @@ __all__ = [
     "Ingredients",
     "Parameter",
     "ParameterKind",
+    "RigStep",
     "adapted",
     "at_point",
     "chosen_feedback",
@@ -50,6 +51,7 @@ __all__ = [
     "random_feedback",
     "refuse_late",
     "render_force",
+    "rig_demonstration",
     "rig_track",
     "shifted_and_scaled",
 ]

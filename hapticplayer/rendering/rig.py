@@ -9,16 +9,28 @@ them: both are integrals that forget, with the time constants below.
 """
 
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
 from hapticplayer.model import MotionTrack, RigTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.quaternions import conjugate, multiply
+from hapticplayer.model.rig import RigMotion
 from hapticplayer.rendering.window_means import dense_motion
 
 HEADING_TIME_S = 2.0
 VELOCITY_TIME_S = 2.0
+DEMONSTRATION_S, DEMONSTRATION_REST_S = 3.0, 1.0
+_DEMONSTRATED = {
+    "surge": ("front_mps2", 0.75),
+    "sway": ("right_mps2", 0.75),
+    "heave": ("up_mps2", 0.75),
+    "roll": ("roll_rad", 0.045),
+    "pitch": ("pitch_rad", 0.045),
+    "yaw": ("heading_rad", 0.045),
+}
+"""First number of a `RigMotion` that an axis moves, and its size."""
 
 
 def rig_track(motion: MotionTrack) -> RigTrack:
@@ -53,6 +65,38 @@ def rig_track(motion: MotionTrack) -> RigTrack:
             ]
         ).astype(np.float32),
     )
+
+
+class RigStep(NamedTuple):
+    """One motion of the demonstration: begin and end in media time, and its axis."""
+
+    begin_s: float
+    end_s: float
+    axis: str
+
+
+def rig_demonstration() -> tuple[RigTrack, tuple[RigStep, ...]]:
+    """Return a gentle motion there and back for each axis in turn, and what moves when.
+
+    Along an axis the acceleration is sin(2 pi u) sin^2(pi u) of at most about 0.5 m/s^2,
+    about one the angle is, of at most about 0.03 rad; rates are its derivatives.
+    """
+    columns = {name: column for column, name in enumerate(RigMotion._fields)}
+    steps, begin_s = [], DEMONSTRATION_REST_S
+    for axis in _DEMONSTRATED:
+        steps.append(RigStep(begin_s, begin_s + DEMONSTRATION_S, axis))
+        begin_s += DEMONSTRATION_S + DEMONSTRATION_REST_S
+    time_s = np.arange(0.0, begin_s, 0.01)
+    motion = np.zeros((len(time_s), len(columns)))
+    for step, (first, size) in zip(steps, _DEMONSTRATED.values(), strict=True):
+        share = np.clip((time_s - step.begin_s) / DEMONSTRATION_S, 0.0, 1.0)
+        shape = size * np.sin(2 * np.pi * share) * np.sin(np.pi * share) ** 2
+        column = columns[first]
+        motion[:, column] = shape
+        if first.endswith("_rad"):
+            motion[:, column + 3] = _derivative(time_s, shape)
+            motion[:, column + 6] = _derivative(time_s, motion[:, column + 3])
+    return RigTrack(time_s, motion.astype(np.float32)), tuple(steps)
 
 
 def _pitch_and_roll(q: Floats) -> Floats:

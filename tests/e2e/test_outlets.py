@@ -8,11 +8,14 @@ import subprocess
 import threading
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from hapticplayer.cli import device_forces
 from hapticplayer.clock import SystemClock
+from hapticplayer.model import RigTrack
 from hapticplayer.simulation.rig.receiver import Ears
-from tests.e2e.command import DISPLAYS, command_line
+from tests.e2e.command import DISPLAYS, command_line, hapticplayer
 
 pytestmark = pytest.mark.realtime
 PATIENCE_S = 60.0
@@ -105,6 +108,24 @@ def test_a_device_and_two_rigs_play_and_come_to_rest(demo, rigs):
         assert report["time_went_back"] == 0
     # by the sender's own clock: two seconds and more of neutral
     assert rigs.ears.rigs[rigs.first].last.time_s > 2.0 + 0.5 + 2.0 - 0.1
+
+
+def test_a_rig_is_tested_and_left_in_neutral(rigs, monkeypatch):
+    time_s, motion = np.arange(0.0, 1.5, 0.01), np.zeros((150, 15))
+    motion[20:60, 2] = 0.4  # up
+    track = RigTrack(time_s, motion)
+    monkeypatch.setattr(device_forces, "rig_demonstration", lambda: (track, ()))
+    name = rigs.devices[0]
+    done = hapticplayer("device", "test", "--device", name, "--yes", "--json")
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    assert report["is_heard"]
+    assert report["packets"] > 200
+    rigs.close()
+    heard = rigs.ears.report()[rigs.first]
+    assert heard["packets"] >= report["packets"]
+    assert heard["is_neutral"]
+    assert heard["peak_mps2"] > 0.0
 
 
 def test_a_dead_loop_is_brought_to_rest_and_the_other_plays_on(demo, rigs):

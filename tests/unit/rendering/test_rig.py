@@ -6,7 +6,7 @@ import pytest
 from hapticplayer.model import MotionTrack, Sampling
 from hapticplayer.model.quaternions import from_rotation_vector, multiply
 from hapticplayer.model.rig import RigMotion
-from hapticplayer.rendering import rig_track
+from hapticplayer.rendering import rig_demonstration, rig_track
 from hapticplayer.rendering.rig import HEADING_TIME_S, VELOCITY_TIME_S
 
 TIME_S = np.arange(0.0, 20.0, 0.005)
@@ -131,3 +131,27 @@ def test_a_long_uneven_recording_is_the_same_sum():
         y = kept * y + mean * VELOCITY_TIME_S * (1.0 - kept)
         law.append(y)
     np.testing.assert_allclose(got, law, atol=1e-6)
+
+
+def test_the_demonstration_moves_one_axis_at_a_time_and_gently():
+    track, steps = rig_demonstration()
+    got = columns(track)
+    moved = {
+        "surge": {"front_mps2"},
+        "sway": {"right_mps2"},
+        "heave": {"up_mps2"},
+        "roll": {"roll_rad", "roll_radps", "roll_radps2"},
+        "pitch": {"pitch_rad", "pitch_radps", "pitch_radps2"},
+        "yaw": {"heading_rad", "yaw_radps", "yaw_radps2"},
+    }
+    assert [step.axis for step in steps] == list(moved)
+    for step in steps:
+        inside = (track.time_s > step.begin_s) & (track.time_s < step.end_s)
+        assert {n for n, v in got.items() if np.abs(v[inside]).max() > 1e-3} == moved[
+            step.axis
+        ]
+    assert max(np.abs(got[name]).max() for name in got if "_mps2" in name) < 0.5
+    assert max(np.abs(got[name]).max() for name in got if name.endswith("_rad")) < 0.03
+    assert not track.motion[[0, -1]].any()
+    rate = np.gradient(got["roll_rad"], track.time_s)
+    np.testing.assert_allclose(got["roll_radps"], rate, atol=1e-6)
