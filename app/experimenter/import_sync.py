@@ -153,7 +153,7 @@ class SyncPage(QWidget):
         if found is None:
             return False
         choice = self.choice()
-        is_sure = choice is None or (choice.is_confident and choice.method == "pats")
+        is_sure = choice is None or (choice.is_confident and choice.is_measured)
         return is_sure or self.looked.isChecked()
 
     def keep(self) -> None:
@@ -238,7 +238,7 @@ class SyncPage(QWidget):
         self.verdict.setText(text)
         self.verdict.setStyleSheet(f"color: {colour};")
         choice = self.choice()
-        is_sure = choice is None or (choice.is_confident and choice.method == "pats")
+        is_sure = choice is None or (choice.is_confident and choice.is_measured)
         self.looked.setVisible(not is_sure)
         self.decided.emit()
 
@@ -260,9 +260,27 @@ class SyncPage(QWidget):
 
     def _verdict_of(self, sync: Synchronisation) -> tuple[str, str]:
         confidence = local(f"{sync.clock_map.confidence:.2f}")
+        if (
+            sync.second is not None
+            and sync.second.is_confident
+            and not sync.is_confident
+        ):
+            text = self.tr(
+                "The tap marks and the frames disagree: {offset} s by {method}, "
+                "{other_offset} s by {other}. Check which is right."
+            )
+            offsets = [f"{one.clock_map.offset_s:.3f}" for one in (sync, sync.second)]
+            return text.format(
+                offset=local(offsets[0]),
+                method=sync.method,
+                other_offset=local(offsets[1]),
+                other=sync.second.method,
+            ), theme.WARN
         if sync.method != "pats":
             text = self.tr("Synchronised by {method} (confidence {confidence}).")
-            return text.format(method=sync.method, confidence=confidence), theme.WARN
+            is_good = sync.is_measured and sync.is_confident
+            colour = theme.GOOD if is_good else theme.WARN
+            return text.format(method=sync.method, confidence=confidence), colour
         if sync.is_confident:
             text = self.tr(
                 "Tap marks found (confidence {confidence}, residual {ms} ms)."

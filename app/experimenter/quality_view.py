@@ -146,6 +146,7 @@ def value_of(one: Finding) -> str:
 def _method(name: str) -> str:
     return {
         "pats": translate("Quality", "tap marks"),
+        "pictures": translate("Quality", "frames"),
         "variance": translate("Quality", "variance"),
         "embedded": translate("Quality", "same clock"),
         "offset": translate("Quality", "manual"),

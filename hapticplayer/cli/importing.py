@@ -123,7 +123,7 @@ def _say_imported(folder: Path, sequence: Sequence) -> None:
         f"({made_of['accelerometer_gain_from']})"
     )
     found = made_of.get("synchronisation")
-    if found and found["method"] in ("pats", "variance"):
+    if found and found["method"] in ("pats", "pictures", "variance"):
         say(sync_text(found))
     for note in (*made_of["conditioning"], *made_of["notes"]):
         say(f"note: {note}")

@@ -232,7 +232,7 @@ def sync_text(found: Mapping[str, Any]) -> str:
     if found["sound_late_s"]:
         skew_ms = 1e3 * found["sound_late_s"]
         first += f", {skew_ms:.0f} ms of the camera's skew taken off"
-    lines = [first]
+    lines = [first, *_pictures_text(found)]
     for count, pat in enumerate(found["pats"], start=1):
         lines.append(
             f"  pat {count}: heard at {pat['heard_s']:.3f} s, felt at "
@@ -241,6 +241,24 @@ def sync_text(found: Mapping[str, Any]) -> str:
             f"{rarity_text(pat['felt_rarity_hz'])} in the log"
         )
     return "\n".join(lines)
+
+
+def _pictures_text(found: Mapping[str, Any]) -> list[str]:
+    """Return what the frames told, and what a second method found."""
+    lines, evidence, second = [], found.get("pictures"), found.get("second")
+    if evidence:
+        lines.append(
+            f"  frames: the gyro explains {100 * evidence['explained']:.0f} % of the "
+            f"camera's rotation; offset ± {1e3 * found['offset_sigma_s']:.1f} ms, "
+            f"read-out {1e3 * evidence['read_out_s']:.0f} ms"
+        )
+    if second:
+        lines.append(
+            f"  by {second['method']}: offset {second['offset_s']:.3f} s "
+            f"± {1e3 * second['offset_sigma_s']:.1f} ms, "
+            f"confidence {second['confidence']:.2f}"
+        )
+    return lines
 
 
 def rarity_text(rarity_hz: float) -> str:

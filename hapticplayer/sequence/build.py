@@ -112,7 +112,9 @@ def build_sequence(
         if not choices.mounting and not (choices.log and choices.log.axes):
             ask_for_mounting(recording.imu, name_of(source))
         report(0.02, Message("synchronising"))
-        recording = synchronized(clip, recording, choices.sync)
+        recording = synchronized(
+            clip, recording, choices.sync, lambda f, step: report(0.02 + 0.03 * f, step)
+        )
         recording = _mounted(recording, choices.mounting)
         return write_sequence(clip, recording, target, choices=choices, progress=report)
 

@@ -96,7 +96,9 @@ def recognise(
     recording = read_recording(log or video, choices)
     refuse_gravity_free(recording)
     progress(0.5, Message("listening"))
-    found, problem, sound = _sync(clip, recording, method)
+    found, problem, sound = _sync(
+        clip, recording, method, lambda f, step: progress(0.5 + 0.5 * f, step)
+    )
     imu = recording.imu
     progress(1.0, "")
     return Recognised(
@@ -119,12 +121,12 @@ def recognise(
 
 
 def _sync(
-    clip: ClipInfo, recording: Recording, method: str
+    clip: ClipInfo, recording: Recording, method: str, progress: files.Progress
 ) -> tuple[Synchronisation | None, str, Curve]:
     """Return the synchronisation, or why there is none, and the loudness."""
     nothing = (np.zeros(0), np.zeros(0))
     try:
-        found = find_sync(clip, recording, SyncChoices(method))
+        found = find_sync(clip, recording, SyncChoices(method), progress)
     except (InputError, UsageError) as problem:
         return (
             None,

@@ -9,6 +9,7 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.sync.synchronize import Sound, SyncInput, read_sound
+from hapticplayer.capture.vision import FrameRotation, is_available, rotation
 from hapticplayer.errors import InputError, Message, UsageError
 from hapticplayer.media.clip_info import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
@@ -18,6 +19,9 @@ from hapticplayer.sequence import files
 SKEWS = "cameras.json"
 """In the settings folder: how much later than its frames each camera's sound comes, s."""
 
+_EXTRA = Message(
+    "with hapticplayer[vision] installed, the frames are compared with the gyro as well"
+)
 _NEXT_BEST = 3
 _SAME_S = 0.0005  # half a step of the window
 
@@ -41,15 +45,20 @@ class SyncChoices:
 
 
 def synchronized(
-    clip: ClipInfo, recording: Recording, choices: SyncChoices
+    clip: ClipInfo,
+    recording: Recording,
+    choices: SyncChoices,
+    progress: files.Progress = files.no_progress,
 ) -> Recording:
     """Return the recording synchronised with the clip, documented in its provenance.
+
+    `progress` is called with the share of the frames followed; it raises Cancelled.
 
     Raises:
         InputError: when no synchronisation is possible.
         UsageError: when the result is uncertain.
     """
-    found = choices.accepted or find_sync(clip, recording, choices)
+    found = choices.accepted or find_sync(clip, recording, choices, progress)
     if not found.is_confident and choices.accepted is None:
         raise UsageError(uncertainty(found, clip.path.name))
     described = {**found.described(), "seen_by_person": choices.accepted is not None}
@@ -72,9 +81,14 @@ def moved_to(found: Synchronisation, offset_s: float) -> Synchronisation:
 
 
 def find_sync(
-    clip: ClipInfo, recording: Recording, choices: SyncChoices
+    clip: ClipInfo,
+    recording: Recording,
+    choices: SyncChoices,
+    progress: files.Progress = files.no_progress,
 ) -> Synchronisation:
     """Return the synchronisation of a recording with a clip, certain or not.
+
+    `progress` is called with the share of the frames followed; it raises Cancelled.
 
     Raises:
         InputError: when no synchronisation is possible.
@@ -93,19 +107,31 @@ def find_sync(
             late_s = stored_skews().get(camera_of(clip.path), 0.0)
         return read_sound(clip.path, late_s)
 
+    def look() -> FrameRotation:
+        from hapticplayer.capture.sync.pictures import spans_to_watch
+
+        spans_s = spans_to_watch(clip.duration_s)
+        return rotation(clip.path, spans_s=spans_s, progress=progress)
+
     offset_s, own = choices.offset_s, recording.clock_map
     given = None if offset_s is None else ClockMap(offset_s)
     known = own if own.confidence > 0.0 else None
-    inputs = SyncInput(recording.imu, hear, given, known)
+    inputs = SyncInput(recording.imu, hear, given, known, look)
     return sync_method(choices.method).function()(inputs)
 
 
 def uncertainty(found: Synchronisation, clip: str) -> str:
     """Return why a result is uncertain and what to do."""
+    if _disagree(found):
+        return _disagreement(found, clip)
+    if found.method == "pictures":
+        return _doubtful_frames(found, clip)
     look = Message(
         "compare sound and motion with `hapticplayer sync --plot FILE`, then give "
         "--offset S"
     )
+    if not is_available():
+        look = Message("{look}; {brings}", look=look, brings=_EXTRA)
     if not found.pats:
         return Message(
             "{clip}: no three pats are both heard and felt; {look}",
@@ -123,6 +149,45 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
         offset_s=clock.offset_s,
         next_best=next_best,
         look=look,
+    )
+
+
+def _disagree(found: Synchronisation) -> bool:
+    """Whether two methods are certain of different offsets."""
+    return found.second is not None and found.second.is_confident
+
+
+def _disagreement(found: Synchronisation, clip: str) -> str:
+    by_method = {one.method: one for one in (found, found.second) if one is not None}
+    pats, pictures = (by_method[name] for name in ("pats", "pictures"))
+    return Message(
+        "{clip}: the pats give an offset of {pats_s:.3f} s, the frames {pictures_s:.3f} "
+        "s; choose --sync pats or --sync pictures (sync: --method), or give --offset S; "
+        "if the camera's sound is late, --skew settles it",
+        clip=clip,
+        pats_s=pats.clock_map.offset_s,
+        pictures_s=pictures.clock_map.offset_s,
+    )
+
+
+def _doubtful_frames(found: Synchronisation, clip: str) -> str:
+    evidence = found.pictures
+    if evidence is None:
+        return Message(
+            "{clip}: the camera's rotation in the frames fits the log nowhere; is it "
+            "the log of this clip, and the video not stabilised? Otherwise give "
+            "--offset S",
+            clip=clip,
+        )
+    return Message(
+        "{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro "
+        "explains {explained:.0%} of the camera's rotation, at an offset of "
+        "{offset_s:.3f} s; is it the log of this clip, and the video not stabilised? "
+        "Otherwise give --offset S",
+        clip=clip,
+        confidence=found.clock_map.confidence,
+        explained=evidence.explained,
+        offset_s=found.clock_map.offset_s,
     )
 
 

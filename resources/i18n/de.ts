@@ -2283,6 +2283,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Klopfzeichen</translation>
     </message>
     <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
         <source>same clock</source>
         <translation>gleiche Uhr</translation>
     </message>
@@ -3624,6 +3628,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>The offset was set manually.</source>
         <translation>Der Versatz wurde von Hand gesetzt.</translation>
+    </message>
+    <message>
+        <source>The tap marks and the frames disagree: {offset} s by {method}, {other_offset} s by {other}. Check which is right.</source>
+        <translation>Klopfer und Bilder widersprechen sich: {offset} s nach {method}, {other_offset} s nach {other}. Prüfen Sie, was stimmt.</translation>
     </message>
     <message>
         <source>Tap marks found (confidence {confidence}, residual {ms} ms).</source>
@@ -5920,12 +5928,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Feedback {feedback} hat keine Parameter</translation>
     </message>
     <message>
+        <source>film something with detail, or use --method pats</source>
+        <translation>Filmen Sie etwas mit Einzelheiten, oder nehmen Sie --method pats</translation>
+    </message>
+    <message>
         <source>finding events</source>
         <translation>Ereignisse werden gesucht</translation>
     </message>
     <message>
         <source>following the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder werden verfolgt</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -5986,6 +5998,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>hat mehr als {most_mb} MB an Kraft und Bewegung, zu viel für eine Datei</translation>
+    </message>
+    <message>
+        <source>has no angular rate, which frames could be compared with</source>
+        <translation>enthält keine Drehrate, mit der Bilder verglichen werden könnten</translation>
     </message>
     <message>
         <source>has no usual format</source>
@@ -6049,7 +6065,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>install hapticplayer[vision], which synchronises without pats and finds the mounting of a sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Installieren Sie hapticplayer[vision]: es synchronisiert ohne Klopfer und findet, wie ein Sensor montiert war</translation>
     </message>
     <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
@@ -6429,7 +6445,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>rotation from frames needs OpenCV, which is not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Drehung aus Bildern braucht OpenCV, das nicht installiert ist</translation>
     </message>
     <message>
         <source>row {number}</source>
@@ -6676,6 +6692,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kalibrierung ist von {theirs}, die Aufnahme von {ours}; eine Kalibrierung hilft nur, wenn beide von demselben Sensor sind</translation>
     </message>
     <message>
+        <source>the camera&apos;s rotation in its frames against the gyro; needs the extra vision</source>
+        <translation>die Drehung der Kamera in ihren Bildern gegen den Kreisel; braucht die Zugabe vision</translation>
+    </message>
+    <message>
         <source>the chip&apos;s axes</source>
         <translation>Achsen des Chips</translation>
     </message>
@@ -6776,6 +6796,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Format von {name!r} ist unbekannt; wählen Sie eines von {known}</translation>
     </message>
     <message>
+        <source>the frames tell of the camera&apos;s rotation for {told_s:.1f} s only</source>
+        <translation>Die Bilder zeigen die Drehung der Kamera nur für {told_s:.1f} s</translation>
+    </message>
+    <message>
+        <source>the method pictures needs a clip</source>
+        <translation>Das Verfahren pictures braucht ein Video</translation>
+    </message>
+    <message>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats and pictures, as far as there are any</source>
+        <translation>der Versatz, wenn gegeben; die eigene Uhr der Aufnahme, wenn sie die des Videos ist; sonst Klopfer und Bilder, soweit vorhanden</translation>
+    </message>
+    <message>
         <source>the realistic force with the effects of the sequence on it</source>
         <translation>die realistische Kraft mit den Effekten der Sequenz</translation>
     </message>
@@ -6810,6 +6842,30 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use --method pats, or give --offset S</source>
+        <translation>Nehmen Sie --method pats, oder geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>with hapticplayer[vision] installed, the frames are compared with the gyro as well</source>
+        <translation>mit installiertem hapticplayer[vision] werden auch die Bilder mit dem Kreisel verglichen</translation>
+    </message>
+    <message>
+        <source>{clip}: the camera&apos;s rotation in the frames fits the log nowhere; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
+        <translation>{clip}: Die Drehung der Kamera in den Bildern passt nirgends zum Log; gehört es zu diesem Video, und ist das Video nicht stabilisiert? Sonst geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
+        <translation>{clip}: Die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s; gehört das Log zu diesem Video, und ist das Video nicht stabilisiert? Sonst geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {pictures_s:.3f} s; choose --sync pats or --sync pictures (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
+        <translation>{clip}: Die Klopfer ergeben einen Versatz von {pats_s:.3f} s, die Bilder {pictures_s:.3f} s; wählen Sie --sync pats oder --sync pictures (sync: --method), oder geben Sie --offset S an; kommt der Ton der Kamera spät, klärt --skew es</translation>
+    </message>
+    <message>
+        <source>{look}; {brings}</source>
+        <translation>{look}; {brings}</translation>
     </message>
     <message>
         <source>{name} holds no motion; choose one of {known}</source>
@@ -8282,10 +8338,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>method {method!r} not found; choose one of {known}</source>
         <translation>das Verfahren {method!r} gibt es nicht; wählen Sie eines von {known}</translation>
-    </message>
-    <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats</source>
-        <translation>der Versatz, wenn er gegeben ist, sonst die eigene Uhr der Aufnahme, wenn sie die des Clips ist, sonst Klopfen</translation>
     </message>
     <message>
         <source>three pats on the camera, heard and felt</source>

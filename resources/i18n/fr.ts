@@ -2283,6 +2283,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>tapes</translation>
     </message>
     <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
         <source>same clock</source>
         <translation>même horloge</translation>
     </message>
@@ -3624,6 +3628,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>The offset was set manually.</source>
         <translation>Le décalage a été réglé à la main.</translation>
+    </message>
+    <message>
+        <source>The tap marks and the frames disagree: {offset} s by {method}, {other_offset} s by {other}. Check which is right.</source>
+        <translation>Les tapes et les images se contredisent&#xa0;: {offset} s selon {method}, {other_offset} s selon {other}. Vérifiez ce qui est juste.</translation>
     </message>
     <message>
         <source>Tap marks found (confidence {confidence}, residual {ms} ms).</source>
@@ -5920,12 +5928,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le retour {feedback} n’a pas de paramètres</translation>
     </message>
     <message>
+        <source>film something with detail, or use --method pats</source>
+        <translation>filmez quelque chose de détaillé, ou utilisez --method pats</translation>
+    </message>
+    <message>
         <source>finding events</source>
         <translation>recherche d’événements</translation>
     </message>
     <message>
         <source>following the frames</source>
-        <translation type="unfinished"></translation>
+        <translation>suivi des images</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
@@ -5986,6 +5998,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>a plus de {most_mb} Mo de force et de mouvement, trop pour un seul fichier</translation>
+    </message>
+    <message>
+        <source>has no angular rate, which frames could be compared with</source>
+        <translation>ne contient pas de vitesse angulaire à laquelle comparer les images</translation>
     </message>
     <message>
         <source>has no usual format</source>
@@ -6049,7 +6065,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>install hapticplayer[vision], which synchronises without pats and finds the mounting of a sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>installez hapticplayer[vision], qui synchronise sans tapes et trouve le montage d&apos;un capteur</translation>
     </message>
     <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
@@ -6429,7 +6445,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>rotation from frames needs OpenCV, which is not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>la rotation d&apos;après les images nécessite OpenCV, qui n&apos;est pas installé</translation>
     </message>
     <message>
         <source>row {number}</source>
@@ -6676,6 +6692,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’étalonnage vient de {theirs}, l’enregistrement de {ours}&#xa0;; un étalonnage n’aide que si les deux viennent du même capteur</translation>
     </message>
     <message>
+        <source>the camera&apos;s rotation in its frames against the gyro; needs the extra vision</source>
+        <translation>la rotation de la caméra dans ses images face au gyromètre&#xa0;; nécessite l&apos;option vision</translation>
+    </message>
+    <message>
         <source>the chip&apos;s axes</source>
         <translation>axes de la puce</translation>
     </message>
@@ -6776,6 +6796,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le format de {name!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
+        <source>the frames tell of the camera&apos;s rotation for {told_s:.1f} s only</source>
+        <translation>les images ne montrent la rotation de la caméra que pendant {told_s:.1f} s</translation>
+    </message>
+    <message>
+        <source>the method pictures needs a clip</source>
+        <translation>la méthode pictures nécessite une vidéo</translation>
+    </message>
+    <message>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats and pictures, as far as there are any</source>
+        <translation>le décalage s&apos;il est donné, l&apos;horloge de l&apos;enregistrement si c&apos;est celle de la vidéo, sinon tapes et images, s&apos;il y en a</translation>
+    </message>
+    <message>
         <source>the realistic force with the effects of the sequence on it</source>
         <translation>la force réaliste avec les effets de la séquence</translation>
     </message>
@@ -6810,6 +6842,30 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>use --method pats, or give --offset S</source>
+        <translation>utilisez --method pats, ou donnez --offset S</translation>
+    </message>
+    <message>
+        <source>with hapticplayer[vision] installed, the frames are compared with the gyro as well</source>
+        <translation>avec hapticplayer[vision] installé, les images sont aussi comparées au gyromètre</translation>
+    </message>
+    <message>
+        <source>{clip}: the camera&apos;s rotation in the frames fits the log nowhere; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
+        <translation>{clip}&#xa0;: la rotation de la caméra dans les images ne correspond nulle part au journal&#xa0;; est-ce celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Sinon, donnez --offset S</translation>
+    </message>
+    <message>
+        <source>{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
+        <translation>{clip}&#xa0;: les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s&#xa0;; est-ce le journal de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Sinon, donnez --offset S</translation>
+    </message>
+    <message>
+        <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {pictures_s:.3f} s; choose --sync pats or --sync pictures (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
+        <translation>{clip}&#xa0;: les tapes donnent un décalage de {pats_s:.3f} s, les images {pictures_s:.3f} s&#xa0;; choisissez --sync pats ou --sync pictures (sync&#xa0;: --method), ou donnez --offset S&#xa0;; si le son de la caméra est en retard, --skew règle la question</translation>
+    </message>
+    <message>
+        <source>{look}; {brings}</source>
+        <translation>{look}&#xa0;; {brings}</translation>
     </message>
     <message>
         <source>{name} holds no motion; choose one of {known}</source>
@@ -8282,10 +8338,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>method {method!r} not found; choose one of {known}</source>
         <translation>la méthode {method!r} est introuvable&#x202f;; choisissez parmi {known}</translation>
-    </message>
-    <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats</source>
-        <translation>le décalage s’il est donné, sinon l’horloge de l’enregistrement si c’est celle du clip, sinon les tapes</translation>
     </message>
     <message>
         <source>three pats on the camera, heard and felt</source>

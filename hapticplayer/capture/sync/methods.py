@@ -37,8 +37,9 @@ AUTO = "auto"
 
 _HERE = "hapticplayer.capture.sync.synchronize"
 SYNC_METHODS: tuple[SyncMethod, ...] = (
-    SyncMethod(AUTO, Message("the offset if given, the recording's own clock if it is the clip's, else pats"), f"{_HERE}:automatic"),
+    SyncMethod(AUTO, Message("the offset if given, the recording's own clock if it is the clip's, else pats and pictures, as far as there are any"), f"{_HERE}:automatic"),
     SyncMethod("pats", Message("three pats on the camera, heard and felt"), f"{_HERE}:by_pats"),
+    SyncMethod("pictures", Message("the camera's rotation in its frames against the gyro; needs the extra vision"), f"{_HERE}:by_pictures"),
     SyncMethod("variance", Message("the first sudden rise of sound and motion, as in the paper"), f"{_HERE}:by_variance"),
     SyncMethod("embedded", Message("the recording's own clock"), f"{_HERE}:by_own_clock"),
     SyncMethod("offset", Message("the offset that is given"), f"{_HERE}:by_given_offset"),

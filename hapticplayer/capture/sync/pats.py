@@ -179,11 +179,13 @@ def _is_rival(one: Candidate, best: Candidate) -> bool:
 def _result(found: _Found, other: _Found | None) -> Synchronisation:
     """Return the line through one end, or through both with the prior on the rate."""
     drift, sigma_s, pats = 0.0, found.sigma_s, found.pats
+    drift_sigma = DRIFT_PRIOR
     shift_s, at_s = found.shift_s, found.at_s
     if other is not None:
         apart_s = other.at_s - at_s
         variance = (found.sigma_s**2 + other.sigma_s**2) / apart_s**2
         trust = DRIFT_PRIOR**2 / (DRIFT_PRIOR**2 + variance)
+        drift_sigma = math.sqrt(trust * variance)
         measured = (other.shift_s - shift_s) / apart_s
         drift = trust * measured
         # the part of the rate that the prior removes is shared by both ends
@@ -201,4 +203,6 @@ def _result(found: _Found, other: _Found | None) -> Synchronisation:
         pats,
         tuple(Rival(one.shift_s, one.evidence) for one in found.rivals),
         has_drift=other is not None,
+        offset_sigma_s=sigma_s,
+        drift_sigma_ppm=1e6 * drift_sigma,
     )

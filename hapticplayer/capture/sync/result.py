@@ -35,6 +35,36 @@ class Rival:
 
 
 @dataclass(frozen=True, slots=True)
+class PictureEvidence:
+    """How well the rotation told by frames fits that of the gyro.
+
+    Attributes:
+        middle_s: media time of the middle of what was compared.
+        explained: share of the frames' rotation that the gyro explains.
+        margin: unexplained share of the best alternative shift over that of this one.
+        telling_share: share of the windows of 4 s that know the shift to 6 ms.
+        spread_s: RMS of the windows about the line.
+        read_out_s: from the first row of a frame to the last one, estimated.
+        read_out_sigma_s: SD of its error.
+    """
+
+    middle_s: float
+    explained: float
+    margin: float
+    telling_share: float
+    spread_s: float
+    read_out_s: float
+    read_out_sigma_s: float
+
+    def described(self) -> dict[str, float]:
+        """Return it as plain numbers."""
+        return {
+            name: round(getattr(self, name), 6)
+            for name in self.__dataclass_fields__  # slots have no vars()
+        }
+
+
+@dataclass(frozen=True, slots=True)
 class Synchronisation:
     """The clock map of a log to a clip, and its evidence.
 
@@ -48,6 +78,10 @@ class Synchronisation:
         has_drift: whether the clock rate was estimated.
         sound_late_s: skew of the camera, subtracted: how much later than its frames its
             sound comes.
+        offset_sigma_s: SD of the error at the middle of what was compared; 0 if unknown.
+        drift_sigma_ppm: SD of the error of the clock rate; 0 if unknown.
+        pictures: what the frames told.
+        second: what another method found, which agrees, or does not.
     """
 
     clock_map: ClockMap
@@ -58,11 +92,24 @@ class Synchronisation:
     rivals: tuple[Rival, ...] = ()
     has_drift: bool = False
     sound_late_s: float = 0.0
+    offset_sigma_s: float = 0.0
+    drift_sigma_ppm: float = 0.0
+    pictures: PictureEvidence | None = None
+    second: "Synchronisation | None" = None
 
     @property
     def is_confident(self) -> bool:
         """Whether it can be used without being checked."""
         return self.clock_map.confidence >= ENOUGH_CONFIDENCE
+
+    @property
+    def is_measured(self) -> bool:
+        """Whether its method has a confidence of its own."""
+        return self.method in ("pats", "pictures")
+
+    def media_s(self, log_s: float) -> float:
+        """Return the media time of a time of the log."""
+        return self.clock_map.rate * log_s + self.clock_map.offset_s
 
     @property
     def drift_ppm(self) -> float:
@@ -83,6 +130,10 @@ class Synchronisation:
             "evidence": round(self.evidence, 2),
             "margin": round(self.margin, 2),
             "sound_late_s": self.sound_late_s,
+            "offset_sigma_s": round(self.offset_sigma_s, 6),
+            "drift_sigma_ppm": round(self.drift_sigma_ppm, 2),
+            "pictures": self.pictures.described() if self.pictures else None,
+            "second": self.second.described() if self.second else None,
             "pats": [
                 {
                     "heard_s": round(pat.heard_s, 4),

@@ -1,11 +1,12 @@
 """Synchronises a log with a clip by one of `methods.SYNC_METHODS`."""
 
 import dataclasses
+import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,12 +17,17 @@ from hapticplayer.errors import InputError, UsageError
 from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.model import ClockMap, ImuLog
 
+if TYPE_CHECKING:
+    from hapticplayer.capture.vision import FrameRotation
+
 SOUND_RATE_HZ = 16_000
 MIN_IMU_RATE_HZ = 20.0
 MAX_SOUND_S = 4 * 3600.0
 
 _MIN_SOUND_RATE_HZ = 4000.0
 _AGREES_S = 0.0167
+_PATS_SIGMA_S = 0.004  # of pats at the least, beyond what their fit says
+_MOST_SIGMAS = 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,12 +53,15 @@ class SyncInput(NamedTuple):
         hear: reads the clip's sound; raises InputError where there is none.
         given: clock map given by a person.
         own: clock map known to the recording.
+        look: tells the camera's rotation from the clip's frames; raises InputError
+            where that is not possible. None without a clip.
     """
 
     imu: ImuLog
     hear: Callable[[], Sound]
     given: ClockMap | None = None
     own: ClockMap | None = None
+    look: "Callable[[], FrameRotation] | None" = None
 
 
 def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> Sound:
@@ -116,10 +125,73 @@ def synchronize(
 
 
 def automatic(inputs: SyncInput) -> Synchronisation:
-    """Use a given offset, else the recording's own clock, else pats."""
+    """Use a given offset, else the recording's own clock, else pats and pictures."""
     if inputs.given is not None:
         return by_given_offset(inputs)
-    return by_pats(inputs) if inputs.own is None else by_own_clock(inputs)
+    if inputs.own is not None:
+        return by_own_clock(inputs)
+    if inputs.look is None:
+        return by_pats(inputs)
+    pats, problem = _tried(by_pats, inputs)
+    pictures, _ = _tried(by_pictures, inputs)
+    if pats is None and pictures is None:
+        assert problem is not None
+        raise problem
+    if pats is None or pictures is None:
+        found = pats or pictures
+        assert found is not None
+        return found
+    return joined_findings(pats, pictures)
+
+
+def _tried(
+    method: Callable[[SyncInput], Synchronisation], inputs: SyncInput
+) -> tuple[Synchronisation | None, InputError | None]:
+    """Return what a method finds, or why it cannot be used."""
+    try:
+        return method(inputs), None
+    except InputError as problem:
+        return None, problem
+
+
+def joined_findings(
+    pats: Synchronisation, pictures: Synchronisation
+) -> Synchronisation:
+    """Return one result: where both agree the pictures', which are more precise."""
+    if pictures.pictures is None:  # nothing fits
+        return pats
+    if not pats.pats:
+        return pictures
+    likelier, other = pictures, pats
+    if pats.clock_map.confidence > pictures.clock_map.confidence:
+        likelier, other = pats, pictures
+    if agree(pats, pictures):
+        doubt = (1.0 - pats.clock_map.confidence) * (
+            1.0 - pictures.clock_map.confidence
+        )
+        clock = dataclasses.replace(pictures.clock_map, confidence=1.0 - doubt)
+        return dataclasses.replace(
+            pictures, clock_map=clock, pats=pats.pats, second=pats
+        )
+    if pats.is_confident and pictures.is_confident:
+        clock = dataclasses.replace(likelier.clock_map, confidence=0.0)
+        return dataclasses.replace(likelier, clock_map=clock, second=other)
+    return dataclasses.replace(likelier, second=other)
+
+
+def agree(pats: Synchronisation, pictures: Synchronisation) -> bool:
+    """Whether two results differ by no more than their sigmas allow."""
+    assert pictures.pictures is not None
+    clock = pictures.clock_map
+    log_s = (pictures.pictures.middle_s - clock.offset_s) / clock.rate
+    apart_s = pats.media_s(log_s) - pictures.media_s(log_s)
+    since_s = log_s - float(np.mean([pat.felt_s for pat in pats.pats]))
+    sigma_s = math.hypot(
+        max(pats.offset_sigma_s, _PATS_SIGMA_S),
+        1e-6 * pats.drift_sigma_ppm * since_s,
+        pictures.offset_sigma_s,
+    )
+    return abs(apart_s) <= _MOST_SIGMAS * sigma_s
 
 
 def by_given_offset(inputs: SyncInput) -> Synchronisation:
@@ -152,6 +224,15 @@ def by_pats(inputs: SyncInput) -> Synchronisation:
     if found is None:
         found = Synchronisation(ClockMap(confidence=0.0), "pats")
     return _without_skew(found, sound)
+
+
+def by_pictures(inputs: SyncInput) -> Synchronisation:
+    """Compare the camera's rotation in the frames with the log's gyro."""
+    if inputs.look is None:
+        raise UsageError("the method pictures needs a clip")
+    from hapticplayer.capture.sync.pictures import synchronize_pictures
+
+    return synchronize_pictures(inputs.imu, inputs.look())
 
 
 def by_variance(inputs: SyncInput) -> Synchronisation:

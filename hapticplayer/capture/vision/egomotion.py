@@ -28,6 +28,8 @@ _CHANGE_RAD = 0.03  # of the direction of travel, from its recent mean
 _SLOWEST = 0.05  # distance from the focus of expansion at which its lines lose meaning
 _INLIER = 0.25  # least weight
 _MOST_STEP_RAD = 0.3
+_MOST_SKEW_RAD = 0.05
+_SKEW_ROUNDS = 4
 
 
 class Egomotion(NamedTuple):
@@ -37,11 +39,16 @@ class Egomotion(NamedTuple):
         rotation_rad: (3,) rotation vector of the camera.
         travel: (3,) unit vector; its sign is open.
         is_inlier: (M,) which matches agree.
+        height: (3,) mean of y, by its share in the rotation about each axis.
+        skew_rad: (3,) how much larger the rotation is per unit of y: where rows are
+            exposed one after the other, that is its change meanwhile.
     """
 
     rotation_rad: Floats
     travel: Floats
     is_inlier: NDArray[np.bool_]
+    height: Floats
+    skew_rad: Floats
 
 
 def egomotion(before: Floats, after: Floats, travel: Floats, px: float) -> Egomotion:
@@ -54,27 +61,70 @@ def egomotion(before: Floats, after: Floats, travel: Floats, px: float) -> Egomo
         px: size of a pixel at z = 1.
     """
     middle, flow = (before + after) / 2.0, after - before
-    of_rotation = _rotation_flow(middle)
     rotation = rotation_alone(middle, flow, px)
-    expected, weight = travel, np.ones(len(flow))
+    expected = travel
+    at = _linearised(middle, flow, rotation, travel)
     for scale_px in _FINE_PX:
-        left = flow - of_rotation @ rotation
-        across, moment = _across(middle, left, travel)
-        error = np.einsum("mi,mi->m", across, left)
-        weight = _weight(error**2, scale_px * px)
-        tangent = _tangent(travel)
-        jacobian = np.column_stack(
-            [-np.einsum("mi,mij->mj", across, of_rotation), moment @ tangent]
-        )
-        weighted = (jacobian * weight[:, None]).T / (_NOISE_PX * px) ** 2
-        normal, right = weighted @ jacobian, -weighted @ error
-        normal[3:, 3:] += np.eye(2) / _CHANGE_RAD**2
-        right[3:] += tangent.T @ (expected - travel) / _CHANGE_RAD**2
-        step = np.linalg.solve(normal + 1e-6 * np.eye(5), right)
-        rotation = rotation + step[:3]
-        travel = travel + tangent @ np.clip(step[3:], -_MOST_STEP_RAD, _MOST_STEP_RAD)
+        trust = _weight(at.error**2, scale_px * px) / (_NOISE_PX * px) ** 2
+        right = -(at.jacobian * trust[:, None]).T @ at.error
+        right[3:] += at.tangent.T @ (expected - travel) / _CHANGE_RAD**2
+        step = np.linalg.solve(_normal(at.jacobian, trust), right)
+        aside = np.clip(step[3:], -_MOST_STEP_RAD, _MOST_STEP_RAD)
+        rotation, travel = rotation + step[:3], travel + at.tangent @ aside
         travel = travel / np.linalg.norm(travel)
-    return Egomotion(rotation, travel, weight > _INLIER)
+        at = _linearised(middle, flow, rotation, travel)
+    weight = _weight(at.error**2, _FINE_PX[-1] * px)
+    height, skew = _skew(at, middle[:, 1], px)
+    return Egomotion(rotation, travel, weight > _INLIER, height, skew)
+
+
+class _Linearised(NamedTuple):
+    """Flow across the lines of travel that is left (M,), and how it changes.
+
+    By rotation and by the two directions of `tangent` (3, 2): (M, 5).
+    """
+
+    error: Floats
+    jacobian: Floats
+    tangent: Floats
+
+
+def _linearised(
+    points: Floats, flow: Floats, rotation: Floats, travel: Floats
+) -> _Linearised:
+    of_rotation = _rotation_flow(points)
+    left = flow - of_rotation @ rotation
+    across, moment = _across(points, left, travel)
+    tangent = _tangent(travel)
+    by_rotation = -np.einsum("mi,mij->mj", across, of_rotation)
+    jacobian = np.column_stack([by_rotation, moment @ tangent])
+    return _Linearised(np.einsum("mi,mi->m", across, left), jacobian, tangent)
+
+
+def _normal(jacobian: Floats, trust: Floats) -> Floats:
+    """Return the normal matrix of rotation, travel and perhaps more, with the priors."""
+    normal = (jacobian * trust[:, None]).T @ jacobian + 1e-6 * np.eye(jacobian.shape[1])
+    normal[3:5, 3:5] += np.eye(2) / _CHANGE_RAD**2
+    return np.asarray(normal)
+
+
+def _skew(at: _Linearised, y: Floats, px: float) -> tuple[Floats, Floats]:
+    """Return `Egomotion.height` and `skew_rad`, at the end of the fit."""
+    jacobian, error = at.jacobian, at.error
+    trust = _weight(error**2, _FINE_PX[-1] * px) / (_NOISE_PX * px) ** 2
+    by_height = jacobian[:, :3] * y[:, None]
+    weighted = (jacobian * trust[:, None]).T
+    shares = np.linalg.solve(_normal(jacobian, trust), weighted @ by_height)
+    longer = np.column_stack([jacobian, by_height])
+    found: Floats = np.zeros(8)
+    for _ in range(_SKEW_ROUNDS):
+        left = error + longer @ found
+        trust = _weight(left**2, _FINE_PX[-1] * px) / (_NOISE_PX * px) ** 2
+        normal = _normal(longer, trust)
+        normal[5:, 5:] += np.eye(3) / _MOST_SKEW_RAD**2
+        right = -(longer * trust[:, None]).T @ error
+        found = np.asarray(np.linalg.solve(normal, right))
+    return np.diag(shares[:3]).copy(), found[5:]
 
 
 def rotation_alone(middle: Floats, flow: Floats, px: float) -> Floats:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture.vision.egomotion import AHEAD, egomotion, rotation_alone
+from hapticplayer.capture.vision.egomotion import AHEAD, egomotion
 from hapticplayer.capture.vision.features import CELL_PX, FeatureTracker, Matches
 from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import probe
@@ -26,6 +26,7 @@ FIELD_OF_VIEW_RAD = np.radians(80.0)
 _FEWEST = 12
 _MANY_SHARE = 0.3  # of the cells, from which on quality does not suffer
 _LEAST_AGREEMENT = 0.3
+_VALUES = 12  # of each interval, in `_table`
 _MEMORY = 0.05  # share of the newest in the mean direction of travel
 _TO_FRAME_A = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 
@@ -46,10 +47,11 @@ class FrameRotation:
         end_s: (N,) that of the second one.
         rotation_rad: (N, 3) rotation vectors.
         quality: (N,) 0 (nothing can be told, as at a cut) to 1.
-        row: (N,) mean height of what was followed: 0 top, 1 bottom.
-        halves_rad: (N, 2, 3) the same from the upper and the lower half alone, coarse:
-            for the read-out time of the sensor.
-        halves_row: (N, 2) mean height of what was followed in each half.
+        row: (N, 3) mean row of what was followed, by its share in each axis: -0.5 top,
+            0.5 bottom. A sensor that reads its rows one after the other tells the
+            rotation of the time at which it reads this row.
+        skew_rad: (N, 3) by how much the rotation of the bottom row is larger than that
+            of the top one.
     """
 
     begin_s: Floats
@@ -57,8 +59,7 @@ class FrameRotation:
     rotation_rad: Floats
     quality: Floats
     row: Floats
-    halves_rad: Floats
-    halves_row: Floats
+    skew_rad: Floats
 
     def __len__(self) -> int:
         return len(self.begin_s)
@@ -135,9 +136,9 @@ class _Watcher:
     def __init__(self, cv2: Any, width: int, height: int) -> None:
         self._tracker = FeatureTracker(cv2)
         self._middle_px = np.array([0.5 * width - 0.5, 0.5 * height - 0.5])
-        self._height_px = height
         focal = 0.5 * max(width, height) / np.tan(0.5 * FIELD_OF_VIEW_RAD)
         self._px = float(1.0 / focal)
+        self._height = height * self._px
         self._many = _MANY_SHARE * (width // CELL_PX) * (height // CELL_PX)
         self._travel = AHEAD
         self._last_s = 0.0
@@ -148,58 +149,41 @@ class _Watcher:
         begin_s, self._last_s = self._last_s, pts_s
         if matches is None:
             return None
-        told = np.zeros(13)
-        told[4] = told[11] = told[12] = 0.5
+        told = np.zeros(_VALUES - 2)
         if len(matches.before) >= _FEWEST:
             told = self._told(matches)
         return np.concatenate([[begin_s, pts_s], told])
 
     def _told(self, matches: Matches) -> Floats:
-        """Return rotation, quality, row, and those of the halves: 13 values."""
+        """Return rotation, quality, row and skew."""
         before, after = (
             (px - self._middle_px) * self._px for px in (matches.before, matches.after)
         )
         found = egomotion(before, after, self._travel, self._px)
         share = float(found.is_inlier.mean())
-        quality = share * min(1.0, len(before) / self._many)
         if share < _LEAST_AGREEMENT:
             quality = 0.0
         else:
+            quality = share * min(1.0, len(before) / self._many)
             travel = self._travel + _MEMORY * (found.travel - self._travel)
             self._travel = travel / np.linalg.norm(travel)
-        rows = (matches.before[:, 1] + matches.after[:, 1]) / (2.0 * self._height_px)
-        used = found.is_inlier if found.is_inlier.any() else np.ones(len(rows), bool)
-        halves = [
-            self._half(before, after, rows, rows < 0.5),
-            self._half(before, after, rows, rows >= 0.5),
-        ]
         return np.concatenate(
             [
                 _TO_FRAME_A @ found.rotation_rad,
-                [quality, float(rows[used].mean())],
-                *(half for half, _ in halves),
-                [row for _, row in halves],
+                [quality],
+                np.abs(_TO_FRAME_A) @ found.height / self._height,
+                _TO_FRAME_A @ found.skew_rad * self._height,
             ]
         )
 
-    def _half(
-        self, before: Floats, after: Floats, rows: Floats, chosen: Any
-    ) -> tuple[Floats, float]:
-        if int(chosen.sum()) < _FEWEST:
-            return np.full(3, np.nan), 0.5
-        before, after = before[chosen], after[chosen]
-        alone = rotation_alone((before + after) / 2.0, after - before, self._px)
-        return _TO_FRAME_A @ alone, float(rows[chosen].mean())
-
 
 def _table(rows: list[Floats]) -> FrameRotation:
-    table = np.array(rows).reshape(-1, 15)
+    table = np.array(rows).reshape(-1, _VALUES)
     return FrameRotation(
         begin_s=table[:, 0],
         end_s=table[:, 1],
         rotation_rad=table[:, 2:5],
         quality=table[:, 5],
-        row=table[:, 6],
-        halves_rad=table[:, 7:13].reshape(-1, 2, 3),
-        halves_row=table[:, 13:15],
+        row=table[:, 6:9],
+        skew_rad=table[:, 9:12],
     )

@@ -1,0 +1,132 @@
+"""Synchronises by the camera's rotation, as its frames and as the log's gyro tell it."""
+
+import math
+from collections.abc import Sequence
+
+from hapticplayer.capture.sync.result import PictureEvidence, Rival, Synchronisation
+from hapticplayer.capture.sync.rotation_line import Line, fit_line
+from hapticplayer.capture.sync.rotation_match import Fit, Gyro, Watched, candidates
+from hapticplayer.capture.vision import FrameRotation
+from hapticplayer.errors import InputError
+from hapticplayer.model import ClockMap, ImuLog
+
+LONG_S = 120.0
+"""Of longer clips parts are looked at."""
+
+_PARTS, _PART_S = 4, 30.0
+_LEAST_S = 5.0
+
+# thresholds at which the confidence is a half; see benchmarks.sync pictures
+_MARGIN = 1.5
+_EXPLAINED = 0.6
+_TELLING_SHARE = 0.4
+_TELLING_S = 0.006
+_SPREAD_S = 0.006
+
+_READ_OUT_S, _READ_OUT_SD_S = 0.012, 0.010  # of rolling shutters, global ones included
+_READ_OUT_ERROR_S = 0.005  # of what frames tell of it
+_FLOOR_S = 0.0015
+
+
+def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:
+    """Return begin and end of the parts of a clip to look at, from its start to its end."""
+    if duration_s <= LONG_S:
+        return [(0.0, duration_s)]
+    apart_s = (duration_s - _PART_S) / (_PARTS - 1)
+    return [(part * apart_s, part * apart_s + _PART_S) for part in range(_PARTS)]
+
+
+def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
+    """Return the clock map of the log to the frames; confidence 0 if nothing fits.
+
+    Args:
+        imu: the log, with a gyro; its axes may be any.
+        frames: what `capture.vision.rotation` told of the clip.
+
+    Raises:
+        InputError: when the frames or the log tell of no rotation at all.
+    """
+    watched = _usable(imu, frames)
+    gyro = Gyro(imu)
+    fits = candidates(watched, gyro)
+    if not fits:
+        return Synchronisation(ClockMap(confidence=0.0), "pictures")
+    line = fit_line(watched, gyro, fits[0])
+    return _result(fits, line)
+
+
+def _usable(imu: ImuLog, frames: FrameRotation) -> Watched:
+    if not imu.angular_rate_radps.any():
+        raise InputError(
+            "has no angular rate, which frames could be compared with",
+            where=imu.source,
+            remedy="use --method pats, or give --offset S",
+        )
+    told_s = float((frames.end_s - frames.begin_s) @ (frames.quality > 0.0))
+    if told_s < _LEAST_S:
+        raise InputError(
+            "the frames tell of the camera's rotation for {told_s:.1f} s only",
+            remedy="film something with detail, or use --method pats",
+            told_s=told_s,
+        )
+    return Watched.of(frames)
+
+
+def _result(fits: list[Fit], line: Line) -> Synchronisation:
+    read_out_s, read_out_sd_s = read_out(line)
+    # rows that were read earlier than the middle show an earlier time
+    shift_s = line.shift_s - line.row * read_out_s
+    sigma_s = math.hypot(line.shift_sigma_s, line.row * read_out_sd_s, _FLOOR_S)
+    evidence = _evidence(fits, line, (read_out_s, read_out_sd_s))
+    rate = 1.0 / (1.0 + line.drift)
+    clock = ClockMap(
+        -(shift_s - line.drift * line.middle_s) * rate,
+        rate,
+        line.spread_s,
+        _confidence(evidence),
+    )
+    return Synchronisation(
+        clock,
+        "pictures",
+        margin=evidence.margin,
+        rivals=tuple(Rival(-one.shift_s, 1.0 - one.unexplained) for one in fits[1:]),
+        has_drift=True,
+        offset_sigma_s=sigma_s,
+        drift_sigma_ppm=1e6 * line.drift_sigma,
+        pictures=evidence,
+    )
+
+
+def read_out(line: Line) -> tuple[float, float]:
+    """Return the read-out time and its sigma: what frames tell, and what is usual."""
+    told = 1.0 / (line.read_out_sigma_s**2 + _READ_OUT_ERROR_S**2)
+    usual = 1.0 / _READ_OUT_SD_S**2
+    mean_s = (told * line.read_out_s + usual * _READ_OUT_S) / (told + usual)
+    return mean_s, 1.0 / math.sqrt(told + usual)
+
+
+def _evidence(
+    fits: list[Fit], line: Line, read_out_s: tuple[float, float]
+) -> PictureEvidence:
+    best = fits[0].unexplained
+    rival = fits[1].unexplained if len(fits) > 1 else 1.0
+    telling = line.window_sigma_s < _TELLING_S
+    return PictureEvidence(
+        line.middle_s,
+        1.0 - best,
+        rival / max(best, 1e-6),
+        float(telling.mean()),
+        line.spread_s,
+        *read_out_s,
+    )
+
+
+def _confidence(evidence: PictureEvidence) -> float:
+    """Return 0 to 1: a half where the weakest sign is at its threshold."""
+    weakest = min(
+        math.log2(evidence.margin / _MARGIN),
+        (evidence.explained - _EXPLAINED) / 0.1,
+        (evidence.telling_share - _TELLING_SHARE) / 0.2,
+        math.log2(_SPREAD_S / max(evidence.spread_s, 1e-6)),
+    )
+    return 1.0 / (1.0 + math.exp(-3.0 * min(max(weakest, -10.0), 10.0)))

@@ -1,0 +1,281 @@
+"""Frames whose rotation is made up, with the errors that real ones have."""
+
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+
+from hapticplayer.capture.mounting import axes_matrix
+from hapticplayer.capture.sync import synchronize as module
+from hapticplayer.capture.sync.pictures import (
+    LONG_S,
+    spans_to_watch,
+    synchronize_pictures,
+)
+from hapticplayer.capture.sync.result import Pat, Synchronisation
+from hapticplayer.capture.sync.synchronize import SyncInput, automatic, joined_findings
+from hapticplayer.capture.vision import FrameRotation
+from hapticplayer.errors import InputError, UsageError
+from hapticplayer.model import ClockMap, ImuLog, Sampling
+
+CLIP_S = 30.0
+FRAME_S = 1 / 30.0
+NOISE_RAD = 2e-4
+FOCAL_GAIN = 0.9
+
+
+class Ride:
+    """Random angles about three axes, as a sum of sines."""
+
+    def __init__(self, seed: int, rms_radps: float = 0.1) -> None:
+        rng = np.random.default_rng(seed)
+        self.hz = rng.uniform(0.2, 6.0, (40, 3))
+        self.phase = rng.uniform(0.0, 2 * np.pi, (40, 3))
+        self.size = rms_radps * np.sqrt(2 / 40) / (2 * np.pi * self.hz)
+
+    def angles(self, time_s: np.ndarray) -> np.ndarray:
+        """(N, 3) rad; small enough that they add."""
+        waves = np.sin(2 * np.pi * self.hz * time_s[:, None, None] + self.phase)
+        return (self.size * waves).sum(axis=1)
+
+    def log(
+        self,
+        clock: ClockMap,
+        axes: str = "x,y,z",
+        rate_hz: float = 200.0,
+        duration_s: float = CLIP_S,
+    ) -> ImuLog:
+        """What a logger wrote from 10 s before the clip to 15 s after it."""
+        media_s = np.arange(-10.0, duration_s + 15.0, 1 / rate_hz)
+        half_s = 0.5 / rate_hz
+        rate = (self.angles(media_s + half_s) - self.angles(media_s - half_s)) * rate_hz
+        rng = np.random.default_rng(5)
+        rate = rate @ axes_matrix(axes) + rng.normal(0.02, 0.002, rate.shape)
+        own_s = (media_s - clock.offset_s) / clock.rate
+        return ImuLog(own_s, np.zeros_like(rate), rate, sampling=Sampling.AVERAGED)
+
+    def frames(
+        self, read_out_s: float = 0.0, row: float = -0.1, begin_s: float = 0.0
+    ) -> FrameRotation:
+        """What frames tell, with a focal gain, noise and a rolling shutter."""
+        starts_s = np.arange(begin_s, begin_s + CLIP_S, FRAME_S)
+        end_s = starts_s + FRAME_S
+
+        def turned(at: float) -> np.ndarray:
+            late_s = at * read_out_s
+            return self.angles(end_s + late_s) - self.angles(starts_s + late_s)
+
+        rng = np.random.default_rng(9)
+        gains = np.array([FOCAL_GAIN, 1.0, FOCAL_GAIN])
+        told = gains * turned(row) + rng.normal(0.0, NOISE_RAD, (len(end_s), 3))
+        return FrameRotation(
+            starts_s,
+            end_s,
+            told,
+            np.ones(len(end_s)),
+            np.full((len(end_s), 3), row),
+            gains * (turned(0.5) - turned(-0.5)),
+        )
+
+
+def error_s(found: Synchronisation, clock: ClockMap) -> float:
+    """Error at the middle of the clip."""
+    middle_s = CLIP_S / 2
+    return found.media_s((middle_s - clock.offset_s) / clock.rate) - middle_s
+
+
+@pytest.mark.parametrize("rate_hz", [200.0, 30.0])
+@pytest.mark.parametrize(
+    ("offset_s", "drift_ppm", "axes"),
+    [(0.0, 0.0, "x,y,z"), (-37.3, 80.0, "-z,y,x"), (52.1, -80.0, "y,-x,z")],
+)
+def test_offset_is_found_whatever_the_axes(rate_hz, offset_s, drift_ppm, axes) -> None:
+    ride, clock = Ride(1), ClockMap(offset_s, 1.0 + 1e-6 * drift_ppm)
+
+    found = synchronize_pictures(ride.log(clock, axes, rate_hz), ride.frames())
+
+    assert found.is_confident
+    assert abs(error_s(found, clock)) < 0.001
+    assert found.pictures is not None
+    assert found.pictures.explained > 0.95
+
+
+def test_clock_rate_of_a_long_clip_is_found() -> None:
+    ride, clock = Ride(1), ClockMap(3.0, 1.0 + 80e-6)
+    parts = [ride.frames(begin_s=begin_s) for begin_s, _ in spans_to_watch(400.0)]
+    joined = (
+        np.concatenate([getattr(one, f.name) for one in parts])
+        for f in fields(FrameRotation)
+    )
+
+    found = synchronize_pictures(
+        ride.log(clock, duration_s=400.0), FrameRotation(*joined)
+    )
+
+    assert found.drift_ppm == pytest.approx(80.0, abs=3.0 * found.drift_sigma_ppm)
+    assert found.drift_sigma_ppm < 10.0
+
+
+@pytest.mark.parametrize("read_out_s", [0.0, 0.012, 0.03])
+def test_rolling_shutter_does_not_bias(read_out_s) -> None:
+    ride, clock = Ride(2), ClockMap(1.5)
+
+    found = synchronize_pictures(ride.log(clock), ride.frames(read_out_s, row=-0.2))
+
+    assert abs(error_s(found, clock)) < 0.0012
+    assert abs(error_s(found, clock)) < 2.0 * found.offset_sigma_s
+    assert found.pictures is not None
+    assert found.pictures.read_out_s == pytest.approx(read_out_s, abs=0.005)
+
+
+@pytest.mark.parametrize("seed", range(10, 20))
+def test_log_of_another_ride_is_not_believed(seed) -> None:
+    found = synchronize_pictures(Ride(seed).log(ClockMap()), Ride(1).frames())
+
+    assert found.clock_map.confidence < 0.1
+
+
+def test_cut_and_gap_do_not_matter() -> None:
+    ride, clock = Ride(3), ClockMap(4.0)
+    frames, imu = ride.frames(), ride.log(clock)
+    quality = frames.quality.copy()
+    told = frames.rotation_rad.copy()
+    quality[300:340], told[300:340] = 0.0, 0.4
+    away = (imu.time_s > 10.0) & (imu.time_s < 12.0)
+    imu = ImuLog(
+        imu.time_s[~away],
+        imu.specific_force_mps2[~away],
+        imu.angular_rate_radps[~away],
+        sampling=imu.sampling,
+    )
+
+    found = synchronize_pictures(
+        imu, replace(frames, quality=quality, rotation_rad=told)
+    )
+
+    assert found.is_confident
+    assert abs(error_s(found, clock)) < 0.001
+
+
+def test_frames_played_at_another_rate_are_not_believed() -> None:
+    ride = Ride(1)
+    frames = ride.frames()
+    slower = replace(frames, begin_s=1.2 * frames.begin_s, end_s=1.2 * frames.end_s)
+
+    assert not synchronize_pictures(ride.log(ClockMap()), slower).is_confident
+
+
+def test_mirrored_frames_keep_their_time() -> None:
+    ride, clock = Ride(1), ClockMap(2.0)
+    frames = ride.frames()
+    mirrored = frames.rotation_rad * np.array([1.0, -1.0, -1.0])
+
+    found = synchronize_pictures(
+        ride.log(clock), replace(frames, rotation_rad=mirrored)
+    )
+
+    # as if the logger were turned over: gravity has to say that it was not
+    assert abs(error_s(found, clock)) < 0.001
+
+
+def test_still_camera_or_no_gyro_is_refused() -> None:
+    ride = Ride(1)
+    frames, imu = ride.frames(), ride.log(ClockMap())
+    blind = replace(frames, quality=np.zeros(len(frames)))
+    no_gyro = replace(imu, angular_rate_radps=np.zeros((len(imu), 3)))
+
+    with pytest.raises(InputError, match=r"rotation for 0\.0 s only"):
+        synchronize_pictures(imu, blind)
+    with pytest.raises(InputError, match="no angular rate"):
+        synchronize_pictures(no_gyro, frames)
+    still = replace(
+        frames, rotation_rad=np.random.default_rng(3).normal(0, 1e-4, (len(frames), 3))
+    )
+    assert not synchronize_pictures(imu, still).is_confident
+
+
+def test_long_clips_are_looked_at_in_parts() -> None:
+    assert spans_to_watch(50.0) == [(0.0, 50.0)]
+    spans = spans_to_watch(3600.0)
+    assert spans[0][0] == 0.0
+    assert spans[-1][1] == pytest.approx(3600.0)
+    assert sum(end - begin for begin, end in spans) <= LONG_S
+
+
+# --- together with pats ----------------------------------------------------------------
+
+
+def by_pats(offset_s: float, confidence: float) -> Synchronisation:
+    pats = tuple(Pat(offset_s + at, at, 0.01, 0.01) for at in (2.0, 2.5, 3.0))
+    return Synchronisation(
+        ClockMap(offset_s, 1.0, 0.003, confidence),
+        "pats",
+        pats=pats,
+        offset_sigma_s=0.003,
+        drift_sigma_ppm=50.0,
+    )
+
+
+@pytest.fixture(scope="module")
+def pictures() -> Synchronisation:
+    ride = Ride(1)
+    return synchronize_pictures(ride.log(ClockMap(1.0)), ride.frames())
+
+
+def with_confidence(found: Synchronisation, confidence: float) -> Synchronisation:
+    return replace(found, clock_map=replace(found.clock_map, confidence=confidence))
+
+
+def test_agreement_raises_the_confidence(pictures) -> None:
+    first = with_confidence(pictures, 0.7)
+
+    both = joined_findings(by_pats(1.004, 0.6), first)
+
+    assert both.clock_map.confidence == pytest.approx(0.88)
+    assert both.method == "pictures"
+    assert len(both.pats) == 3
+    assert both.clock_map.offset_s == first.clock_map.offset_s
+
+
+def test_certain_ones_that_differ_are_a_question(pictures) -> None:
+    both = joined_findings(by_pats(1.1, 0.9), pictures)
+
+    assert not both.is_confident
+    assert both.second is not None
+    assert both.second.is_confident
+
+
+@pytest.mark.parametrize(
+    ("pats_sure", "pictures_sure", "taken"),
+    [(0.9, 0.2, "pats"), (0.2, 0.9, "pictures"), (0.1, 0.3, "pictures")],
+)
+def test_the_certain_one_is_taken(pictures, pats_sure, pictures_sure, taken) -> None:
+    other = with_confidence(pictures, pictures_sure)
+
+    found = joined_findings(by_pats(7.0, pats_sure), other)
+
+    assert found.method == taken
+    assert found.is_confident == (max(pats_sure, pictures_sure) > 0.5)
+
+
+def test_auto_uses_what_there_is(pictures, monkeypatch) -> None:
+    imu = Ride(1).log(ClockMap(1.0))
+
+    def missing() -> object:
+        raise InputError("there is none")
+
+    frames = Ride(1).frames()
+    found = automatic(SyncInput(imu, missing, look=lambda: frames))
+    assert found.method == "pictures"
+    assert found.is_confident
+
+    monkeypatch.setattr(module, "by_pats", lambda _inputs: by_pats(2.0, 0.9))
+    assert automatic(SyncInput(imu, missing, look=missing)).method == "pats"
+    monkeypatch.undo()
+    with pytest.raises(InputError, match="there is none"):
+        automatic(SyncInput(imu, missing, look=missing))
+
+
+def test_pictures_need_a_clip() -> None:
+    with pytest.raises(UsageError, match="needs a clip"):
+        module.by_pictures(SyncInput(Ride(1).log(ClockMap()), lambda: None))
