@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from app.editor.spans import Part
+from hapticplayer.errors import UsageError
 from hapticplayer.rendering.effects import Effect, EffectList, kind_of
 from hapticplayer.rendering.event import LEAST_EFFECT_S
 
@@ -83,6 +84,45 @@ def stretched(effect: Effect, part: Part, to_s: float, duration_s: float) -> Eff
 def copied_to(effect: Effect, at_s: float, duration_s: float) -> Effect:
     """Return a copy that begins at a time, or as late as the clip allows."""
     return moved(effect, at_s - effect.start_s, duration_s)
+
+
+def with_parameter(effect: Effect, name: str, value: float) -> Effect:
+    """Return an effect with another parameter; raises UsageError."""
+    known = next(one for one in kind_of(effect.kind).parameters if one.name == name)
+    if known.range is not None and known.range.is_whole:
+        value = round(value)
+    others = {key: one for key, one in effect.parameters.items() if key != name}
+    if value == known.default:
+        return replace(effect, parameters=others)
+    return replace(effect, parameters={**others, name: value})
+
+
+def with_fade(effect: Effect, name: str, fade_s: float) -> Effect:
+    """Return an effect with another `fade_in_s` or `fade_out_s`, beside the other."""
+    is_in = name == "fade_in_s"
+    other_s = effect.fade_out_s if is_in else effect.fade_in_s
+    fade_s = min(max(fade_s, 0.0), max(0.0, effect.duration_s - other_s))
+    if is_in:
+        return replace(effect, fade_in_s=fade_s)
+    return replace(effect, fade_out_s=fade_s)
+
+
+def with_curve(effect: Effect, text: str) -> Effect:
+    """Return an effect with control points such as "0 1; 0.5 2", or without any.
+
+    Raises:
+        UsageError: for what are no points, or are not allowed.
+    """
+    points = []
+    for part in filter(None, map(str.strip, text.split(";"))):
+        try:
+            time_s, value = (float(one.replace(",", ".")) for one in part.split())
+        except ValueError:
+            raise UsageError(
+                "{text!r} must be a time in s and a value", text=part[:40]
+            ) from None
+        points.append((time_s, value))
+    return replace(effect, curve=tuple(points))
 
 
 def changed_number(before: EffectList, after: EffectList) -> int | None:

@@ -672,6 +672,82 @@
         <source>No effect is selected</source>
         <translation>Kein Effekt ausgewählt</translation>
     </message>
+    <message>
+        <source>Fade in</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Fade out</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Control &amp;points: s after the begin, value</source>
+        <translation>Stütz&amp;punkte: s nach dem Anfang, Wert</translation>
+    </message>
+    <message>
+        <source>Such as 0 1; 0.5 2; 1 1 – empty for one value</source>
+        <translation>Etwa 0 1; 0.5 2; 1 1 – leer für einen einzigen Wert</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Motion before the rendering</source>
+        <translation>Bewegung vor dem Rendern</translation>
+    </message>
+    <message>
+        <source>Cha&amp;nges</source>
+        <translation>Ä&amp;ndert</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>zu Ihnen</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Blende</translation>
+    </message>
+    <message>
+        <source>Change the numbers</source>
+        <translation>Zahlen ändern</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Change the direction</source>
+        <translation>Richtung ändern</translation>
+    </message>
+    <message>
+        <source>Change the control points</source>
+        <translation>Stützpunkte ändern</translation>
+    </message>
 </context>
 <context>
     <name>EmptyPage</name>
@@ -6882,6 +6958,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>
         <translation>{text!r} ist keine Drehung; geben Sie neun Zahlen an, Zeile für Zeile, mit Zeilen der Länge 1, rechtwinklig zueinander, und Determinante +1</translation>
+    </message>
+    <message>
+        <source>{text!r} must be a time in s and a value</source>
+        <translation>{text!r} muss eine Zeit in s und ein Wert sein</translation>
     </message>
     <message>
         <source>{title} does not answer at {url}; start it and choose the device again</source>

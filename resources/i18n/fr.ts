@@ -672,6 +672,82 @@
         <source>No effect is selected</source>
         <translation>Aucun effet sélectionné</translation>
     </message>
+    <message>
+        <source>Fade in</source>
+        <translation>Fondu d’entrée</translation>
+    </message>
+    <message>
+        <source>Fade out</source>
+        <translation>Fondu de sortie</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Control &amp;points: s after the begin, value</source>
+        <translation>&amp;Points de contrôle&#xa0;: s après le début, valeur</translation>
+    </message>
+    <message>
+        <source>Such as 0 1; 0.5 2; 1 1 – empty for one value</source>
+        <translation>Par exemple 0 1; 0.5 2; 1 1 – vide pour une seule valeur</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Motion before the rendering</source>
+        <translation>Mouvement avant le rendu</translation>
+    </message>
+    <message>
+        <source>Cha&amp;nges</source>
+        <translation>Modi&amp;fie</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>haut</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>vers vous</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Fondu</translation>
+    </message>
+    <message>
+        <source>Change the numbers</source>
+        <translation>Modifier les nombres</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Modifier</translation>
+    </message>
+    <message>
+        <source>Change the direction</source>
+        <translation>Modifier la direction</translation>
+    </message>
+    <message>
+        <source>Change the control points</source>
+        <translation>Modifier les points de contrôle</translation>
+    </message>
 </context>
 <context>
     <name>EmptyPage</name>
@@ -6882,6 +6958,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>
         <translation>{text!r} n’est pas une rotation&#xa0;; donnez neuf nombres, ligne par ligne, avec des lignes de longueur 1, perpendiculaires, et un déterminant +1</translation>
+    </message>
+    <message>
+        <source>{text!r} must be a time in s and a value</source>
+        <translation>{text!r} doit être un temps en s et une valeur</translation>
     </message>
     <message>
         <source>{title} does not answer at {url}; start it and choose the device again</source>

@@ -54,6 +54,7 @@ from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
 from hapticplayer.errors import DeviceError
 from hapticplayer.playback.player import Player
+from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.preflight import SessionCheck
 
@@ -86,6 +87,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "library-empty": lambda: LibraryPage(folder, window),
         "library": lambda: LibraryPage(_library(window), window),
         "effects": lambda: _editor(window),
+        "effects-chosen": lambda: _editor_with_effect(window),
         "rendering": lambda: RenderingPage(
             window.player.snapshot().source.path, "A ride", folder, window
         ),
@@ -141,6 +143,15 @@ def _editor(window: PlayerWindow) -> EditorPage:
     loop = QEventLoop()
     page.ready.connect(loop.quit)
     loop.exec()
+    return page
+
+
+def _editor_with_effect(window: PlayerWindow) -> EditorPage:
+    """Return the editor with the numbers of an effect that has many."""
+    page = _editor(window)
+    effects = (Effect("ramp", 0.2, 1.2), Effect("knock", 0.5, 0.7))
+    page.document.open(EffectList(effects))
+    page.document.select(1)
     return page
 
 
