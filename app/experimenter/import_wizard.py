@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
     QLabel,
-    QProgressBar,
     QStackedWidget,
     QWidget,
 )
@@ -23,13 +22,12 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import (
     STRETCH,
-    ElidedLabel,
     column_of,
     paragraph,
     resize_within_screen,
     row_of,
 )
-from app.widgets.texts import PERCENT, job_text
+from app.widgets.messages import JobRow
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.sequence import files
@@ -87,15 +85,12 @@ class ImportWizard(QDialog):
         parts = (self.steps, (self.stack, 1), self.problem, *rows)
         column_of(*parts, spacing=10, margins=(16, 14, 16, 14), of=self)
 
-    def _progress_row(self) -> QHBoxLayout:
-        self.step, self.bar = ElidedLabel(colour=theme.DIM), QProgressBar()
-        self.bar.setRange(0, _PARTS)
-        self.bar.setFormat(PERCENT)
-        self.bar.setFixedWidth(240)
-        self.bar.setAccessibleName(self.tr("Progress"))
-        self.stop = text_button(self.tr("&Stop"), self.tr("Cancel; nothing is kept"))
-        self.stop.clicked.connect(self.jobs.cancel)
-        return row_of((self.step, 1), self.bar, self.stop)
+    def _progress_row(self) -> JobRow:
+        self.progress = JobRow(
+            text_button(self.tr("&Stop"), self.tr("Cancel; nothing is kept"))
+        )
+        self.progress.stop.clicked.connect(self.jobs.cancel)
+        return self.progress
 
     def _button_row(self) -> QHBoxLayout:
         self.another = text_button(
@@ -163,8 +158,7 @@ class ImportWizard(QDialog):
         }
         self.next.setEnabled(may[at] and not is_busy)
         self.stack.setEnabled(not is_busy or at == FILES)
-        for widget in (self.step, self.bar, self.stop):
-            widget.setVisible(is_busy)
+        self.progress.show_state(self.jobs.state())
 
     def _on_next(self) -> None:
         at = self.stack.currentIndex()
@@ -283,10 +277,7 @@ class ImportWizard(QDialog):
         was_busy = self.jobs.is_busy
         self.jobs.poll()
         self.sync.poll()
-        state = self.jobs.state()
-        if state is not None:
-            self.step.set_text(job_text(state))
-            self.bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
+        self.progress.show_state(self.jobs.state())
         if was_busy and not self.jobs.is_busy:
             if self._is_leaving:
                 super().reject()

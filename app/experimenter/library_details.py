@@ -6,10 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QFileDialog,
-    QHeaderView,
-    QTableWidget,
     QTableWidgetItem,
     QWidget,
 )
@@ -24,7 +21,6 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog
 from app.widgets.layout import (
-    BESIDE,
     STRETCH,
     ElidedLabel,
     ask_text,
@@ -32,6 +28,7 @@ from app.widgets.layout import (
     paragraph,
     row_of,
 )
+from app.widgets.tables import plain_table
 from app.widgets.texts import local
 from hapticplayer.errors import HapticPlayerError, Message, message_of
 from hapticplayer.interchange.force_files import ForceFormat, WriteChoices
@@ -60,25 +57,17 @@ class LibraryDetails(QWidget):
         self._run = run
         self._entry: Entry | None = None
         self.report = QualityView()
-        self.tracks = QTableWidget(0, 4)
-        self.tracks.setAccessibleName(self.tr("Force tracks"))
-        self.tracks.setHorizontalHeaderLabels(
+        self.tracks = plain_table(
+            self.tr("Force tracks"),
             [
                 self.tr("Force track"),
                 self.tr("Peak"),
                 self.tr("RMS"),
                 self.tr("Workspace"),
-            ]
+            ],
+            stretched=3,
+            is_chosen_from=True,
         )
-        self.tracks.verticalHeader().hide()
-        self.tracks.setTabKeyNavigation(False)  # Tab moves on to the buttons
-        self.tracks.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.tracks.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.tracks.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        header = self.tracks.horizontalHeader()
-        header.setDefaultAlignment(BESIDE)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setStretchLastSection(True)
         self.tracks.itemSelectionChanged.connect(self._show_buttons)
         self.rendered = ElidedLabel(colour=theme.DIM)
         self.notes = paragraph("", theme.DIM)

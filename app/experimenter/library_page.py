@@ -26,8 +26,9 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import folder_dialog
 from app.widgets.layout import ElidedLabel, ask_text
-from app.widgets.texts import date_text, quoted, time_text, titled
-from hapticplayer.errors import HapticPlayerError, InputError, Message, message_of
+from app.widgets.messages import JobRow, StatusLine
+from app.widgets.texts import date_text, quoted, time_text
+from hapticplayer.errors import HapticPlayerError, InputError, Message
 from hapticplayer.media.thumbnails import Thumbnail, cover_thumbnails
 from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import verify_sequence
@@ -83,9 +84,7 @@ class LibraryPage(QDialog):
         self.details = LibraryDetails(self._run)
         self.details.changed.connect(self.refresh)
         self.details.rendering_wanted.connect(self.open_rendering)
-        self.status = QLabel()
-        self.status.setWordWrap(True)
-        self.status.setTextFormat(Qt.TextFormat.PlainText)
+        self.status = StatusLine()
         self._lay_out()
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._poll)
@@ -114,14 +113,15 @@ class LibraryPage(QDialog):
         self.undo.clicked.connect(self._undo)
         self.undo.hide()
         message.addWidget(self.undo)
-        self.stop = text_button(self.tr("S&top"), self.tr("Cancel; nothing is kept"))
-        self.stop.clicked.connect(self.jobs.cancel)
-        self.stop.hide()
-        message.addWidget(self.stop)
+        self.progress = JobRow(
+            text_button(self.tr("S&top"), self.tr("Cancel; nothing is kept"))
+        )
+        self.progress.stop.clicked.connect(self.jobs.cancel)
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 14, 16, 14)
         column.addWidget(split, 1)
         column.addLayout(message)
+        column.addWidget(self.progress)
         column.addLayout(self._button_row())
 
     def _button_row(self) -> QHBoxLayout:
@@ -303,7 +303,7 @@ class LibraryPage(QDialog):
         self._run(
             self.tr("Verifying"),
             work,
-            lambda _none: self._show_status(
+            lambda _none: self.status.show_text(
                 self.tr("{title}: all files are intact").format(title=title),
                 theme.GOOD,
             ),
@@ -332,12 +332,12 @@ class LibraryPage(QDialog):
         moved = QFile(str(entry.folder))
         if not moved.moveToTrash():
             text = self.tr("Could not move {title} to the bin; nothing was deleted.")
-            self._show_status(text.format(title=entry.title), theme.BAD)
+            self.status.show_text(text.format(title=entry.title), theme.BAD)
             return
         binned = moved.fileName()  # "" where the platform does not say
         self._binned = (Path(binned), entry.folder) if binned else None
         self.undo.setVisible(bool(binned))
-        self._show_status(
+        self.status.show_text(
             self.tr("Moved {title} to the bin.").format(title=entry.title)
         )
         self.refresh()
@@ -352,14 +352,14 @@ class LibraryPage(QDialog):
             info = binned.parent.parent / "info" / f"{binned.name}.trashinfo"
             info.unlink(missing_ok=True)
         except InputError as problem:
-            self._show_status(translated(message_of(problem)), theme.BAD)
+            self.status.show_problem(problem)
         except OSError as problem:
             what = Message(
                 "{path}: cannot be brought back ({reason})", path=folder, reason=problem
             )
-            self._show_status(translated(what), theme.BAD)
+            self.status.show_text(translated(what), theme.BAD)
         else:
-            self._show_status("")
+            self.status.show_text("")
         self._binned = None
         self.undo.hide()
         self.refresh()
@@ -370,32 +370,18 @@ class LibraryPage(QDialog):
         """Begin a piece of work, unless one runs."""
         if self.jobs.is_busy:
             return
-        self._show_status(title)
+        self.status.show_text("")
         self.jobs.run(title, work, done)  # type: ignore[arg-type]
-        self.stop.show()
         self._on_chosen()
 
     def _on_failed(self, problem: BaseException) -> None:
-        if not isinstance(problem, HapticPlayerError):
-            raise problem
-        self._show_status(translated(message_of(problem)), theme.BAD)
-
-    def _show_status(self, text: str, colour: str = "") -> None:
-        self.status.setText(text)
-        self.status.setStyleSheet(f"color: {colour or theme.TEXT};")
+        self.status.show_problem(problem)
 
     def _poll(self) -> None:
         was_busy = self.jobs.is_busy
-        state = self.jobs.state()
-        if state is not None:
-            self._show_status(titled(state.title, f"{100.0 * state.fraction:.0f} %"))
         self.jobs.poll()
+        self.progress.show_state(self.jobs.state())
         if was_busy and not self.jobs.is_busy:
-            if state is not None and self.status.text().startswith(
-                titled(state.title, "")
-            ):
-                self._show_status("")
-            self.stop.hide()
             self._on_chosen()
         self._poll_pictures()
         if self._is_leaving and not self._is_working:

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QProgressBar,
     QScrollArea,
     QWidget,
 )
@@ -33,8 +32,9 @@ from app.widgets.layout import (
     row_of,
     scrolling,
 )
-from app.widgets.texts import PERCENT, job_text, local
-from hapticplayer.errors import HapticPlayerError, message_of
+from app.widgets.messages import JobRow, StatusLine
+from app.widgets.texts import local
+from hapticplayer.errors import HapticPlayerError
 from hapticplayer.model import PresetName
 from hapticplayer.sequence.comparison import (
     RenderingResult,
@@ -81,7 +81,7 @@ class RenderingPage(QDialog):
         self._wanted = None
         self.fields = RenderingFields(self)
         self.picture = RenderingPicture()
-        self.status, self.warning = paragraph(""), paragraph("", theme.WARN)
+        self.status, self.warning = StatusLine(), paragraph("", theme.WARN)
         self._lay_out()
         self.fields.changed.connect(self._on_changed)
         self._timer = QTimer(self)
@@ -95,8 +95,7 @@ class RenderingPage(QDialog):
     def _lay_out(self) -> None:
         name = ElidedLabel(self._title, theme.DIM)
         name.setToolTip(self._title)
-        for text in (self.status, self.warning):
-            text.setTextFormat(Qt.TextFormat.PlainText)
+        self.warning.setTextFormat(Qt.TextFormat.PlainText)
         self.warning.hide()
         right = column_of(
             (self.picture, 1), self._figure_grid(), self.warning, spacing=8
@@ -138,7 +137,7 @@ class RenderingPage(QDialog):
         return grid
 
     def _figure_names(self) -> dict[str, str]:
-        reach = self.tr("Workspace used, {hand} hand")
+        reach = self.tr("Workspace, {hand} hand")
         hands = {
             "relaxed": self.tr("relaxed"),
             "normal": self.tr("normal"),
@@ -151,15 +150,12 @@ class RenderingPage(QDialog):
             **{name: reach.format(hand=word) for name, word in hands.items()},
         }
 
-    def _progress_row(self) -> QHBoxLayout:
-        self.step, self.bar = ElidedLabel(colour=theme.DIM), QProgressBar()
-        self.bar.setRange(0, _PARTS)
-        self.bar.setFormat(PERCENT)
-        self.bar.setFixedWidth(240)
-        self.bar.setAccessibleName(self.tr("Progress"))
-        self.stop = text_button(self.tr("S&top"), self.tr("Cancel; nothing is kept"))
-        self.stop.clicked.connect(self.jobs.cancel)
-        return row_of((self.step, 1), self.bar, self.stop)
+    def _progress_row(self) -> JobRow:
+        self.progress = JobRow(
+            text_button(self.tr("S&top"), self.tr("Cancel; nothing is kept"))
+        )
+        self.progress.stop.clicked.connect(self.jobs.cancel)
+        return self.progress
 
     def _button_row(self) -> QHBoxLayout:
         self.leave = text_button(self.tr("&Close"), "")
@@ -200,7 +196,7 @@ class RenderingPage(QDialog):
         self.after, self._is_due = None, True
         self._wait = _SETTLE_POLLS
         self.jobs.cancel()  # of what nobody wants any more
-        self._show_status("")
+        self.status.show_text("")
         self._show()
 
     def _look(self) -> None:
@@ -209,7 +205,7 @@ class RenderingPage(QDialog):
         try:
             chosen = self.fields.chosen()
         except HapticPlayerError as problem:
-            self._show_status(translated(message_of(problem)), theme.BAD)
+            self.status.show_problem(problem)
             return
 
         def work(progress: Progress) -> RenderingResult:
@@ -241,7 +237,9 @@ class RenderingPage(QDialog):
 
         def done(_none: None) -> None:
             self.changed.emit(folder)
-            self._show_status(self.tr("The sequence was rendered again"), theme.GOOD)
+            self.status.show_text(
+                self.tr("The sequence was rendered again"), theme.GOOD
+            )
             self._read()
 
         self._write(lambda progress: in_child(change, folder, progress=progress), done)
@@ -270,7 +268,7 @@ class RenderingPage(QDialog):
         def done(_none: None) -> None:
             self.made.emit(target)
             text = self.tr("New sequence: {folder}")
-            self._show_status(text.format(folder=target), theme.GOOD)
+            self.status.show_text(text.format(folder=target), theme.GOOD)
 
         self._write(work, done)
 
@@ -279,7 +277,7 @@ class RenderingPage(QDialog):
         try:
             chosen = self.fields.chosen()
         except HapticPlayerError as problem:
-            self._show_status(translated(message_of(problem)), theme.BAD)
+            self.status.show_problem(problem)
             return None
         return partial(
             set_mapping,
@@ -294,19 +292,13 @@ class RenderingPage(QDialog):
         """Begin to write as soon as nothing is looked at any more."""
         self.jobs.cancel()
         self._wanted = (work, done)
-        self._show_status("")
+        self.status.show_text("")
         self._show()
 
     # --- what is shown -------------------------------------------------------
 
     def _on_failed(self, problem: BaseException) -> None:
-        if not isinstance(problem, HapticPlayerError):
-            raise problem
-        self._show_status(translated(message_of(problem)), theme.BAD)
-
-    def _show_status(self, text: str, colour: str = "") -> None:
-        self.status.setText(text)
-        self.status.setStyleSheet(f"color: {colour or theme.TEXT};")
+        self.status.show_problem(problem)
 
     def _show(self) -> None:
         """Show what is known, and what can be done now."""
@@ -315,8 +307,7 @@ class RenderingPage(QDialog):
         self.area.setEnabled(can_choose)
         self.copy.setEnabled(can_choose)
         self.replace.setEnabled(can_choose and not self._is_demo)
-        for widget in (self.step, self.bar, self.stop):
-            widget.setVisible(self.jobs.is_busy)
+        self.progress.show_state(self.jobs.state())
         before, after = self.before, self.after
         notice = self.status.text() or self.tr("Reading")
         self.picture.show_curves(
@@ -335,11 +326,8 @@ class RenderingPage(QDialog):
     def _poll(self) -> None:
         was_busy = self.jobs.is_busy
         self.jobs.poll()
-        state = self.jobs.state()
-        if state is not None:
-            self.step.set_text(job_text(state))
-            self.bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
-        elif was_busy:
+        self.progress.show_state(self.jobs.state())
+        if was_busy and not self.jobs.is_busy:
             self._is_writing = False
             self._show()
         self._wait = max(0, self._wait - 1)

@@ -2,12 +2,9 @@
 
 from PySide6.QtCore import QCoreApplication, Qt, QTimer
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QDialog,
     QGridLayout,
-    QHeaderView,
     QLabel,
-    QTableWidget,
     QTableWidgetItem,
     QWidget,
 )
@@ -17,13 +14,13 @@ from app.player.session import Session
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.layout import (
-    BESIDE,
     STRETCH,
     fill_page,
     paragraph,
     resize_within_screen,
     row_of,
 )
+from app.widgets.tables import plain_table
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import HapticPlayerError
@@ -100,7 +97,16 @@ class FaultPanel(QDialog):
         self._clock, self._session = clock, session
         self._followed: tuple[int, float] | None = None  # row of the table, since when
         self.state, self.hint = QLabel(), paragraph("", theme.DIM)
-        self.table = QTableWidget(0, 4)
+        self.table = plain_table(
+            self.tr("Fault results"),
+            [
+                self.tr("Fault"),
+                self.tr("Rule triggered"),
+                self.tr("Reaction, ms"),
+                self.tr("Time to zero, ms"),
+            ],
+            stretched=1,
+        )
         self.buttons = {
             name: text_button(fault_text(name), expected(name)) for name in names()
         }
@@ -159,32 +165,12 @@ class FaultPanel(QDialog):
         for place, (name, button) in enumerate(self.buttons.items()):
             button.clicked.connect(lambda _=False, name=name: self.inject(name))
             grid.addWidget(button, place // _COLUMNS, place % _COLUMNS)
-        self._lay_out_table()
         self.rearm.clicked.connect(self._session.rearm)
         self.again.clicked.connect(self.start)
         close = text_button(self.tr("Close"), self.tr("Stop injecting faults"))
         close.clicked.connect(self.reject)
         buttons = row_of(self.rearm, self.again, STRETCH, close)
         fill_page(self, self.state, self.hint, grid, (self.table, 1), buttons)
-
-    def _lay_out_table(self) -> None:
-        self.table.setHorizontalHeaderLabels(
-            [
-                self.tr("Fault"),
-                self.tr("Rule triggered"),
-                self.tr("Reaction, ms"),
-                self.tr("Time to zero, ms"),
-            ]
-        )
-        self.table.setAccessibleName(self.tr("Fault results"))
-        self.table.verticalHeader().hide()
-        self.table.setTabKeyNavigation(False)
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
-        header = self.table.horizontalHeader()
-        header.setDefaultAlignment(BESIDE)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
 
     # --- what is shown -------------------------------------------------------
 

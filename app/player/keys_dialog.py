@@ -3,9 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QDialog,
-    QHeaderView,
     QKeySequenceEdit,
     QLineEdit,
     QTableWidget,
@@ -25,13 +23,13 @@ from app.player.commands import (
 )
 from app.widgets.buttons import text_button
 from app.widgets.layout import (
-    BESIDE,
     STRETCH,
     fill_page,
     paragraph,
     resize_within_screen,
     row_of,
 )
+from app.widgets.tables import plain_table
 
 _WIDTH_PX, _HEIGHT_PX = 520, 560
 _FIELD_MARGIN_PX = 36
@@ -81,19 +79,14 @@ class KeysDialog(QDialog):
         resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
 
     def _make_table(self) -> QTableWidget:
-        table = QTableWidget(len(COMMANDS), 2)
-        table.setAccessibleName(self.tr("Commands and their shortcuts"))
-        table.setHorizontalHeaderLabels([self.tr("Command"), self.tr("Shortcut")])
-        table.verticalHeader().hide()
-        header = table.horizontalHeader()
-        header.setDefaultAlignment(BESIDE)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
-        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        table.setTabKeyNavigation(False)
-        table.setShowGrid(False)
+        table = plain_table(
+            self.tr("Commands and their shortcuts"),
+            [self.tr("Command"), self.tr("Shortcut")],
+            stretched=0,
+            is_chosen_from=True,
+            has_grid=False,
+        )
+        table.setRowCount(len(COMMANDS))
         return table
 
     def _lay_out(self) -> None:

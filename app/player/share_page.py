@@ -8,10 +8,7 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
     QFileDialog,
-    QHeaderView,
-    QProgressBar,
     QRadioButton,
-    QTableWidget,
     QTableWidgetItem,
     QWidget,
 )
@@ -22,15 +19,15 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog
 from app.widgets.layout import (
-    BESIDE,
     STRETCH,
     fill_page,
     paragraph,
     resize_within_screen,
     row_of,
 )
-from app.widgets.texts import PERCENT, capitalised, local
-from hapticplayer.errors import HapticPlayerError, message_of
+from app.widgets.messages import JobRow, StatusLine
+from app.widgets.tables import plain_table
+from app.widgets.texts import capitalised, local
 from hapticplayer.interchange.sharing import share, shared_contents
 from hapticplayer.sequence.library import name_from
 from hapticplayer.sequence.pack import is_packed, outputs_of
@@ -68,9 +65,13 @@ class SharePage(QDialog):
         self.one_file = QRadioButton(self.tr("&One file (MKV)"))
         self.two_files = QRadioButton(self.tr("M&P4, with a second file for the force"))
         self.with_motion = QCheckBox(self.tr("&Motion and recorded samples, too"))
-        self.table = QTableWidget(0, 3)
-        self.bar = QProgressBar()
-        self.status = paragraph("")
+        self.table = plain_table(
+            self.tr("What is shared"),
+            [self.tr("Content"), self.tr("File"), self.tr("Size")],
+            stretched=0,
+            has_grid=False,
+        )
+        self.status = StatusLine()
         self._lay_out()
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._poll)
@@ -95,23 +96,18 @@ class SharePage(QDialog):
         )
         for button in (self.one_file, self.two_files, self.with_motion):
             button.toggled.connect(self._show_contents)
-        self._make_table()
-        self.bar.setRange(0, _PARTS)
-        self.bar.setFormat(PERCENT)
-        self.bar.hide()
+        self.progress = JobRow(
+            text_button(self.tr("C&ancel"), self.tr("Cancel; nothing is kept"))
+        )
+        self.progress.stop.clicked.connect(self.jobs.cancel)
         self.close_button = text_button(self.tr("&Close"), "")
         self.close_button.clicked.connect(self.reject)
-        self.cancel_button = text_button(
-            self.tr("C&ancel"), self.tr("Cancel; nothing is kept")
-        )
-        self.cancel_button.clicked.connect(self.jobs.cancel)
-        self.cancel_button.hide()
         self.save_button = text_button(
             self.tr("&Save\u2026"), self.tr("Choose a name, and write it"), "primary"
         )
         self.save_button.clicked.connect(self._choose)
         self.save_button.setEnabled(False)
-        buttons = (STRETCH, self.cancel_button, self.close_button, self.save_button)
+        buttons = (STRETCH, self.close_button, self.save_button)
         fill_page(
             self,
             paragraph(text),
@@ -119,26 +115,9 @@ class SharePage(QDialog):
             self.with_motion,
             (self.table, 1),
             self.status,
-            self.bar,
+            self.progress,
             row_of(*buttons),
         )
-
-    def _make_table(self) -> None:
-        table, kind = self.table, QHeaderView.ResizeMode
-        table.setHorizontalHeaderLabels(
-            [self.tr("Content"), self.tr("File"), self.tr("Size")]
-        )
-        table.setAccessibleName(self.tr("What is shared"))
-        table.verticalHeader().hide()
-        table.setTabKeyNavigation(False)
-        table.setShowGrid(False)
-        table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
-        table.setSelectionMode(QTableWidget.SelectionMode.NoSelection)
-        header = table.horizontalHeader()
-        header.setDefaultAlignment(BESIDE)
-        header.setSectionResizeMode(0, kind.Stretch)
-        header.setSectionResizeMode(1, kind.ResizeToContents)
-        header.setSectionResizeMode(2, kind.ResizeToContents)
 
     # --- what is shared ------------------------------------------------------
 
@@ -219,7 +198,7 @@ class SharePage(QDialog):
             )
             return target
 
-        self._show_status("")
+        self.status.show_text("")
         self.jobs.run(self.tr("Sharing"), work, self._on_written)
         self._show_busy()
 
@@ -229,22 +208,15 @@ class SharePage(QDialog):
         text = self.tr("Written: {names}, {size}").format(
             names=names, size=size_text(size_bytes)
         )
-        self._show_status(text, theme.GOOD)
+        self.status.show_text(text, theme.GOOD)
         self.shared.emit(target)
 
     def _on_failed(self, problem: BaseException) -> None:
-        if not isinstance(problem, HapticPlayerError):
-            raise problem
-        self._show_status(translated(message_of(problem)), theme.BAD)
-
-    def _show_status(self, text: str, colour: str = "") -> None:
-        self.status.setText(text)
-        self.status.setStyleSheet(f"color: {colour or theme.TEXT};")
+        self.status.show_problem(problem)
 
     def _show_busy(self) -> None:
         is_busy = self.jobs.is_busy
-        self.bar.setVisible(is_busy)
-        self.cancel_button.setVisible(is_busy)
+        self.progress.show_state(self.jobs.state())
         self.save_button.setEnabled(self._contents is not None and not is_busy)
         for button in (self.one_file, self.two_files):
             button.setEnabled(not is_busy)
@@ -252,16 +224,10 @@ class SharePage(QDialog):
         self.with_motion.setEnabled(has_motion and not is_busy)
 
     def _poll(self) -> None:
-        was_busy, state = self.jobs.is_busy, self.jobs.state()
-        if state is not None and self.bar.isVisible():
-            self.bar.setValue(round(_PARTS * state.fraction))
-            self._show_status(capitalised(translated(state.step)))
+        was_busy = self.jobs.is_busy
         self.jobs.poll()
+        self.progress.show_state(self.jobs.state())
         if was_busy and not self.jobs.is_busy:
-            if state is not None and self.status.text() == capitalised(
-                translated(state.step)
-            ):
-                self._show_status("")  # cancelled
             self._show_busy()
 
     # --- the end -------------------------------------------------------------

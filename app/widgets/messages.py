@@ -7,9 +7,10 @@ from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QSizePolicy, QWidget
 from app.bridge.jobs import JobState
 from app.bridge.languages import translated
 from app.widgets import theme
-from app.widgets.buttons import text_button
+from app.widgets.buttons import Button, text_button
 from app.widgets.layout import ElidedLabel, row_of
 from app.widgets.texts import PERCENT, job_text
+from hapticplayer.errors import HapticPlayerError, message_of
 
 _LONGEST = 600
 
@@ -83,8 +84,32 @@ _PARTS = 1000
 _AT_ONCE_S = 0.3
 
 
+class JobRow(QFrame):
+    """Title, step, progress and a button that stops the work; hidden without work."""
+
+    def __init__(self, stop: Button) -> None:
+        super().__init__()
+        self.stop = stop
+        self.text_label = ElidedLabel()
+        self.bar = QProgressBar()
+        self.bar.setRange(0, _PARTS)
+        self.bar.setFormat(PERCENT)
+        self.bar.setFixedWidth(240)
+        row_of((self.text_label, 1), self.bar, stop, spacing=12, of=self)
+        self.hide()
+
+    def show_state(self, state: JobState | None) -> None:
+        """Show how far the work is; None hides all."""
+        self.setVisible(state is not None)
+        if state is not None:
+            text = job_text(state)
+            self.text_label.set_text(text)
+            self.bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
+            self.bar.setAccessibleName(text)
+
+
 class JobBar(QFrame):
-    """Title, step, progress and Cancel; hidden while nothing runs."""
+    """The same across a window, for work that takes longer than a moment."""
 
     cancelled = Signal()
 
@@ -95,21 +120,18 @@ class JobBar(QFrame):
             f"border: 0; border-bottom: 1px solid {theme.BORDER}; }}"
         )
         self._since_s: float | None = None
-        self.text_label = ElidedLabel()
-        self._bar = QProgressBar()
-        self._bar.setRange(0, _PARTS)
-        self._bar.setFormat(PERCENT)
-        self._bar.setFixedWidth(240)
         self.cancel_button = text_button(
             self.tr("Cancel"), self.tr("Cancel; nothing is kept")
         )
         self.cancel_button.clicked.connect(self._on_cancel)
-        parts = ((self.text_label, 1), self._bar, self.cancel_button)
-        row_of(*parts, spacing=12, margins=(12, 6, 8, 6), of=self)
+        self._row = JobRow(self.cancel_button)
+        self.text_label = self._row.text_label
+        row_of(self._row, margins=(12, 6, 8, 6), of=self)
         self.hide()
 
     def show_state(self, state: JobState | None, now_s: float) -> None:
         """Show how far the work is; what is done at once is not worth a line."""
+        self._row.show_state(state)
         if state is None:
             self._since_s = None
             self.cancel_button.setEnabled(True)
@@ -117,16 +139,32 @@ class JobBar(QFrame):
             return
         if self._since_s is None:
             self._since_s = now_s
-        text = job_text(state)
-        self.text_label.set_text(text)
-        self._bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
-        self._bar.setAccessibleName(text)
         if self.isHidden() and now_s - self._since_s >= _AT_ONCE_S:
             self.show()
 
     def _on_cancel(self) -> None:
         self.cancel_button.setEnabled(False)
         self.cancelled.emit()
+
+
+class StatusLine(QLabel):
+    """What came of the work: a text in a colour, or what went wrong."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+
+    def show_text(self, text: str, colour: str = "") -> None:
+        """Show a text."""
+        self.setText(text)
+        self.setStyleSheet(f"color: {colour or theme.TEXT};")
+
+    def show_problem(self, problem: BaseException) -> None:
+        """Show what a person can do something about; other exceptions are raised."""
+        if not isinstance(problem, HapticPlayerError):
+            raise problem
+        self.show_text(translated(message_of(problem)), theme.BAD)
 
 
 STAYS_MS = 1200

@@ -552,7 +552,7 @@
     <name>EditingLanes</name>
     <message>
         <source>Time line</source>
-        <translation type="unfinished">Zeitleiste</translation>
+        <translation>Zeitleiste</translation>
     </message>
     <message>
         <source>Add the effect: {name}, {span}</source>
@@ -631,7 +631,7 @@
     </message>
     <message>
         <source>Rendering the force</source>
-        <translation type="unfinished">Kraft wird berechnet</translation>
+        <translation>Kraft wird berechnet</translation>
     </message>
     <message>
         <source>Not saved yet</source>
@@ -1524,10 +1524,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Import a recording</source>
         <translation>Aufnahme importieren</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -2643,10 +2639,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Nachher</translation>
     </message>
     <message>
-        <source>Workspace used, {hand} hand</source>
-        <translation>Genutzter Arbeitsraum, {hand} Hand</translation>
-    </message>
-    <message>
         <source>relaxed</source>
         <translation>lockere</translation>
     </message>
@@ -2671,8 +2663,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Zeit an der Kraftgrenze</translation>
     </message>
     <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
+        <source>Workspace, {hand} hand</source>
+        <translation>Arbeitsraum, {hand} Hand</translation>
     </message>
     <message>
         <source>S&amp;top</source>

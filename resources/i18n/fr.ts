@@ -552,7 +552,7 @@
     <name>EditingLanes</name>
     <message>
         <source>Time line</source>
-        <translation type="unfinished">Ligne de temps</translation>
+        <translation>Ligne de temps</translation>
     </message>
     <message>
         <source>Add the effect: {name}, {span}</source>
@@ -631,7 +631,7 @@
     </message>
     <message>
         <source>Rendering the force</source>
-        <translation type="unfinished">Calcul de la force</translation>
+        <translation>Calcul de la force</translation>
     </message>
     <message>
         <source>Not saved yet</source>
@@ -1524,10 +1524,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Import a recording</source>
         <translation>Importer un enregistrement</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Progression</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -2643,10 +2639,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Après</translation>
     </message>
     <message>
-        <source>Workspace used, {hand} hand</source>
-        <translation>Espace de travail utilisé, main {hand}</translation>
-    </message>
-    <message>
         <source>relaxed</source>
         <translation>détendue</translation>
     </message>
@@ -2671,8 +2663,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Temps à la limite de force</translation>
     </message>
     <message>
-        <source>Progress</source>
-        <translation>Progression</translation>
+        <source>Workspace, {hand} hand</source>
+        <translation>Espace de travail, main {hand}</translation>
     </message>
     <message>
         <source>S&amp;top</source>

@@ -222,7 +222,7 @@ def test_stopping_in_the_middle_leaves_nothing(wizard, ride, wait_for, tmp_path)
     wizard.next.click()
     assert wizard.jobs.is_busy
     wait_for(lambda: wizard.jobs.state().fraction > 0.0)
-    wizard.stop.click()
+    wizard.progress.stop.click()
     wait_for(lambda: not wizard.jobs.is_busy)
     assert wizard.stack.currentIndex() == MOUNTING
     assert not list(tmp_path.rglob("sequence.json"))

@@ -206,9 +206,9 @@ def test_cancel_and_failure_leave_all_as_it_was(page, ride, wait_for, monkeypatc
 
     monkeypatch.setattr(rendering_page, "in_child", slow)
     page.replace.click()
-    wait_for(page.stop.isVisible)
+    wait_for(page.progress.stop.isVisible)
     assert not page.area.isEnabled()
-    page.stop.click()
+    page.progress.stop.click()
     is_cancelled.set()
     wait_for(lambda: not page.jobs.is_busy)
     assert page.replace.isEnabled()

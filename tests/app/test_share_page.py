@@ -82,9 +82,9 @@ def test_cancel_leaves_nothing(page, tmp_path, wait_for, monkeypatch):
 
     monkeypatch.setattr(share_page, "in_child", slow)
     page.write(tmp_path / "ride.mkv")
-    page.cancel_button.click()
+    page.progress.stop.click()
     is_cancelled.set()
-    wait_for(lambda: not page.bar.isVisible())
+    wait_for(lambda: not page.progress.isVisible())
     assert page.save_button.isEnabled()
     assert not (tmp_path / "ride.mkv").exists()
 
