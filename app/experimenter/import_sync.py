@@ -57,7 +57,10 @@ class SyncPage(QWidget):
         self.method = QComboBox()
         self.method.setAccessibleName(self.tr("Method"))
         for one in methods.SYNC_METHODS:
-            self.method.addItem(translated(one.text), one.name)
+            self.method.addItem(translated(one.title or one.name), one.name)
+        self.method_text = paragraph(colour=theme.DIM)
+        self.method.currentIndexChanged.connect(self._show_method)
+        self._show_method(self.method.currentIndex())
         self.method.activated.connect(lambda _row: self.method_chosen.emit())
         self.keep_skew = QCheckBox(self.tr("use for this camera"))
         self.looked = QCheckBox(self.tr("I have checked the offset by eye and ear"))
@@ -100,12 +103,18 @@ class SyncPage(QWidget):
         texts = column_of(
             hint,
             row_of(*buttons, *offset, STRETCH, spacing=8),
-            row_of(*late, self.keep_skew, *how, STRETCH),
+            row_of(*late, self.keep_skew, STRETCH),
+            row_of(*how, (self.method_text, 1)),
             *(self.looked, self.problem, STRETCH),
         )
         self._body = QWidget()
         column_of((self.strip, 1), row_of((texts, 1), self.frame), of=self._body)
         column_of(self.verdict, (self._body, 1), of=self).addStretch(0)
+
+    def _show_method(self, row: int) -> None:
+        name = self.method.itemData(row)
+        text = next(one.text for one in methods.SYNC_METHODS if one.name == name)
+        self.method_text.setText(translated(text))
 
     # --- what there is -------------------------------------------------------
 

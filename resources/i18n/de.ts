@@ -5544,6 +5544,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Störung</translation>
     </message>
     <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Kurven mit mindestens 0,15 g zur Seite</translation>
     </message>
@@ -5580,6 +5584,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Motor</translation>
     </message>
     <message>
+        <source>First sudden rise</source>
+        <translation>Erster plötzlicher Anstieg</translation>
+    </message>
+    <message>
         <source>For studies: every participant gets nearly the same force, but long pushes are much weaker.</source>
         <translation>Für Studien: alle Teilnehmenden bekommen fast dieselbe Kraft, aber lang anhaltende Kräfte sind viel schwächer.</translation>
     </message>
@@ -5598,6 +5606,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Gain</source>
         <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Given offset</source>
+        <translation>Angegebener Versatz</translation>
     </message>
     <message>
         <source>High-pass</source>
@@ -5676,6 +5688,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Andere Sequenz</translation>
     </message>
     <message>
+        <source>Own clock</source>
+        <translation>Eigene Uhr</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
         <source>Pulse</source>
         <translation>Puls</translation>
     </message>
@@ -5742,6 +5762,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>The gyro is at the end of its range</source>
         <translation>Der Drehratensensor ist am Ende seines Messbereichs</translation>
+    </message>
+    <message>
+        <source>Three pats</source>
+        <translation>Drei Klopfer</translation>
     </message>
     <message>
         <source>Track</source>

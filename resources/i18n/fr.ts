@@ -5544,6 +5544,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Artefact</translation>
     </message>
     <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Virages d’au moins 0,15 g de côté</translation>
     </message>
@@ -5580,6 +5584,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Moteur</translation>
     </message>
     <message>
+        <source>First sudden rise</source>
+        <translation>Première hausse soudaine</translation>
+    </message>
+    <message>
         <source>For studies: every participant gets nearly the same force, but long pushes are much weaker.</source>
         <translation>Pour les études&#xa0;: tous les participants reçoivent presque la même force, mais les poussées longues sont bien plus faibles.</translation>
     </message>
@@ -5598,6 +5606,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Gain</source>
         <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Given offset</source>
+        <translation>Décalage donné</translation>
     </message>
     <message>
         <source>High-pass</source>
@@ -5676,6 +5688,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Autre séquence</translation>
     </message>
     <message>
+        <source>Own clock</source>
+        <translation>Horloge propre</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
         <source>Pulse</source>
         <translation>Impulsion</translation>
     </message>
@@ -5742,6 +5762,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>The gyro is at the end of its range</source>
         <translation>Le gyroscope est au bout de sa plage de mesure</translation>
+    </message>
+    <message>
+        <source>Three pats</source>
+        <translation>Trois tapes</translation>
     </message>
     <message>
         <source>Track</source>

@@ -472,7 +472,9 @@ def test_a_new_entry_is_in_the_lists(application, qtbot, monkeypatch, tmp_path):
     made = ImportWizard(str(tmp_path), tmp_path / "library")
     qtbot.addWidget(made)
     assert made.files.format.findText("Dummy logger") >= 0
-    assert made.sync.method.findText("a dummy method") >= 0
+    row = made.sync.method.findText("dummy")
+    made.sync.method.setCurrentIndex(row)
+    assert made.sync.method_text.text() == "a dummy method"
     made.close_jobs()
 
 
