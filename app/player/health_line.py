@@ -13,7 +13,8 @@ from hapticplayer.playback.snapshot import Measurements, Snapshot
 
 _SIGN_ROOM_PX = 20
 _APART_PX = 4
-_BETWEEN_PX = 14
+BETWEEN_PX = 14
+_IN_FIRST_ROW = 3  # of two: device, scheduling, real-time
 _LETTERS = (1.0, 0.92, 0.84)  # smaller ones where what is said needs it
 
 
@@ -67,7 +68,8 @@ class HealthEntry(QWidget):
 class HealthLine(QFrame):
     """All entries side by side; each keeps its width, whatever its value is.
 
-    Where not all have room, those that say more take it from those that say less.
+    Where not all have room, those that say more take it from those that say less; then
+    letters are smaller, and where that is not enough there are two rows.
     """
 
     def __init__(self) -> None:
@@ -77,18 +79,21 @@ class HealthLine(QFrame):
             f"border: 0; border-top: 1px solid {theme.BORDER}; }}"
         )
         self.setAccessibleName(self.tr("Health"))
-        self._row = row_of(spacing=_BETWEEN_PX, margins=(12, 4, 12, 5), of=self)
+        self._rows = [row_of(spacing=BETWEEN_PX) for _ in range(2)]
+        column_of(*self._rows, spacing=3, margins=(12, 4, 12, 5), of=self)
         self.entries = []
         self._rooms_px = []
         for one in self._columns():
             entry = HealthEntry(one)
             wide = max(one.widest, one.title, key=len)
             room_px = self.fontMetrics().horizontalAdvance(wide) + _SIGN_ROOM_PX
-            self._row.addWidget(entry, room_px)
+            self._rows[0].addWidget(entry, room_px)
             self.entries.append(entry)
             self._rooms_px.append(room_px)
         self._needed_px = [0] * len(self.entries)
         self._letters = 0
+        self._parts = [range(len(self.entries)), range(0)]
+        """Which entries are in which row."""
 
     def show_readings(self, snapshot: Snapshot, measured: Measurements) -> None:
         """Show what the player reports."""
@@ -98,12 +103,16 @@ class HealthLine(QFrame):
         # why the force has stopped is not cut off while there is room
         self._rooms_px[0] = max(self._rooms_px[0], self.entries[0].needed_px())
         self._share_room()
-        self._row.activate()  # now: else new values are drawn once in the old room
+        layout = self.layout()
+        assert layout is not None
+        layout.activate()  # now: else new values are drawn once in the old room
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Share the room again."""
         super().resizeEvent(event)
-        self._take_letters(0)
+        if event.size().width() != event.oldSize().width():  # another row is no reason
+            self._take_letters(0)
+            self._divide(len(self.entries))
         self._share_room()
 
     def _take_letters(self, size: int) -> None:
@@ -115,20 +124,43 @@ class HealthLine(QFrame):
 
     def _share_room(self) -> None:
         """Entries only grow until the window has another size: nothing jitters."""
-        around = self._row.contentsMargins()
+        layout = self.layout()
+        assert layout is not None
+        around = layout.contentsMargins()
         room_px = self.width() - around.left() - around.right()
-        room_px -= _BETWEEN_PX * (len(self.entries) - 1)
         now = (entry.needed_px() for entry in self.entries)
         self._needed_px = [
             max(*both) for both in zip(now, self._needed_px, strict=True)
         ]
-        if sum(self._needed_px) > room_px and self._letters < len(_LETTERS) - 1:
-            self._take_letters(self._letters + 1)
-            self._share_room()
-            return
-        is_wide = sum(self._rooms_px) <= room_px
-        for place, px in enumerate(self._rooms_px if is_wide else self._needed_px):
-            self._row.setStretch(place, px)
+        if not self._is_room(self._needed_px, room_px):
+            if self._letters < len(_LETTERS) - 1:
+                self._take_letters(self._letters + 1)
+                self._share_room()
+                return
+            if not self._parts[1]:
+                self._take_letters(0)
+                self._divide(_IN_FIRST_ROW)
+                self._share_room()
+                return
+        is_wide = self._is_room(self._rooms_px, room_px)
+        shares_px = self._rooms_px if is_wide else self._needed_px
+        for row, part in zip(self._rows, self._parts, strict=True):
+            for place, entry in enumerate(part):
+                row.setStretch(place, shares_px[entry])
+
+    def _is_room(self, widths_px: list[int], room_px: int) -> bool:
+        """Whether entries of these widths fit into their rows."""
+        return all(
+            sum(widths_px[k] for k in part) + BETWEEN_PX * (len(part) - 1) <= room_px
+            for part in self._parts
+        )
+
+    def _divide(self, in_first: int) -> None:
+        """Put so many entries into the first row, and the others into the second."""
+        self._parts = [range(in_first), range(in_first, len(self.entries))]
+        for row, part in zip(self._rows, self._parts, strict=True):
+            for place, entry in enumerate(part):
+                row.insertWidget(place, self.entries[entry])
 
     def _columns(self) -> list[_Column]:
         return [

@@ -4,7 +4,7 @@ import pytest
 
 from app.bridge import languages
 from app.player.health import Level, readings
-from app.player.health_line import HealthLine
+from app.player.health_line import BETWEEN_PX, HealthLine
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
@@ -138,7 +138,7 @@ def test_what_is_long_takes_its_room_from_what_says_little(line, more_px):
     show(line, loop=loop, force_minus_audio=None)
     margins = line.layout().contentsMargins()
     needed_px = sum(entry.needed_px() for entry in line.entries)
-    needed_px += (len(line.entries) - 1) * line.layout().spacing()
+    needed_px += (len(line.entries) - 1) * BETWEEN_PX
     line.resize(needed_px + margins.left() + margins.right() + more_px, 44)
     line.layout().activate()
     short = [e.text() for e in line.entries if e.width() < e.needed_px()]
@@ -194,10 +194,34 @@ def test_letters_are_smaller_where_what_is_said_needs_it(qtbot):
     usual_px = [entry.needed_px() for entry in line.entries]
     margins = line.layout().contentsMargins()
     around_px = margins.left() + margins.right()
-    around_px += (len(line.entries) - 1) * line.layout().spacing()
+    around_px += (len(line.entries) - 1) * BETWEEN_PX
     line.resize(round(0.93 * sum(usual_px)) + around_px, 44)
     line.layout().activate()
     assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
     assert sum(entry.needed_px() for entry in line.entries) < sum(usual_px)
     line.resize(2000, 44)
     assert [entry.needed_px() for entry in line.entries] == usual_px
+
+
+@pytest.mark.parametrize("code", languages.NAMES)
+@pytest.mark.parametrize("width_px", [960, 780, 640])
+def test_a_narrow_window_gets_two_rows(application, qtbot, code, width_px):
+    """960 px is a screen of 1920 px at 200 %."""
+    languages.install(application, code)
+    try:
+        line = HealthLine()
+        qtbot.addWidget(line)
+        line.resize(width_px, 44)
+        line.show()
+        qtbot.waitExposed(line)
+        one_row_px = line.sizeHint().height()
+        show(line, mode=Mode.IDLE, cause=Cause.NOT_HOMED)
+        line.resize(width_px, line.sizeHint().height())
+        show(line, mode=Mode.IDLE, cause=Cause.NOT_HOMED)
+        assert [e.text() for e in line.entries if e.width() < e.needed_px()] == []
+        assert all(line.rect().contains(e.geometry()) for e in line.entries)
+        line.resize(2000, line.height())
+        show(line, mode=Mode.IDLE, cause=Cause.NOT_HOMED)
+        assert line.sizeHint().height() < 1.5 * one_row_px
+    finally:
+        languages.install(application, languages.ENGLISH)
