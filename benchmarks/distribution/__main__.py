@@ -7,6 +7,7 @@ from benchmarks.common import command
 PLACES = {
     "one_file": "distribution.one_file",
     "formats": "distribution.formats",
+    "serve": "distribution.serve",
     "damage": "campaigns:force_damage",
 }
 sys.exit(command("distribution", __doc__, PLACES))

@@ -185,7 +185,7 @@ def _first_force(folder: Path, mkv: Path, rounds: int, report: Report) -> None:
     rows = []
     for name, each in found.items():
         later = [a - b for a, b in zip(each, found["folder"], strict=True)]
-        rows.append([name, *_spread(each), statistics.median(later)])
+        rows.append([name, *spread(each), statistics.median(later)])
     header = ["opened", "median ms", "least", "largest", "later than the folder, ms"]
     report.table("From opening to the first force", header, rows)
     for name, *_, later_ms in rows[1:]:
@@ -200,11 +200,11 @@ def _opened_ms(
     """Return how long it takes from opening to the first tick with a force."""
     if forget is not None:
         forget.unlink(missing_ok=True)
-    _until(player, clock, lambda: not _felt_since(player, clock.now_s() - 0.2))
+    until(player, clock, lambda: not felt_since(player, clock.now_s() - 0.2))
     begin_s = clock.now_s()
     player.open(open_source(path))
     player.play()
-    _until(player, clock, lambda: _felt_since(player, begin_s))
+    until(player, clock, lambda: felt_since(player, begin_s))
     ticks = player.ticks_since(begin_s)
     pushed = np.linalg.norm(ticks["force_n"], axis=1) > 0.0
     first_s = float(ticks["monotonic_s"][pushed][0])
@@ -212,12 +212,14 @@ def _opened_ms(
     return 1e3 * (first_s - begin_s)
 
 
-def _felt_since(player: Player, since_s: float) -> bool:
+def felt_since(player: Player, since_s: float) -> bool:
+    """Return whether there was a force since a time."""
     ticks = player.ticks_since(since_s)
     return bool(len(ticks)) and bool(ticks["force_n"].any())
 
 
-def _until(player: Player, clock: SystemClock, is_so: Callable[[], bool]) -> None:
+def until(player: Player, clock: SystemClock, is_so: Callable[[], bool]) -> None:
+    """Play until something holds; raises TimeoutError."""
     end_s = clock.now_s() + _PATIENCE_S
     while not is_so():
         if clock.now_s() > end_s:
@@ -225,7 +227,8 @@ def _until(player: Player, clock: SystemClock, is_so: Callable[[], bool]) -> Non
         clock.sleep_until(min(player.poll(), clock.now_s() + 0.005))
 
 
-def _spread(values: Iterable[float]) -> tuple[float, float, float]:
+def spread(values: Iterable[float]) -> tuple[float, float, float]:
+    """Return median, least and largest."""
     ordered = sorted(values)
     return statistics.median(ordered), ordered[0], ordered[-1]
 

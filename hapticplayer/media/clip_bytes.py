@@ -43,3 +43,27 @@ def size_of(reader: BinaryIO) -> int:
     size_bytes = reader.seek(0, os.SEEK_END)
     reader.seek(at)
     return size_bytes
+
+
+class LimitedReader:
+    """Gives FFmpeg so many bytes at most, for it keeps attachments and tables in memory.
+
+    Attributes:
+        left_bytes: that may still be read; infinity without a limit.
+    """
+
+    def __init__(self, reader: BinaryIO, most_bytes: float) -> None:
+        self._reader, self.left_bytes = reader, most_bytes
+        self.seek, self.tell = reader.seek, reader.tell
+
+    def read(self, count: int) -> bytes:
+        """Return the next bytes; raises MediaError beyond the limit."""
+        content = self._reader.read(count)
+        self.left_bytes -= len(content)
+        if self.left_bytes < 0:
+            raise MediaError(
+                "its headers are too large",
+                where=str(getattr(self._reader, "name", "")),
+                remedy="choose another clip",
+            )
+        return content

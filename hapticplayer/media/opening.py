@@ -8,6 +8,7 @@ Every failure becomes one MediaError that says what to do.
 """
 
 import contextlib
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import cast
@@ -20,10 +21,16 @@ from av.stream import Disposition, Stream
 from av.video.stream import VideoStream
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.clip_bytes import AnyClip, ClipBytes
+from hapticplayer.media.clip_bytes import AnyClip, ClipBytes, LimitedReader
 from hapticplayer.media.declared import declared_bytes, declared_samples
-from hapticplayer.media.limits import INDEX_TAIL, MAX_PIXELS, MAX_SIDE_PX, MAX_STREAMS
-from hapticplayer.untrusted import COPY_AGAIN, resolve_regular
+from hapticplayer.media.limits import (
+    INDEX_TAIL,
+    MAX_PIXELS,
+    MAX_REMOTE_SAMPLES,
+    MAX_SIDE_PX,
+    MAX_STREAMS,
+)
+from hapticplayer.untrusted import COPY_AGAIN, MAX_ATTACHED_BYTES, resolve_regular
 
 OPTIONS = {
     "protocol_whitelist": "file",
@@ -66,7 +73,10 @@ def _opened(clip: Path | ClipBytes) -> InputContainer:
         )
     # FFmpeg itself opens nothing then: no protocol has this name
     options = {**OPTIONS, "protocol_whitelist": "none"}
-    return av.open(clip.open(), "r", options=options, metadata_errors="ignore")
+    reader = LimitedReader(clip.open(), MAX_ATTACHED_BYTES)
+    container = av.open(reader, "r", options=options, metadata_errors="ignore")
+    reader.left_bytes = math.inf
+    return container
 
 
 @contextlib.contextmanager
@@ -97,7 +107,10 @@ def media_errors(path: AnyClip, what: str, remedy: str = COPY_AGAIN) -> Iterator
 
 def _check_tables(file: Path | ClipBytes) -> None:
     """Refuse an index that FFmpeg would fill the memory with."""
-    if declared_samples(file) > _size_bytes(file):
+    most: float = _size_bytes(file)
+    if isinstance(file, ClipBytes):
+        most = min(most, MAX_REMOTE_SAMPLES)
+    if declared_samples(file) > most:
         raise MediaError(
             "its index lists more samples than it has bytes",
             where=str(file),

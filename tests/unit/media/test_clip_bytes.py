@@ -9,6 +9,8 @@ import pytest
 from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.media.clip_info import probe
+from hapticplayer.media.matroska import Attachment
+from hapticplayer.media.remux import MATROSKA, Additions, remux
 from hapticplayer.media.video import VideoDecoder
 
 
@@ -48,6 +50,24 @@ def test_addresses_in_it_are_never_asked(text):
             probe(InMemory(text.format(address).encode()))
         with pytest.raises(BlockingIOError):
             listener.accept()
+
+
+def test_an_index_beyond_the_limit_is_refused(tiny_clip, monkeypatch):
+    clip = InMemory(tiny_clip.path.read_bytes())
+    clip.size_bytes = 1 << 60  # as a server may say
+    monkeypatch.setattr("hapticplayer.media.opening.MAX_REMOTE_SAMPLES", 10)
+    with pytest.raises(MediaError, match="its index lists more samples"):
+        probe(clip)
+
+
+def test_headers_beyond_the_limit_are_refused(tiny_clip, tmp_path, monkeypatch):
+    monkeypatch.setattr("hapticplayer.media.opening.MAX_ATTACHED_BYTES", 1 << 20)
+    target = tmp_path / "large.mkv"
+    one = Attachment("large", "application/octet-stream", bytes(2 << 20))
+    remux(tiny_clip.path, target, MATROSKA, Additions((one,)))
+    probe(target)
+    with pytest.raises(MediaError, match="its headers are too large"):
+        probe(InMemory(target.read_bytes()))
 
 
 def test_a_clip_that_ends_early_is_refused(tiny_clip):

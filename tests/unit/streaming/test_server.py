@@ -1,6 +1,7 @@
 """What a server gives, and to whom."""
 
 import json
+import os
 import socket
 
 import numpy as np
@@ -11,6 +12,7 @@ from hapticplayer.errors import NetworkError
 from hapticplayer.playback.source import open_source
 from hapticplayer.streaming.offer import Offer, wanted_bytes
 from hapticplayer.streaming.packets import PACKET_BYTES, decoded
+from hapticplayer.streaming.server import _Handler
 from hapticplayer.untrusted import (
     CONNECTION_S,
     MAX_CONNECTIONS_OF_ONE,
@@ -168,3 +170,23 @@ def test_ending_hangs_up_on_everybody(packed):
         wait_for(lambda: server.connections)
     assert viewer.recv(100) == b""
     viewer.close()
+
+
+def test_who_takes_no_bytes_is_hung_up_on(packed, monkeypatch):
+    monkeypatch.setattr(_Handler, "timeout", 0.3)
+    source = open_source(packed)
+    os.truncate(packed, 64 << 20)  # more than any buffer on the way
+    with served(Offer(source)) as server, connected(server) as lazy:
+        lazy.sendall(f"GET /{server.token}/clip HTTP/1.1\r\n\r\n".encode())
+        assert lazy.recv(15) == b"HTTP/1.1 200 OK"
+        wait_for(lambda: not server.connections)
+
+
+def test_noise_in_place_of_requests_does_no_harm(server, ask, rng):
+    for _ in range(100):
+        with connected(server) as rude:
+            rude.sendall(rng.bytes(int(rng.integers(1, 300))) + b"\r\n\r\n")
+            rude.shutdown(socket.SHUT_WR)
+            while rude.recv(1 << 16):
+                pass
+    assert ask("manifest.json")[0].status == 200
