@@ -5841,7 +5841,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>answers with status {status}</source>
-        <translation type="unfinished"></translation>
+        <translation>antwortet mit Status {status}</translation>
     </message>
     <message>
         <source>ask for a file that was packed with --with-motion</source>
@@ -5873,23 +5873,23 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>cannot be fetched ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>kann nicht geladen werden ({reason})</translation>
     </message>
     <message>
         <source>cannot listen on port {port} ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>Port {port} kann nicht geöffnet werden ({reason})</translation>
     </message>
     <message>
         <source>check the address, and that `hapticplayer serve` runs there</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse prüfen, und ob dort `hapticplayer serve` läuft</translation>
     </message>
     <message>
         <source>check the address, and that `hapticplayer serve` still runs there</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse prüfen, und ob dort `hapticplayer serve` noch läuft</translation>
     </message>
     <message>
         <source>check the network, then start again</source>
-        <translation type="unfinished"></translation>
+        <translation>Netzwerk prüfen und neu starten</translation>
     </message>
     <message>
         <source>checking the clip</source>
@@ -5909,6 +5909,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>choose an address of this machine and a free port</source>
+        <translation>eine Adresse dieses Rechners und einen freien Port wählen</translation>
+    </message>
+    <message>
+        <source>choose another clip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5969,7 +5973,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>does not have what its manifest names</source>
-        <translation type="unfinished"></translation>
+        <translation>hat nicht, was das Manifest nennt</translation>
     </message>
     <message>
         <source>drop one video with its log; import further ones after it</source>
@@ -6077,7 +6081,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>give the one that `hapticplayer serve` prints (http://HOST:PORT/TOKEN/{name})</source>
-        <translation type="unfinished"></translation>
+        <translation>die Adresse angeben, die `hapticplayer serve` ausgibt (http://HOST:PORT/TOKEN/{name})</translation>
     </message>
     <message>
         <source>haptic pattern for iPhones</source>
@@ -6085,7 +6089,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>has a clip that was changed meanwhile</source>
-        <translation type="unfinished"></translation>
+        <translation>hat einen Clip, der inzwischen geändert wurde</translation>
     </message>
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
@@ -6149,7 +6153,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>import it with its motion, or serve a file that was packed</source>
-        <translation type="unfinished"></translation>
+        <translation>mit seiner Bewegung importieren, oder eine gepackte Datei anbieten</translation>
     </message>
     <message>
         <source>in the sequence {key!r}, {one!r} and {other!r} are the same force</source>
@@ -6169,7 +6173,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is a stream of another version ({found})</source>
-        <translation type="unfinished"></translation>
+        <translation>ist ein Stream einer anderen Version ({found})</translation>
     </message>
     <message>
         <source>is a table of {program} without the acceleration of three axes</source>
@@ -6193,7 +6197,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is longer than {most_h:g} h</source>
-        <translation type="unfinished"></translation>
+        <translation>ist länger als {most_h:g} h</translation>
     </message>
     <message>
         <source>is not MPEG-V (SEM)</source>
@@ -6225,7 +6229,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is not the address of a stream</source>
-        <translation type="unfinished"></translation>
+        <translation>ist keine Adresse eines Streams</translation>
     </message>
     <message>
         <source>is not valid XML ({reason})</source>
@@ -6258,6 +6262,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>its beginning is hidden by an edit list, which no copy keeps</source>
         <translation>sein Anfang ist durch eine Schnittliste verborgen, die keine Kopie behält</translation>
+    </message>
+    <message>
+        <source>its headers are too large</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>its streams cannot be copied into {kind}</source>
@@ -6353,7 +6361,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>only a sequence on this machine can be given another feedback</source>
-        <translation type="unfinished"></translation>
+        <translation>nur eine Sequenz auf diesem Rechner kann ein anderes Feedback bekommen</translation>
     </message>
     <message>
         <source>only {count} of {total} rows hold both specific force and angular rate</source>
@@ -6505,7 +6513,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>refuses the token in the address</source>
-        <translation type="unfinished"></translation>
+        <translation>lehnt den Schlüssel in der Adresse ab</translation>
     </message>
     <message>
         <source>relaxed</source>
@@ -6565,15 +6573,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>send it as a file</source>
-        <translation type="unfinished"></translation>
+        <translation>als Datei senden</translation>
     </message>
     <message>
         <source>sends another part than was asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>sendet einen anderen Teil als verlangt</translation>
     </message>
     <message>
         <source>sends more than was asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>sendet mehr als verlangt</translation>
     </message>
     <message>
         <source>session {code} cannot be used: {what}</source>
@@ -6913,7 +6921,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the server has not answered for {s:g} s</source>
-        <translation type="unfinished"></translation>
+        <translation>der Server hat {s:g} s lang nicht geantwortet</translation>
     </message>
     <message>
         <source>the simulated service has ended; choose the device again to start a new one</source>
@@ -6933,7 +6941,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>update hapticplayer here and where the clip is served</source>
-        <translation type="unfinished"></translation>
+        <translation>hapticplayer hier und beim Anbieter aktualisieren</translation>
     </message>
     <message>
         <source>use --method pats, or give --offset S</source>

@@ -5841,7 +5841,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>answers with status {status}</source>
-        <translation type="unfinished"></translation>
+        <translation>répond avec le statut {status}</translation>
     </message>
     <message>
         <source>ask for a file that was packed with --with-motion</source>
@@ -5873,23 +5873,23 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>cannot be fetched ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>ne peut pas être récupéré ({reason})</translation>
     </message>
     <message>
         <source>cannot listen on port {port} ({reason})</source>
-        <translation type="unfinished"></translation>
+        <translation>impossible d’écouter sur le port {port} ({reason})</translation>
     </message>
     <message>
         <source>check the address, and that `hapticplayer serve` runs there</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez l’adresse, et que `hapticplayer serve` y est lancé</translation>
     </message>
     <message>
         <source>check the address, and that `hapticplayer serve` still runs there</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez l’adresse, et que `hapticplayer serve` y est encore lancé</translation>
     </message>
     <message>
         <source>check the network, then start again</source>
-        <translation type="unfinished"></translation>
+        <translation>vérifiez le réseau, puis recommencez</translation>
     </message>
     <message>
         <source>checking the clip</source>
@@ -5909,6 +5909,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>choose an address of this machine and a free port</source>
+        <translation>choisissez une adresse de cette machine et un port libre</translation>
+    </message>
+    <message>
+        <source>choose another clip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5969,7 +5973,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>does not have what its manifest names</source>
-        <translation type="unfinished"></translation>
+        <translation>n’a pas ce que nomme son manifeste</translation>
     </message>
     <message>
         <source>drop one video with its log; import further ones after it</source>
@@ -6077,7 +6081,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>give the one that `hapticplayer serve` prints (http://HOST:PORT/TOKEN/{name})</source>
-        <translation type="unfinished"></translation>
+        <translation>donnez celle qu’affiche `hapticplayer serve` (http://HOST:PORT/TOKEN/{name})</translation>
     </message>
     <message>
         <source>haptic pattern for iPhones</source>
@@ -6085,7 +6089,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>has a clip that was changed meanwhile</source>
-        <translation type="unfinished"></translation>
+        <translation>a un clip qui a été modifié entre-temps</translation>
     </message>
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
@@ -6149,7 +6153,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>import it with its motion, or serve a file that was packed</source>
-        <translation type="unfinished"></translation>
+        <translation>importez-le avec son mouvement, ou servez un fichier partagé</translation>
     </message>
     <message>
         <source>in the sequence {key!r}, {one!r} and {other!r} are the same force</source>
@@ -6169,7 +6173,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is a stream of another version ({found})</source>
-        <translation type="unfinished"></translation>
+        <translation>est un flux d’une autre version ({found})</translation>
     </message>
     <message>
         <source>is a table of {program} without the acceleration of three axes</source>
@@ -6193,7 +6197,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is longer than {most_h:g} h</source>
-        <translation type="unfinished"></translation>
+        <translation>dure plus de {most_h:g} h</translation>
     </message>
     <message>
         <source>is not MPEG-V (SEM)</source>
@@ -6225,7 +6229,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is not the address of a stream</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas l’adresse d’un flux</translation>
     </message>
     <message>
         <source>is not valid XML ({reason})</source>
@@ -6258,6 +6262,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>its beginning is hidden by an edit list, which no copy keeps</source>
         <translation>son début est masqué par une liste de montage, qu’aucune copie ne garde</translation>
+    </message>
+    <message>
+        <source>its headers are too large</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>its streams cannot be copied into {kind}</source>
@@ -6353,7 +6361,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>only a sequence on this machine can be given another feedback</source>
-        <translation type="unfinished"></translation>
+        <translation>seule une séquence de cette machine peut recevoir un autre retour</translation>
     </message>
     <message>
         <source>only {count} of {total} rows hold both specific force and angular rate</source>
@@ -6505,7 +6513,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>refuses the token in the address</source>
-        <translation type="unfinished"></translation>
+        <translation>refuse le jeton de l’adresse</translation>
     </message>
     <message>
         <source>relaxed</source>
@@ -6565,15 +6573,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>send it as a file</source>
-        <translation type="unfinished"></translation>
+        <translation>envoyez-le comme fichier</translation>
     </message>
     <message>
         <source>sends another part than was asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>envoie une autre partie que celle demandée</translation>
     </message>
     <message>
         <source>sends more than was asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>envoie plus que demandé</translation>
     </message>
     <message>
         <source>session {code} cannot be used: {what}</source>
@@ -6913,7 +6921,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the server has not answered for {s:g} s</source>
-        <translation type="unfinished"></translation>
+        <translation>le serveur n’a pas répondu depuis {s:g} s</translation>
     </message>
     <message>
         <source>the simulated service has ended; choose the device again to start a new one</source>
@@ -6933,7 +6941,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>update hapticplayer here and where the clip is served</source>
-        <translation type="unfinished"></translation>
+        <translation>mettez hapticplayer à jour ici et là où le clip est servi</translation>
     </message>
     <message>
         <source>use --method pats, or give --offset S</source>
