@@ -69,7 +69,7 @@ class EffectPanel(QWidget):
         self.duplicate = text_button(
             self.tr("Dupl&icate"), self.tr("Add a copy after it (Ctrl+D)")
         )
-        self.delete = text_button(self.tr("De&lete"), self.tr("Delete it (Del)"))
+        self.delete = text_button(self.tr("Dele&te"), self.tr("Delete it (Del)"))
         self.enabled.clicked.connect(lambda is_on: self.editing.switch(is_on=is_on))
         self.duplicate.clicked.connect(self.editing.duplicate)
         self.delete.clicked.connect(self.editing.delete)

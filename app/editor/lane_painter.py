@@ -74,19 +74,25 @@ def paint_frame(painter: QPainter, lanes: Boxes, view: TimeView) -> None:
 
 
 def paint_force(
-    painter: QPainter, lanes: Boxes, view: TimeView, track: ForceTrack | None
+    painter: QPainter,
+    lanes: Boxes,
+    view: TimeView,
+    track: ForceTrack | None,
+    before: ForceTrack | None = None,
 ) -> None:
-    """Draw the three curves of a track, all on one scale."""
+    """Draw the three curves of a track, and behind it another one, all on one scale."""
     names = (
         translate("Lanes", "Force x (right)"),
         translate("Lanes", "Force y (up)"),
         translate("Lanes", "Force z (towards you)"),
     )
-    half_n = scale_n(track)
+    half_n = max(scale_n(track), scale_n(before))
     for lane in lanes.axes:
         painter.setPen(QColor(theme.ZERO))
         middle = lane.center().y()
         painter.drawLine(QPointF(lane.left(), middle), QPointF(lane.right(), middle))
+    if before is not None and before is not track:
+        paint_curves(painter, lanes, view, before, half_n, (theme.DIM,) * 3)
     if track is not None:
         paint_curves(painter, lanes, view, track, half_n, theme.AXIS_COLOURS)
     for lane, name in zip(lanes.axes, names, strict=True):
@@ -122,6 +128,18 @@ def paint_curves(
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.drawPolyline(_polygon(x, y))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
+
+
+def paint_loop(
+    painter: QPainter, lanes: Boxes, view: TimeView, span_s: tuple[float, float]
+) -> None:
+    """Mark a span that is repeated, on the ruler and through all lanes."""
+    width = lanes.ruler.width()
+    first, last = (view.x_of(at_s, width) for at_s in span_s)
+    ground = QColor(theme.ACCENT)
+    ground.setAlpha(40)
+    painter.fillRect(QRectF(first, 0, last - first, lanes.effects.bottom()), ground)
+    painter.fillRect(QRectF(first, RULER_PX - 3, last - first, 3), QColor(theme.ACCENT))
 
 
 def paint_sound(

@@ -67,6 +67,9 @@ class Lanes(QWidget):
         self.view = view
         self.cursor_s, self.frame_s = 0.0, USUAL_FRAME_S
         self.track: ForceTrack | None = None
+        self.before: ForceTrack | None = None
+        self.loop_s: tuple[float, float] | None = None
+        self._shows_before = True
         self.effects, self.events = NO_EFFECTS, tuple[Event, ...]()
         self._loudness: Curve | None = None
         self._rows: list[int] = []
@@ -84,10 +87,22 @@ class Lanes(QWidget):
         self.frame_s = 1.0 / frame_rate_hz if frame_rate_hz else USUAL_FRAME_S
         self._redraw()
 
-    def show_force(self, track: ForceTrack) -> None:
-        """Show another force."""
-        self.track = track
+    def show_force(self, track: ForceTrack, before: ForceTrack | None = None) -> None:
+        """Show another force, and behind it the one without effects."""
+        self.track, self.before = track, before
         self._redraw()
+
+    def show_before(self, is_wanted: bool) -> None:
+        """Show the force without effects, or not."""
+        self._shows_before = is_wanted
+        self._redraw()
+
+    def show_loop(self, span_s: tuple[float, float] | None) -> None:
+        """Mark what is repeated."""
+        if span_s != self.loop_s:
+            self.loop_s = span_s
+            self._front = None
+            self.update()
 
     def show_effects(self, effects: EffectList, selected: int | None = None) -> None:
         """Show other effects, one of them as selected."""
@@ -219,6 +234,8 @@ class Lanes(QWidget):
         made, lanes = QPixmap(still), self.lanes
         with QPainter(made) as painter:
             painter.setFont(theme.scaled(self.font(), 0.9))
+            if self.loop_s is not None:
+                lane_painter.paint_loop(painter, lanes, self.view, self.loop_s)
             self._paint_events(painter, lanes.events)
             self._paint_effects(painter, lanes.effects)
         return made
@@ -232,7 +249,8 @@ class Lanes(QWidget):
         with QPainter(made) as painter:
             painter.setFont(theme.scaled(self.font(), 0.9))
             lane_painter.paint_frame(painter, lanes, self.view)
-            lane_painter.paint_force(painter, lanes, self.view, self.track)
+            before = self.before if self._shows_before else None
+            lane_painter.paint_force(painter, lanes, self.view, self.track, before)
             if self._loudness is not None:
                 lane_painter.paint_sound(
                     painter, lanes.sound, self.view, self._loudness

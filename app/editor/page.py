@@ -1,6 +1,5 @@
 """The editor of effects: clip, force, sound, events and effects on one time line."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -17,18 +16,17 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.jobs import Jobs, Progress, in_child
-from app.bridge.pump import Cadence, Pump
-from app.bridge.settings import Settings, latencies_of, screen_name
+from app.bridge.settings import screen_name
+from app.editor.comparison import Comparison
 from app.editor.document import Document
 from app.editor.editing import Editing
 from app.editor.editing_lanes import EditingLanes
 from app.editor.effect_panel import EffectPanel
 from app.editor.kind_list import KindList
+from app.editor.live_force import LiveForce
+from app.editor.playing import Means, Playing
 from app.editor.view import TimeView
-from app.player.fullscreen import EscapeFilter
-from app.player.session import Session
 from app.player.transport import fix_stop_width, offer_play, offer_stop
-from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets import theme
 from app.widgets.buttons import text_button, tool_button
 from app.widgets.layout import (
@@ -43,17 +41,18 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import JobBar, MessageBar
 from app.widgets.texts import position_text, titled
-from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, message_of
-from hapticplayer.model import Feedback
-from hapticplayer.playback.player import Player
+from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.sequence.editing import set_effects
+from hapticplayer.rendering.effects import EffectList
+from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.editing import rendering_of, set_effects
+from hapticplayer.sequence.presets import Rendering
 from hapticplayer.sequence.time_line import TimeLine, time_line_of
 
 WIDTH_PX, HEIGHT_PX = 1180, 860
-DRAW_HZ, WATCH_HZ, POLL_MS = 30.0, 15.0, 40
+POLL_MS = 20  # an edit is felt within 200 ms
+_AROUND_S = 0.3  # of an effect, that is repeated with it
 _VIDEO_PX = 150  # high, at least
 _STAGE_PX, _LANES_PX = 330, 420  # only the proportion counts
 _ZOOM = 1.6
@@ -61,20 +60,13 @@ _REARM = QKeyCombination(Qt.KeyboardModifier.ControlModifier, Qt.Key.Key_R)
 _PER_S = 1000  # steps of the scroll bar
 
 
-class Means(NamedTuple):
-    """What the page plays with: a device by name, and what makes a player."""
-
-    clock: Clock
-    device: str
-    settings: Settings
-    make_player: Callable[[Clock, SurfaceSink, str], Player]
-
-
 class Loaded(NamedTuple):
-    """A sequence as the page shows it."""
+    """A sequence as the page shows it, and what renders it."""
 
     source: Source
     line: TimeLine
+    rendering: Rendering
+    force_limit_n: float
 
 
 class EditorPage(QDialog):
@@ -95,25 +87,23 @@ class EditorPage(QDialog):
     ) -> None:
         super().__init__(parent)
         self.folder, self._means = folder, means
-        self.session: Session | None = None
-        self.pump: Pump | None = None
         self.loaded: Loaded | None = None
+        self.live: LiveForce | None = None
         self.jobs = Jobs(self._on_failed)
         self.view = TimeView()
         self.document = Document()
         self.editing = Editing(self.document)
-        self.surface = VideoSurface()
         self.lanes = EditingLanes(self.view, self.editing)
         self.kinds, self.panel = KindList(), EffectPanel(self.editing)
         self.messages, self.job_bar = MessageBar(), JobBar()
-        self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
-        self._has_just_stopped = self._closes_when_saved = False
+        self.playing = Playing(means, self.messages.show_text, self)
+        self.comparison = Comparison()
+        self._saved_effects = self.document.effects
+        self._closes_when_saved = False
         self._make_parts()
         self._lay_out()
-        self._escape = EscapeFilter(self._on_escape, self)
-        self._escape.install()
         self._poll_timer = QTimer(self)
-        self._poll_timer.timeout.connect(self._poll_jobs)
+        self._poll_timer.timeout.connect(self._poll)
         self._poll_timer.start(POLL_MS)
         self._load()
 
@@ -137,6 +127,13 @@ class EditorPage(QDialog):
         self.wider.setAccessibleName(self.tr("Zoom out"))
         for button in (self.closer, self.wider):
             button.setMinimumWidth(36)
+        self.loop = QCheckBox(self.tr("&Loop"))
+        self.loop.setToolTip(
+            self.tr("Repeat the selected effect, or what is in view without one")
+        )
+        self.compare = QCheckBox(self.tr("&Before"))
+        self.compare.setToolTip(self.tr("Show the force without effects behind it"))
+        self.compare.setChecked(True)
         self.snap = QCheckBox(self.tr("S&nap"))
         self.snap.setToolTip(self.tr("Snap to frames, events and other effects"))
         self.snap.setChecked(True)
@@ -155,8 +152,12 @@ class EditorPage(QDialog):
         self._set_usable(is_usable=False)
 
     def _connect_parts(self) -> None:
-        self.play_button.clicked.connect(self.toggle)
-        self.stop_button.clicked.connect(self.stop_or_rearm)
+        self.play_button.clicked.connect(self.playing.toggle)
+        self.stop_button.clicked.connect(self.playing.stop_or_rearm)
+        self.playing.moved.connect(self._follow)
+        self.playing.changed.connect(self._show_state)
+        self.loop.toggled.connect(lambda _is_on: self._apply_loop())
+        self.compare.toggled.connect(self.lanes.show_before)
         self.closer.clicked.connect(lambda: self._zoom(1.0 / _ZOOM))
         self.wider.clicked.connect(lambda: self._zoom(_ZOOM))
         self.whole.clicked.connect(self.view.show_whole)
@@ -167,7 +168,7 @@ class EditorPage(QDialog):
         self.undo_button.clicked.connect(self.undo)
         self.redo_button.clicked.connect(self.redo)
         self.save_button.clicked.connect(self.save)
-        self.document.changed.connect(self._show_document)
+        self.document.changed.connect(self._on_document)
         stack.cleanChanged.connect(lambda _is_clean: self._show_document())
         keys = QKeySequence.StandardKey
         for key, slot in (
@@ -184,12 +185,18 @@ class EditorPage(QDialog):
     def _lay_out(self) -> None:
         self.setWindowTitle(f"{self.tr('Edit effects')}[*]")
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
-        self.surface.setMinimumHeight(_VIDEO_PX)
+        self.playing.surface.setMinimumHeight(_VIDEO_PX)
         stage, below, split = QWidget(), QWidget(), QSplitter(Qt.Orientation.Vertical)
-        row_of(self.kinds, (framed(self.surface), 1), self.panel, spacing=8, of=stage)
+        row_of(
+            self.kinds,
+            (framed(self.playing.surface), 1),
+            self.panel,
+            spacing=8,
+            of=stage,
+        )
         controls = row_of(
             *(self.play_button, self.stop_button, self.time, STRETCH),
-            *(self.snap, self.wider, self.closer, self.whole),
+            *(self.loop, self.compare, self.snap, self.wider, self.closer, self.whole),
             spacing=8,
         )
         column_of(controls, (framed(self.lanes), 1), self.bar, spacing=6, of=below)
@@ -202,15 +209,15 @@ class EditorPage(QDialog):
             *(self.save_button, self.close_button),
             spacing=8,
         )
-        whole: QVBoxLayout = fill_page(
-            self, self.messages, self.job_bar, (split, 1), buttons, spacing=8
-        )
+        parts = (self.messages, self.job_bar, (split, 1), self.comparison, buttons)
+        whole: QVBoxLayout = fill_page(self, *parts, spacing=8)
         whole.setContentsMargins(12, 10, 12, 10)
 
     def _set_usable(self, *, is_usable: bool) -> None:
         for widget in (
             *(self.play_button, self.stop_button, self.lanes),
-            *(self.closer, self.wider, self.whole, self.snap),
+            *(self.closer, self.wider, self.whole),
+            *(self.snap, self.loop, self.compare),
             *(self.kinds, self.panel),
         ):
             widget.setEnabled(is_usable)
@@ -223,53 +230,36 @@ class EditorPage(QDialog):
 
         def work(progress: Progress) -> Loaded:
             line = in_child(time_line_of, folder, progress=progress)
-            return Loaded(open_source(folder), line)
+            sequence = open_sequence(folder)
+            rendering, limit_n = rendering_of(sequence), sequence.mapping.force_limit_n
+            return Loaded(open_source(folder), line, rendering, limit_n)
 
         self.jobs.run(self.tr("Reading the sequence"), work, self._take)
 
     def _take(self, loaded: Loaded) -> None:
         self.loaded = loaded
-        source, line = loaded
+        source, line = loaded.source, loaded.line
         self.setWindowTitle(titled(self.tr("Edit effects"), f"{source.title}[*]"))
         self.view.set_duration(source.clip.duration_s)
         track = source.tracks[Feedback.REALISTIC.value]
         self.lanes.show_clip(track, line, source.clip.frame_rate_hz)
         self.editing.duration_s = source.clip.duration_s
+        self.comparison.set_clip(source.clip.duration_s, loaded.force_limit_n)
+        self._saved_effects = line.effects
+        self.live = LiveForce(loaded.rendering, self)
+        self.live.made.connect(self._on_made)
+        self.live.failed.connect(self._on_failed)
         self.document.open(line.effects)
         self._show_scroll()
         self._show_time(0.0)
         if line.problem:
             self.messages.show_text(line.problem)
         self._set_usable(is_usable=True)
-        self._begin_player(source)
-        self.lanes.setFocus()
-        self.ready.emit()
-
-    def _begin_player(self, source: Source) -> None:
-        player = self._made_player()
-        if player is None:
+        if not self.playing.begin(source, screen_name(self)):
             self.play_button.setEnabled(False)
             self.stop_button.setEnabled(False)
-            return
-        self.session = Session(player, self.messages.show_text)
-        self.session.changed.connect(self._show_state)
-        screen = screen_name(self)
-        player.set_latencies(latencies_of(self._means.settings, screen))
-        self.surface.set_clip_size(source.clip.width, source.clip.height)
-        player.open(source)
-        self.pump = Pump(player.poll, self._means.clock, self._on_gap, self)
-        self.pump.start()
-
-    def _made_player(self) -> Player | None:
-        """Return a player, without a device where that cannot be taken."""
-        clock, device, _settings, make = self._means
-        sink = SurfaceSink(self.surface)
-        for name in (device, NO_DEVICE):
-            try:
-                return make(clock, sink, name)
-            except HapticPlayerError as problem:
-                self._on_failed(problem)
-        return None
+        self.lanes.setFocus()
+        self.ready.emit()
 
     def _on_failed(self, problem: BaseException) -> None:
         self._closes_when_saved = False
@@ -281,8 +271,7 @@ class EditorPage(QDialog):
 
     def reject(self) -> None:
         """Stop before anything else; ask about changes that are not saved."""
-        if self.session is not None:
-            self.session.stop()
+        self.playing.stop()
         if self.jobs.is_busy and self.loaded is not None:
             return  # it is being saved
         if not self.document.stack.isClean() and not self._may_close():
@@ -311,27 +300,14 @@ class EditorPage(QDialog):
         self._end()
 
     def _end(self) -> None:
-        self._escape.remove()
         self._poll_timer.stop()
-        session, self.session = self.session, None
-        if session is not None:
-            session.stop()
-            if self.pump is not None:
-                self.pump.stop()
-            session.close()
+        self.playing.end()
+        if self.live is not None:
+            self.live.close()
+        self.comparison.close_jobs()
         self.jobs.close()
 
     # --- what a person does --------------------------------------------------
-
-    def toggle(self) -> None:
-        """Play or pause."""
-        if self.session is not None:
-            self.session.player.toggle()
-
-    def stop_or_rearm(self) -> None:
-        """Take the force away at once, or let it come back."""
-        if self.session is not None:
-            self.session.stop_or_rearm()
 
     def undo(self) -> None:
         """Take the last change back."""
@@ -353,24 +329,20 @@ class EditorPage(QDialog):
             in_child(set_effects, folder, effects, progress=progress)
             return open_source(folder)
 
-        if self.session is not None:
-            self.session.player.pause()
+        self.playing.pause()
         self.jobs.run(self.tr("Rendering the force"), work, self._on_saved)
         self._set_usable(is_usable=False)
 
     def _on_saved(self, source: Source) -> None:
-        assert self.loaded is not None  # it was saved
-        self.loaded = Loaded(source, self.loaded.line)
         self.document.stack.setClean()
+        self._saved_effects = self.document.effects
+        assert self.loaded is not None  # it was saved
+        self.loaded = self.loaded._replace(source=source)
         self._set_usable(is_usable=True)
-        self.lanes.show_force(source.tracks[Feedback.REALISTIC.value])
+        self._show_force(source.tracks[Feedback.REALISTIC.value])
         self.saved.emit(self.folder)
         if self._closes_when_saved:
             self.reject()
-        elif self.session is not None:
-            at_s = self.lanes.cursor_s
-            self.session.player.open(source)
-            self.session.player.seek(at_s)
 
     def _add_at_cursor(self, kind: str) -> None:
         self.editing.add_kind(kind, self.lanes.cursor_s)
@@ -382,40 +354,20 @@ class EditorPage(QDialog):
         """Play and pause by the space bar; Escape that stopped something ends here."""
         is_rearm = event.keyCombination() == _REARM
         if event.key() == Qt.Key.Key_Space:
-            self.toggle()
-        elif is_rearm and self.session is not None:
-            self.session.rearm()
-        elif event.key() == Qt.Key.Key_Escape and self._stops():
+            self.playing.toggle()
+        elif is_rearm:
+            self.playing.rearm()
+        elif event.key() == Qt.Key.Key_Escape and self.playing.stops():
             event.accept()
         else:
             super().keyPressEvent(event)
-
-    def _stops(self) -> bool:
-        """Stop the force; return whether there was anything to stop."""
-        self._on_escape()
-        has_stopped, self._has_just_stopped = self._has_just_stopped, False
-        return has_stopped
-
-    def _on_escape(self) -> None:
-        """Stop, whichever menu or field has the keyboard."""
-        session = self.session
-        if session is None or not session.player.snapshot().is_playing:
-            return
-        session.stop()
-        self._has_just_stopped = True
-        # the same press comes to the page after this, if at all
-        QTimer.singleShot(0, self, self._forget_escape)
-
-    def _forget_escape(self) -> None:
-        self._has_just_stopped = False
 
     def _zoom(self, factor: float) -> None:
         self.view.zoom(factor, self.lanes.cursor_s)
 
     def _on_pointed(self, media_s: float) -> None:
         self._show_time(media_s)
-        if self.session is not None:
-            self.session.player.seek(media_s)
+        self.playing.seek(media_s)
 
     def _on_scrolled(self, value: int) -> None:
         begin_s = value / _PER_S
@@ -423,31 +375,57 @@ class EditorPage(QDialog):
 
     # --- what is shown -------------------------------------------------------
 
-    def _poll_jobs(self) -> None:
+    def _poll(self) -> None:
         self.job_bar.show_state(self.jobs.state(), self._means.clock.now_s())
         self.jobs.poll()
         if not self.jobs.is_busy:
             self.job_bar.hide()
+        if self.live is not None:
+            self.live.poll()
+        self.comparison.poll()
 
-    def _on_gap(self) -> None:
-        session, now_s = self.session, self._means.clock.now_s()
-        if session is None:
-            return
-        if self._watch_cadence.is_due(now_s):
-            session.watch()
-        if self._draw_cadence.is_due(now_s):
-            now = session.player.snapshot()
-            if now.is_playing:
-                self.lanes.set_cursor(now.media_s)
-                self.view.reveal(now.media_s)
-                self._show_time(now.media_s)
+    def _on_document(self) -> None:
+        self._show_document()
+        if self.live is not None:
+            self.live.want(self.document.effects)
+        if self.loop.isChecked():
+            self._apply_loop()
+
+    def _on_made(self, effects: EffectList, track: ForceTrack) -> None:
+        """Show and play what has been rendered; what was saved stays as it is stored."""
+        assert self.loaded is not None  # else nothing is rendered
+        if effects == self._saved_effects:
+            track = self.loaded.source.tracks[Feedback.REALISTIC.value]
+        elif not len(effects) and len(self.document.effects):
+            track = self.playing.track or track  # the force without effects came first
+        self._show_force(track)
+
+    def _show_force(self, track: ForceTrack) -> None:
+        before = self.live.plain if self.live is not None else None
+        self.playing.replace(track)
+        self.lanes.show_force(track, before)
+        if before is not None:
+            self.comparison.compare(before, track)
+
+    def _apply_loop(self) -> None:
+        """Repeat the selected effect with a little around it, or what is in view."""
+        effect, span_s = self.document.effect, None
+        if self.loop.isChecked():
+            span_s = self.view.begin_s, self.view.end_s
+            if effect is not None:
+                end_s = min(effect.end_s + _AROUND_S, self.view.duration_s)
+                span_s = max(0.0, effect.start_s - _AROUND_S), end_s
+        self.playing.set_loop(span_s)
+        self.lanes.show_loop(span_s)
+
+    def _follow(self, media_s: float) -> None:
+        self.lanes.set_cursor(media_s)
+        self.view.reveal(media_s)
+        self._show_time(media_s)
 
     def _show_state(self) -> None:
-        if self.session is None:
-            return
-        now = self.session.player.snapshot()
-        offer_play(self.play_button, is_playing=now.is_playing)
-        offer_stop(self.stop_button, is_stopped=self.session.is_stopped)
+        offer_play(self.play_button, is_playing=self.playing.is_playing)
+        offer_stop(self.stop_button, is_stopped=self.playing.is_stopped)
 
     def _show_time(self, media_s: float) -> None:
         text = position_text(media_s, self.view.duration_s)

@@ -172,7 +172,8 @@ class Dialogs(QObject):
             )
             self._session.gateway.report(HapticPlayerError(problem))
             return
-        from app.editor.page import EditorPage, Means
+        from app.editor.page import EditorPage
+        from app.editor.playing import Means
 
         device = self._session.player.snapshot().device
         self._release()

@@ -1,5 +1,6 @@
 """What an editor shows of a sequence besides its tracks: effects, events, loudness."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -7,10 +8,12 @@ import numpy as np
 
 from hapticplayer.errors import HapticPlayerError, Message, message_of
 from hapticplayer.media.clip_info import probe
+from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import EffectList
 from hapticplayer.rendering.event import Event
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.events import events_of
+from hapticplayer.sequence.figures import ForceFigures, force_figures
 from hapticplayer.sequence.recognising import Curve, loudness_of
 
 
@@ -58,3 +61,22 @@ def time_line_of(
         return TimeLine(effects, events_of(folder), loudness)
     except HapticPlayerError as problem:  # the effects can be edited all the same
         return TimeLine(effects, (), loudness, message_of(problem))
+
+
+def figures_of(
+    tracks: Sequence[ForceTrack],
+    duration_s: float,
+    force_limit_n: float,
+    *,
+    progress: files.Progress = files.no_progress,
+) -> list[ForceFigures]:
+    """Return the figures of tracks; see `force_figures`, arguments as there."""
+    found = []
+    for number, track in enumerate(tracks):
+
+        def report(share: float, done: int = number) -> None:
+            step = Message("predicting excursions")
+            progress((done + share) / len(tracks), step)
+
+        found.append(force_figures(track, duration_s, force_limit_n, progress=report))
+    return found

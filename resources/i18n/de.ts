@@ -296,6 +296,17 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Without → with effects: RMS {rms}, peak {peak}, at the limit {limit}, reach of a relaxed hand {reach}</source>
+        <translation>Ohne → mit Effekten: Effektivwert {rms}, Spitze {peak}, an der Grenze {limit}, Auslenkung einer lockeren Hand {reach}</translation>
+    </message>
+    <message>
+        <source>the force would be stopped</source>
+        <translation>die Kraft würde abgeschaltet</translation>
+    </message>
+</context>
+<context>
     <name>ConditionDialog</name>
     <message>
         <source>Other feedback</source>
@@ -594,6 +605,22 @@
         <translation>Verkleinern</translation>
     </message>
     <message>
+        <source>&amp;Loop</source>
+        <translation>S&amp;chleife</translation>
+    </message>
+    <message>
+        <source>Repeat the selected effect, or what is in view without one</source>
+        <translation>Den gewählten Effekt wiederholen, ohne Auswahl das Sichtbare</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>&amp;Vorher</translation>
+    </message>
+    <message>
+        <source>Show the force without effects behind it</source>
+        <translation>Dahinter die Kraft ohne Effekte zeigen</translation>
+    </message>
+    <message>
         <source>S&amp;nap</source>
         <translation>Ei&amp;nrasten</translation>
     </message>
@@ -661,12 +688,12 @@
         <translation>D&amp;uplizieren</translation>
     </message>
     <message>
-        <source>De&amp;lete</source>
-        <translation>&amp;Löschen</translation>
-    </message>
-    <message>
         <source>Delete it (Del)</source>
         <translation>Löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te</source>
+        <translation>&amp;Löschen</translation>
     </message>
     <message>
         <source>No effect is selected</source>

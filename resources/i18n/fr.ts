@@ -296,6 +296,17 @@
     </message>
 </context>
 <context>
+    <name>Comparison</name>
+    <message>
+        <source>Without → with effects: RMS {rms}, peak {peak}, at the limit {limit}, reach of a relaxed hand {reach}</source>
+        <translation>Sans → avec effets&#xa0;: valeur efficace {rms}, crête {peak}, à la limite {limit}, course d’une main détendue {reach}</translation>
+    </message>
+    <message>
+        <source>the force would be stopped</source>
+        <translation>la force serait coupée</translation>
+    </message>
+</context>
+<context>
     <name>ConditionDialog</name>
     <message>
         <source>Other feedback</source>
@@ -594,6 +605,22 @@
         <translation>Réduire</translation>
     </message>
     <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Boucle</translation>
+    </message>
+    <message>
+        <source>Repeat the selected effect, or what is in view without one</source>
+        <translation>Répéter l’effet choisi, ou sans choix ce qui est visible</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>A&amp;vant</translation>
+    </message>
+    <message>
+        <source>Show the force without effects behind it</source>
+        <translation>Montrer derrière la force sans effets</translation>
+    </message>
+    <message>
         <source>S&amp;nap</source>
         <translation>Mag&amp;nétisme</translation>
     </message>
@@ -607,11 +634,11 @@
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>Réta&amp;blir</translation>
+        <translation>&amp;Rétablir</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation>&amp;Enregistrer</translation>
+        <translation>Enre&amp;gistrer</translation>
     </message>
     <message>
         <source>Save the effects and render the force with them (Ctrl+S)</source>
@@ -661,12 +688,12 @@
         <translation>D&amp;upliquer</translation>
     </message>
     <message>
-        <source>De&amp;lete</source>
-        <translation>Supp&amp;rimer</translation>
-    </message>
-    <message>
         <source>Delete it (Del)</source>
         <translation>Supprimer (Suppr)</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te</source>
+        <translation>Suppri&amp;mer</translation>
     </message>
     <message>
         <source>No effect is selected</source>

@@ -28,7 +28,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.editor.lanes import Lanes
-from app.editor.page import EditorPage, Means
+from app.editor.page import EditorPage
+from app.editor.playing import Means
 from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage

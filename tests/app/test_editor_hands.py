@@ -11,7 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.editor.kind_list import MIME
-from app.editor.page import EditorPage, Means
+from app.editor.page import EditorPage
+from app.editor.playing import Means
 from hapticplayer.clock import SystemClock
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence, store, verify_sequence

@@ -9,7 +9,8 @@ from faces import make_player
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.editor.page import EditorPage, Means
+from app.editor.page import EditorPage
+from app.editor.playing import Means
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Mode
@@ -48,7 +49,7 @@ def make_page(application, qtbot, settings, wait_for):
 
 
 def frame_level(page) -> float:
-    image = page.surface.image
+    image = page.playing.surface.image
     return image.pixelColor(image.width() // 2, image.height() // 2).red()
 
 
@@ -64,7 +65,7 @@ def test_it_shows_force_effects_and_the_frame_at_the_cursor(
     assert first.right() == pytest.approx(page.lanes.width() / 2.0, abs=1.0)
     page.lanes.point_at(1.8)
     # from 20 to 235 in two seconds
-    wait_for(lambda: page.surface.frame is not None and frame_level(page) > 195)
+    wait_for(lambda: page.playing.surface.frame is not None and frame_level(page) > 195)
     assert page.lanes.cursor_s == 1.8
 
 
@@ -128,7 +129,7 @@ def test_space_plays_and_escape_stops_before_it_closes(make_page, folder, wait_f
     wait_for(lambda: page.lanes.cursor_s > 0.1)
     QTest.keyClick(page.windowHandle(), Qt.Key.Key_Escape)
     assert page.isVisible()
-    assert not page.session.player.snapshot().is_playing
+    assert not page.playing.session.player.snapshot().is_playing
     QTest.qWait(20)
     QTest.keyClick(page.windowHandle(), Qt.Key.Key_Escape)
     assert not page.isVisible()
@@ -137,9 +138,9 @@ def test_space_plays_and_escape_stops_before_it_closes(make_page, folder, wait_f
 @pytest.mark.realtime
 def test_what_plays_is_felt_and_escape_ends_it(make_page, folder, wait_for):
     page = make_page(folder, "simulated")
-    player = page.session.player
+    player = page.playing.session.player
     wait_for(lambda: player.snapshot().tick is not None)
-    page.toggle()
+    page.playing.toggle()
 
     def felt():
         ticks = player.ticks_since(-np.inf)
