@@ -1,22 +1,25 @@
 """A sequence in one file: other programs, frames, time to the first force, seeks.
 
 A 720p30 clip with force from its first second is packed as MKV and as MP4 with a side-car.
-mpv, FFmpeg, mkvtoolnix, mediainfo and VLC (where installed) read the files; FFmpeg's
-checksums of the decoded frames are compared with those of the source. Then folder and MKV are
+mpv, FFmpeg, mkvtoolnix, mediainfo and VLC (where installed, with its plugins) read the files;
+FFmpeg's checksums of the decoded frames, and those of the frames that VLC shows, are compared
+with those of the source. VLC refuses root: it is run as nobody then. Then folder and MKV are
 opened in turn, once with the checksum of the video known from before and once without, up to
 the first tick with a force on the simulated device, which is ready all the time; and the same
 seeks are timed in both, paused.
 """
 
 import argparse
+import hashlib
 import json
 import os
+import re
 import shutil
 import statistics
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -36,12 +39,13 @@ from hapticplayer.sequence.travelling import contents_of
 
 MOST_LATER_MS, MOST_SEEK_RATIO = 20.0, 1.1
 _PATIENCE_S = 20.0
+_VLC_S, _VLC_FRAMES = 4, 50
 _TOOLS = {  # how each reads a file, and what it has to say
     "mpv": (["mpv", "--no-config", "--vo=null", "--ao=null", "--untimed"], ""),
     "ffmpeg": (["ffmpeg", "-v", "error", "-nostdin"], ""),
     "mkvtoolnix": (["mkvmerge", "-J"], MANIFEST),
+    "mkvinfo": (["mkvinfo"], MANIFEST),
     "mediainfo": (["mediainfo"], MANIFEST),
-    "VLC": (["cvlc", "-I", "dummy", "--vout=dummy", "--aout=dummy"], ""),
 }
 
 
@@ -68,6 +72,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
         report.figures |= _sizes(mkv, payload.size_bytes, seconds)
         _accepted(mkv, mp4, report)
         _frames(folder / "clip.mp4", mkv, mp4, report)
+        _shown_by_vlc(folder / "clip.mp4", mkv, mp4, report)
         _first_force(
             folder, mkv, options.rounds or (3 if options.quick else 15), report
         )
@@ -97,11 +102,11 @@ def _accepted(mkv: Path, mp4: Path, report: Report) -> None:
         if shutil.which(words[0]) is None:
             rows.append([name, "not installed", ""])
             continue
-        answers = [
-            _read_by(name, words, path, says * (path is mkv)) for path in (mkv, mp4)
-        ]
+        answers = [_read_by(name, words, mkv, says)]
+        if name != "mkvinfo":  # it reads no MP4
+            answers.append(_read_by(name, words, mp4, ""))
         refused += sum(answer != "yes" for answer in answers)
-        rows.append([name, *answers])
+        rows.append([name, *answers, "-"][:3])
     report.table("Accepted by", ["program", "MKV", "MP4"], rows)
     report.target("files that a program complains about", refused, ("<=", 0))
     report.figures["accepted"] = rows
@@ -123,8 +128,6 @@ def _read_by(name: str, words: list[str], path: Path, says: str) -> str:
             "null",
             "-",
         ]
-    elif name == "VLC":
-        words = [*words, str(path), "vlc://quit"]
     else:
         words = [*words, str(path)]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
@@ -153,6 +156,82 @@ def _frames(clip: Path, mkv: Path, mp4: Path, report: Report) -> None:
     is_same = packets == video_payload(mkv).sha256 == video_payload(clip).sha256
     report.target("checksum of the packets is FFmpeg's (1)", int(is_same), (">=", 1))
     report.figures |= {"frames": len(expected), "frames_that_differ": wrong}
+
+
+def _shown_by_vlc(clip: Path, mkv: Path, mp4: Path, report: Report) -> None:
+    """Compare the first frames that VLC shows with what FFmpeg decodes of the source."""
+    if shutil.which("vlc") is None:
+        report.figures["VLC"] = "not installed"
+        return
+    expected = _once(_hashes(clip, "framehash", "-pix_fmt", "yuv420p"))
+    rows, wrong = [], 0
+    shown, usual = _frames_of_vlc(clip, mkv.parent)
+    if not shown:
+        report.figures["VLC"] = "does not show the source"
+        print("VLC does not show the source: it may lack its plugins")
+        return
+    for path in (mkv, mp4):
+        shown, complaints = _frames_of_vlc(path, mkv.parent)
+        complaints -= usual
+        rest = iter(expected)  # it leaves some out where the machine is busy
+        is_same = len(shown) >= _VLC_FRAMES and all(one in rest for one in shown)
+        wrong += len(complaints) + (not is_same)
+        rows.append([path.suffix[1:], len(shown), is_same, "; ".join(complaints)[:60]])
+    header = ["file", "frames shown", "those of the source", "complaints"]
+    report.table("VLC, the first seconds", header, rows)
+    report.target(
+        "files that VLC shows otherwise, or complains about", wrong, ("<=", 0)
+    )
+    report.figures["VLC"] = rows
+
+
+def _frames_of_vlc(path: Path, place: Path) -> tuple[list[str], set[str]]:
+    """Return the checksums of the frames that VLC shows, and what it complains about."""
+    is_root = os.geteuid() == 0
+    home = place / "vlc"
+    home.mkdir(exist_ok=True)
+    if is_root:
+        place.chmod(0o755)
+        home.chmod(0o777)
+    frames = home / "frames.y4m"
+    words = ["vlc", "-v", "-I", "dummy", "--aout=adummy", "--vout=yuv"]
+    words += ["--no-osd", "--no-spu", "--no-video-title-show", "--no-avcodec-hurry-up"]
+    words += [f"--yuv-file={frames}", "--no-drop-late-frames", "--no-skip-frames"]
+    words += ["--avcodec-hw=none", f"--stop-time={_VLC_S}", str(path), "vlc://quit"]
+    nobody: dict[str, Any] = {"user": "nobody", "group": "nogroup", "extra_groups": ()}
+    done = subprocess.run(
+        words,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60.0,
+        env={**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home)},
+        **(nobody if is_root else {}),
+    )
+    about_file = {
+        line.partition("] ")[2]
+        for line in done.stderr.splitlines()
+        if " error: " in line and not re.search("interface|libvlc", line)
+    }
+    if not frames.exists():
+        return [], about_file
+    found = list(_frames_in(frames))
+    frames.unlink()
+    return _once(found), about_file
+
+
+def _frames_in(path: Path) -> Iterator[str]:
+    """Yield the checksums of the frames of a file of YUV4MPEG2, 4:2:0."""
+    with path.open("rb") as stream:
+        size = {word[:1]: word[1:] for word in stream.readline().split()}
+        count = int(size[b"W"]) * int(size[b"H"]) * 3 // 2
+        while stream.readline().startswith(b"FRAME"):
+            yield hashlib.sha256(stream.read(count)).hexdigest()
+
+
+def _once(frames: list[str]) -> list[str]:
+    """Return frames without those that equal the one before: players show some twice."""
+    return [one for row, one in enumerate(frames) if row == 0 or one != frames[row - 1]]
 
 
 def _hashes(path: Path, kind: str, *how: str) -> list[str]:

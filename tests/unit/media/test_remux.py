@@ -43,6 +43,33 @@ def test_packets_and_decoded_frames_are_those_of_the_clip(
     assert len(frames) == payload.packets
 
 
+def packets_of(path: Path) -> dict[str, list[tuple[float, float, bool, bytes]]]:
+    """Return presentation and decoding time (s), key or not, and payload of packets."""
+    found: dict[str, list[tuple[float, float, bool, bytes]]] = {}
+    with open_media(path) as container:
+        for one in container.demux(container.streams.video, container.streams.audio):
+            if one.size:
+                assert one.pts is not None
+                assert one.dts is not None
+                times_s = (float(t * one.time_base) for t in (one.pts, one.dts))
+                row = (*times_s, one.is_keyframe, bytes(one))
+                found.setdefault(one.stream.type, []).append(row)
+    return found
+
+
+def test_an_mp4_has_every_packet_at_its_time_and_a_note_more(
+    clip: Path, tmp_path: Path
+) -> None:
+    source, copy = tmp_path / "clip.mp4", tmp_path / "copy.mp4"
+    remux(clip, source, MP4)
+    remux(source, copy, MP4, Additions((), {"hapticplayer": "sha256"}))
+    before = packets_of(source)
+    assert set(before) == {"video", "audio"}
+    assert packets_of(copy) == before
+    with open_media(copy) as container:
+        assert container.metadata["hapticplayer"] == "sha256"
+
+
 @pytest.mark.parametrize(("kind", "ending"), KINDS)
 def test_frames_and_sound_keep_their_times(
     clip: Path, tmp_path: Path, kind: str, ending: str
