@@ -156,13 +156,18 @@ def _run_until_closed(
         shown.window.close()
         application.quit()  # also out of dialogs that are still open
 
+    def interrupt() -> None:
+        if shown.window.session.jobs.is_busy:
+            complain("interrupted; no file was left half written")
+        close()
+
     def close_soon() -> None:
         QTimer.singleShot(AT_REST_MS, close)
 
     shown = OpenWindow(window, close_soon if options.close_at_end else None)
     shown.begin()
     try:
-        with closing_on_signals(lambda: QTimer.singleShot(0, close)):
+        with closing_on_signals(lambda: QTimer.singleShot(0, interrupt)):
             application.exec()
     finally:
         shown.end()

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import subprocess
 import sys
 
 import pytest
@@ -58,6 +59,32 @@ def test_a_child_that_is_killed_is_an_error_with_words():
 
 def test_a_child_leaves_ctrl_c_to_the_window():
     assert in_child(interrupted, progress=lambda *_: None) == "done"
+
+
+FIRST = """
+import os, signal
+from app.bridge.jobs import in_child
+
+def interrupted(*, progress):
+    os.kill(os.getpid(), signal.SIGINT)
+    return "done"
+
+if __name__ == "__main__":
+    assert in_child(interrupted, progress=lambda *_: None) == "done"
+"""
+
+
+def test_the_first_child_of_a_program_does_so_too(tmp_path):
+    script = tmp_path / "first.py"
+    script.write_text(FIRST)
+    ended = subprocess.run(
+        [sys.executable, script],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (ended.returncode, ended.stderr) == (0, "")
     assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, [])
 
 
