@@ -3,6 +3,8 @@
 import os
 import re
 import shutil
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
 from typing import ClassVar
 
@@ -182,3 +184,39 @@ def test_a_device_that_is_not_there_is_told_in_german(german, wait_for):
     assert re.match(
         r"kein Falcon |libusb fehlt; |der Falcon |Sie d\u00fcrfen ", said
     ), said
+
+
+SPEAK = """
+from app.player.application import make_application
+make_application()
+from app.bridge import languages
+print(languages.spoken())
+"""
+
+
+@pytest.mark.parametrize(
+    ("environment", "code"),
+    [
+        ({"LANG": "de_AT.UTF-8"}, "de"),
+        ({"LANG": "fr_FR.UTF-8"}, "fr"),
+        ({"LANG": "it_IT.UTF-8"}, "en"),
+        ({"LANG": "C.UTF-8"}, "en"),
+        ({"LANG": "en_GB.UTF-8", "LC_ALL": "de_DE.UTF-8"}, "de"),
+    ],
+)
+def test_without_a_choice_the_window_follows_lang(environment, code):
+    spoken = ("LANG", "LANGUAGE", "LC_ALL", "LC_MESSAGES")
+    kept = {k: value for k, value in os.environ.items() if k not in spoken}
+    kept |= {"PYTHONPATH": os.pathsep.join(sys.path), **environment}
+    said = subprocess.run(
+        [sys.executable, "-c", SPEAK],
+        env=kept | {"QT_QPA_PLATFORM": "offscreen"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert said.stdout.split() == [code]
+
+
+def test_a_choice_is_stronger_than_lang(application):
+    assert [languages.wanted(code) for code in languages.NAMES] == [*languages.NAMES]
