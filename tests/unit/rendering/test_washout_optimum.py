@@ -124,7 +124,7 @@ def test_an_interior_point_method_finds_no_better(scene, begin_s):
     found = solve(wanted, LIMITS)
     reach = np.linalg.norm(np.einsum("hasc,ac->has", hands, found), axis=1).max()
     assert reach < 1.01
-    assert np.all((found > sides[0] - 1e-9) & (found < sides[1] + 1e-9))
+    assert np.all((found > sides[0] - 1e-6) & (found < sides[1] + 1e-6))
     errors = [
         np.sqrt(np.einsum("ac,cd,ad->", one - wanted, quadratic, one - wanted))
         for one in (found, best)
