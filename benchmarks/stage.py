@@ -76,6 +76,9 @@ def pixel_reader(framebuffer: Path) -> Callable[[], bytes]:
     return lambda: memory[at : at + 3]
 
 
+FOUR_CHANNELS = "front-left,front-right,rear-left,rear-right"
+
+
 class SoundServer:
     """A PulseAudio server of its own with a null sink.
 
@@ -84,7 +87,7 @@ class SoundServer:
         process: of the server.
     """
 
-    def __init__(self, folder: str) -> None:
+    def __init__(self, folder: str, channels: int = 2) -> None:
         need("pulseaudio", "pactl")
         private = dict.fromkeys(
             ("PULSE_RUNTIME_PATH", "PULSE_STATE_PATH", "XDG_RUNTIME_DIR"), folder
@@ -98,7 +101,10 @@ class SoundServer:
         self._command += [
             f"module-native-protocol-unix socket={socket} auth-anonymous=1"
         ]
-        self._command += ["-L", "module-null-sink sink_name=null rate=48000 channels=2"]
+        sink = f"module-null-sink sink_name=null rate=48000 channels={channels}"
+        if channels == 4:
+            sink += f" channel_map={FOUR_CHANNELS}"
+        self._command += ["-L", sink]
         self.start()
 
     def start(self) -> None:
@@ -135,10 +141,10 @@ class SoundServer:
 
 
 @contextlib.contextmanager
-def sound_server() -> Iterator[SoundServer]:
-    """Run a PulseAudio null sink."""
+def sound_server(channels: int = 2) -> Iterator[SoundServer]:
+    """Run a PulseAudio null sink of 2 or 4 channels."""
     with tempfile.TemporaryDirectory(prefix="hp-sound-") as folder:
-        server = SoundServer(folder)
+        server = SoundServer(folder, channels)
         try:
             yield server
         finally:

@@ -160,6 +160,12 @@ def needs_nothing(device: str) -> tuple[str, str]:
             "Connect a game pad that Linux can rumble. Its vibration follows the "
             "strength of the force, not its direction.",
         ),
+        "shaker": translate(
+            "SetupTexts",
+            "Connect the shaker's amplifier to the sound output. By default it plays "
+            "channels 1 and 2; shaker:pulse,channels=3+4 on the command line chooses "
+            "others.",
+        ),
         "buttplug": translate(
             "SetupTexts",
             "Start Intiface and connect what vibrates. Its vibration follows the "

@@ -14,6 +14,7 @@ PLACES = {
     "washout": "haptics.washout",
     "editing": "haptics.editing",
     "events": "haptics.events",
+    "shaker": "haptics.shaker",
     "sound_layer": "haptics.sound_layer",
 }
 sys.exit(command("haptics", __doc__, PLACES))

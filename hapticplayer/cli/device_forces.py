@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from hapticplayer.cli.common import agreed, complain, interruptible, say
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import find_device
-from hapticplayer.errors import DeviceError
+from hapticplayer.devices import find_device, settings_of
+from hapticplayer.devices.transducer.settings import ShakerSettings
+from hapticplayer.errors import DeviceError, Message
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.rig.loop import REFUSED, SENT
 from hapticplayer.model.device import Signal
@@ -26,8 +27,12 @@ _WAIT_FOR_HOMING = "pull the grip out as far as it goes, then push it in until i
 
 def test_forces(options: argparse.Namespace) -> int:
     """Draw a circle and say how the device took it."""
-    if find_device(options.device).capabilities.signal is Signal.MOTION:
+    entry = find_device(options.device)
+    if entry.capabilities.signal is Signal.MOTION:
         return _test_rig(options)
+    chosen = settings_of(entry)
+    if isinstance(chosen, ShakerSettings):
+        return _test_shaker(options, chosen)
     agreed(
         options,
         f"The device will draw a slow circle of {CIRCLE_N} N. Hold its grip loosely; "
@@ -81,6 +86,40 @@ def _test_rig(options: argparse.Namespace) -> int:
     if player.problem:
         complain(player.problem)
     return int(bool(player.problem))
+
+
+def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
+    """Play each channel of a shaker in turn, gently."""
+    track = circle()
+    channels = ", ".join(map(str, chosen.channels))
+    agreed(
+        options,
+        f"The shakers on channels {channels} of {chosen.address} will swell and fade in "
+        f"turn, {track.time_s[-1]:.0f} s each. Turn their amplifier low; Ctrl-C stops. "
+        "Ready?",
+    )
+    clock = SystemClock()
+    played: list[int] = []
+    problem: Message | str = ""
+    for channel in chosen.channels:
+        player = ForcePlayer(clock, chosen.alone(channel), track)
+        try:
+            with interruptible():
+                player.wait_ready()
+                _play(player, clock, [])
+        finally:
+            player.close()
+        if player.problem:
+            problem = player.problem
+            break
+        played.append(channel)
+        if not options.json:
+            say(f"channel {channel} played")
+    if options.json:
+        say(json.dumps({"device": options.device, "channels": played}))
+    if problem:
+        complain(problem)
+    return int(bool(problem))
 
 
 def _play(player: ForcePlayer, clock: SystemClock, ticks: list[NDArray[Any]]) -> None:

@@ -18,6 +18,7 @@ from hapticplayer.devices.capabilities import (
     INVERSE3,
     RIG,
     RUMBLE,
+    SHAKER,
     TCODE,
     WHEEL,
 )
@@ -200,6 +201,15 @@ _BUILT_IN = (
         "hapticplayer.devices.evdev.driver:make_rumble",
         "hapticplayer.devices.evdev.driver:silence_rumble",
         has_serials=True,
+    ),
+    DeviceEntry(
+        "shaker",
+        Message("Shaker"),
+        "bass shakers and voice coils on a sound card",
+        SHAKER,
+        "hapticplayer.devices.transducer.driver:make",
+        "hapticplayer.devices.transducer.driver:silence",
+        settings="hapticplayer.devices.transducer.settings:shaker_settings",
     ),
     DeviceEntry(
         "buttplug",

@@ -57,3 +57,5 @@ INVERSE3 = DeviceCapabilities(
     rate_hz=1000.0,
     latency_s=0.002,
 )
+
+SHAKER = replace(GAMEPAD, rate_hz=1000.0, latency_s=0.080)

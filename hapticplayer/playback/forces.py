@@ -51,6 +51,11 @@ class ForcePlayer:
         """What is wrong with the device, "" for nothing."""
         return self._processes.problem
 
+    @property
+    def pids(self) -> dict[str, int]:
+        """Processes by what they are."""
+        return self._processes.pids
+
     def wait_ready(self) -> None:
         """Wait for the device; see `HapticsProcesses.wait_ready`."""
         self._processes.wait_ready()

@@ -3212,6 +3212,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Starten Sie den Inverse Service von Haply und schließen Sie das Inverse3 mit seinem Netzteil an.</translation>
     </message>
     <message>
+        <source>Connect the shaker&apos;s amplifier to the sound output. By default it plays channels 1 and 2; shaker:pulse,channels=3+4 on the command line chooses others.</source>
+        <translation>Schließen Sie den Verstärker des Körperschallwandlers an den Tonausgang an. Üblicherweise spielt er auf den Kanälen 1 und 2; shaker:pulse,channels=3+4 auf der Kommandozeile wählt andere.</translation>
+    </message>
+    <message>
         <source>Start Intiface and connect what vibrates. Its vibration follows the strength of the force, not its direction.</source>
         <translation>Starten Sie Intiface und verbinden Sie, was vibriert. Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
     </message>
@@ -5755,6 +5759,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Startwert</translation>
     </message>
     <message>
+        <source>Shaker</source>
+        <translation>Körperschallwandler</translation>
+    </message>
+    <message>
         <source>Shocks that stand out of what surrounds them</source>
         <translation>Stöße, die aus ihrer Umgebung herausragen</translation>
     </message>
@@ -6623,6 +6631,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eingerichtet</translation>
     </message>
     <message>
+        <source>shaker option {part!r} is unknown; use a card, then {known}</source>
+        <translation>Option {part!r} des Körperschallwandlers: unbekannt; verwenden Sie eine Karte, dann {known}</translation>
+    </message>
+    <message>
+        <source>shaker option {part!r}: {reason}</source>
+        <translation>Option {part!r} des Körperschallwandlers: {reason}</translation>
+    </message>
+    <message>
+        <source>shaker:{text}: {count} channels need one band, or one each, and each channel once</source>
+        <translation>shaker:{text}: {count} Kanäle brauchen ein Band oder je eines, und jeden Kanal einmal</translation>
+    </message>
+    <message>
         <source>share it without the motion, or copy its folder</source>
         <translation>teilen Sie sie ohne die Bewegung, oder kopieren Sie ihren Ordner</translation>
     </message>
@@ -6951,8 +6971,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Server hat {s:g} s lang nicht geantwortet</translation>
     </message>
     <message>
+        <source>the shaker is not open; choose the device again</source>
+        <translation>der Körperschallwandler ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
         <source>the simulated service has ended; choose the device again to start a new one</source>
         <translation>der simulierte Dienst ist beendet; wählen Sie das Gerät erneut, um einen neuen zu starten</translation>
+    </message>
+    <message>
+        <source>the sound card {card!r} cannot be opened with {count} channels: {reason}; choose another card or profile</source>
+        <translation>die Soundkarte {card!r} kann nicht mit {count} Kanälen geöffnet werden: {reason}; wählen Sie eine andere Karte oder ein anderes Profil</translation>
+    </message>
+    <message>
+        <source>the sound card {card!r} takes nothing any more; connect it and choose the device again</source>
+        <translation>die Soundkarte {card!r} nimmt nichts mehr an; schließen Sie sie an und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>the track needs more than {most} keyframes</source>

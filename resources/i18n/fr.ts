@@ -3212,6 +3212,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Démarrez l&apos;Inverse Service de Haply et branchez l&apos;Inverse3 avec son alimentation.</translation>
     </message>
     <message>
+        <source>Connect the shaker&apos;s amplifier to the sound output. By default it plays channels 1 and 2; shaker:pulse,channels=3+4 on the command line chooses others.</source>
+        <translation>Branchez l&apos;amplificateur du transducteur sur la sortie audio. Par défaut il joue sur les canaux 1 et 2&#xa0;; shaker:pulse,channels=3+4 en ligne de commande en choisit d&apos;autres.</translation>
+    </message>
+    <message>
         <source>Start Intiface and connect what vibrates. Its vibration follows the strength of the force, not its direction.</source>
         <translation>Démarrez Intiface et connectez ce qui vibre. La vibration suit l&apos;intensité de la force, pas sa direction.</translation>
     </message>
@@ -5755,6 +5759,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Graine</translation>
     </message>
     <message>
+        <source>Shaker</source>
+        <translation>Transducteur</translation>
+    </message>
+    <message>
         <source>Shocks that stand out of what surrounds them</source>
         <translation>Chocs qui ressortent de ce qui les entoure</translation>
     </message>
@@ -6623,6 +6631,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>préparé</translation>
     </message>
     <message>
+        <source>shaker option {part!r} is unknown; use a card, then {known}</source>
+        <translation>option de transducteur {part!r}&#xa0;: inconnue&#xa0;; utilisez une carte, puis {known}</translation>
+    </message>
+    <message>
+        <source>shaker option {part!r}: {reason}</source>
+        <translation>option de transducteur {part!r}&#xa0;: {reason}</translation>
+    </message>
+    <message>
+        <source>shaker:{text}: {count} channels need one band, or one each, and each channel once</source>
+        <translation>shaker:{text}&#xa0;: {count} canaux demandent une bande, ou une chacun, et chaque canal une fois</translation>
+    </message>
+    <message>
         <source>share it without the motion, or copy its folder</source>
         <translation>partagez-la sans le mouvement, ou copiez son dossier</translation>
     </message>
@@ -6951,8 +6971,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le serveur n’a pas répondu depuis {s:g} s</translation>
     </message>
     <message>
+        <source>the shaker is not open; choose the device again</source>
+        <translation>le transducteur n&apos;est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
+    </message>
+    <message>
         <source>the simulated service has ended; choose the device again to start a new one</source>
         <translation>le service simulé s&apos;est terminé&#xa0;; choisissez l&apos;appareil à nouveau pour en démarrer un autre</translation>
+    </message>
+    <message>
+        <source>the sound card {card!r} cannot be opened with {count} channels: {reason}; choose another card or profile</source>
+        <translation>la carte son {card!r} ne peut pas être ouverte avec {count} canaux&#xa0;: {reason}&#xa0;; choisissez une autre carte ou un autre profil</translation>
+    </message>
+    <message>
+        <source>the sound card {card!r} takes nothing any more; connect it and choose the device again</source>
+        <translation>la carte son {card!r} ne prend plus rien&#xa0;; branchez-la et choisissez l&apos;appareil à nouveau</translation>
     </message>
     <message>
         <source>the track needs more than {most} keyframes</source>

@@ -157,7 +157,7 @@ def test_devices_and_doctor_report_as_json():
     names = [d["name"] for d in listed["devices"]]
     assert names == [
         *("simulated", "falcon", "falcon-simulated", "gamepad", "inverse3"),
-        *("inverse3-simulated", "wheel", "rumble"),
+        *("inverse3-simulated", "wheel", "rumble", "shaker"),
         *("buttplug", "tcode", "rig", "none"),
     ]
     assert report_of(hapticplayer("doctor", "--json"))

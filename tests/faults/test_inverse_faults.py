@@ -64,7 +64,7 @@ def test_the_force_is_gone_in_the_stated_time_and_two_periods(name, phase, rig):
         assert ZERO in applied
 
 
-def test_a_state_that_repeats_itself_under_a_new_force_is_doubted(rig):
+def test_a_repeated_state_under_a_new_force_is_doubted(rig):
     """A service that hangs inside answers, always with the same position."""
     rig.following()
     service = rig.device.service

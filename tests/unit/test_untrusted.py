@@ -153,6 +153,9 @@ OWN = {
     ("hapticplayer/study/private.py", "os.open"): "a new file",
     ("hapticplayer/study/study_folder.py", "os.open"): "a folder, to lock it",
     ("hapticplayer/study/journal.py", "os.open"): "to append, and to lock",
+    ("hapticplayer/devices/evdev/ports.py", "os.open"): "a device",
+    ("hapticplayer/devices/evdev/ports.py", "read_text"): "files of the system",
+    ("hapticplayer/devices/tcode.py", "os.open"): "a serial port",
 }
 READERS = {"open", "os.open", "io.open", "np.load", "np.loadtxt", "np.fromfile"}
 READING_METHODS = {

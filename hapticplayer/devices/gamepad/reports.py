@@ -75,6 +75,14 @@ def motors_report(layout: Layout, strong: int, weak: int) -> bytes:
     return bytes(report)
 
 
+def audio_report() -> bytes:
+    """Return the report that leaves a DualSense's voice coils to its sound channels.
+
+    Both flags of vibration are clear: it and sound exclude each other.
+    """
+    return b"\x02" + bytes(DUALSENSE.size - 1)
+
+
 def buttons_of(layout: Layout, report: bytes) -> int | None:
     """Return the pressed buttons as a mask of 16 bits; None for other reports.
 

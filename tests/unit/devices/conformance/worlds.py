@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from fake_card import FakeCard
 from fake_input import FakeInput
 from fake_intiface import FakeIntiface
 from fake_pad import FakePad
@@ -19,7 +20,7 @@ from falcon_rig import FalconGrip
 from inverse_rig import VirtualLink
 
 from hapticplayer.clock import ManualClock, SystemClock
-from hapticplayer.devices import DEVICES, buttplug, find_device, tcode
+from hapticplayer.devices import DEVICES, buttplug, find_device, load, tcode
 from hapticplayer.devices.capabilities import GAMEPAD
 from hapticplayer.devices.evdev import driver as evdev
 from hapticplayer.devices.falcon.silence import Silencer
@@ -27,6 +28,8 @@ from hapticplayer.devices.gamepad.driver import REFRESH_S as PAD_REFRESH_S
 from hapticplayer.devices.inverse3.driver import Inverse3Driver
 from hapticplayer.devices.inverse3.protocol import command
 from hapticplayer.devices.paced import PacedDriver, silencer
+from hapticplayer.devices.transducer.driver import ALIVE_S, ShakerDriver
+from hapticplayer.devices.transducer.driver import silence as silence_shaker
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
 from hapticplayer.simulation.inverse3.service import Service, simulation_of
@@ -41,7 +44,7 @@ class World:
 
     has_place = True
     """Whether the device knows where its grip is."""
-    has_buttons = True
+    has_buttons = has_answers = needs_guard = True
 
     def __init__(self):
         self.clock = ManualClock()
@@ -230,6 +233,38 @@ class Inverse3(World):
 
     def kill(self):
         """Nothing: the guard holds the connection."""
+
+
+class Shaker(World):
+    """The driver on a card that plays in virtual time; what it plays ends with it."""
+
+    has_place = has_buttons = has_answers = needs_guard = False
+
+    def __init__(self):
+        super().__init__()
+        self.card = FakeCard(self.clock)
+        settings = DEVICES["shaker"].settings
+        self.device = ShakerDriver(load(settings)(""), self.clock, self.card.stream)
+
+    def wait(self):
+        super().wait()
+        self.card.play()
+
+    def fall_silent(self):
+        self.card.is_asking = False
+        self.clock.advance(ALIVE_S)
+
+    def unplug(self):
+        self.card.is_asking = False
+
+    def are_off(self):
+        return not self.card.heard(0.002).any()
+
+    def guard(self):
+        return silence_shaker(-1)
+
+    def kill(self):
+        self.card.is_there = False  # the card drops what a dead process left
 
 
 class Toy(World):
@@ -449,6 +484,7 @@ WORLDS = {
     "wheel": lambda: EventDevice("wheel"),
     "rumble": lambda: EventDevice("rumble"),
     "buttplug": Toy,
+    "shaker": Shaker,
     "tcode": Board,
     "example": Example,
 }
