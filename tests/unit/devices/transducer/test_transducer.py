@@ -146,7 +146,7 @@ def test_a_card_that_asks_for_nothing_is_late_and_then_gone():
     bench.card.is_asking = False
     bench.play(steady, 0.5)
     now_s = bench.clock.now_s()
-    assert now_s - bench.device.exchange(ZERO, now_s).replied_s > 0.4
+    assert now_s - bench.device.exchange(steady(0), now_s).replied_s > 0.4
     with pytest.raises(DeviceError, match="takes nothing any more; connect"):
         bench.play(steady, 1.0)
 
