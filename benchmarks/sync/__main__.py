@@ -8,5 +8,6 @@ PLACES = {
     "outlets": "sync.outlets",
     "outside": "sync.outside",
     "pats": "sync.pats",
+    "pictures": "sync.pictures",
 }
 sys.exit(command("sync", __doc__, PLACES))

@@ -30,6 +30,9 @@ MOUNTINGS = {
 """Common ones: right, front and up of the actor in the recorder's axes (x to its right,
 y where it looks, z to its top)."""
 
+BY_FRAMES = "auto"
+"""In place of a mounting: the one that the frames of the clip tell."""
+
 AXES = "xyz"
 _ROUNDING = 2e-3  # of matrices that people type with three digits
 

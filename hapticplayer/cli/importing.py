@@ -5,6 +5,7 @@ import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from hapticplayer.capture.mounting import BY_FRAMES
 from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
 from hapticplayer.cli.mapping_options import (
     FIT,
@@ -103,7 +104,9 @@ def chosen_import(options: argparse.Namespace) -> Choices:
         seed=options.seed,
         log=chosen_log(options),
         sync=chosen_sync(options),
-        mounting=chosen_mounting(options),
+        mounting=BY_FRAMES
+        if options.mounting == BY_FRAMES
+        else chosen_mounting(options),
     )
 
 

@@ -55,7 +55,7 @@ def add_mounting(command: argparse.ArgumentParser) -> None:
         help="how the camera or logger was mounted on the actor, who faces the front: "
         f"{', '.join(MOUNTINGS)}, or right, front and up of the actor in the "
         "recorder's axes, such as --mounting=-x,y,-z (default: forward, and gravity has "
-        "to agree)",
+        "to agree); of `import` also auto: as the frames of the clip tell it",
     )
 
 

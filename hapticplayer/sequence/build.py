@@ -12,7 +12,7 @@ import numpy as np
 from hapticplayer import __version__, rendering
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
-from hapticplayer.capture.mounting import ask_for_mounting, mounted
+from hapticplayer.capture.mounting import BY_FRAMES, ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.clock import utc_now_iso
@@ -30,6 +30,7 @@ from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.editing import describe_rendering
 from hapticplayer.sequence.excursion import excursion_texts, predict
+from hapticplayer.sequence.mounting_by_frames import mounting_by_frames
 from hapticplayer.sequence.presets import DEFAULT_PRESET, render_preset
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.report import (
@@ -58,7 +59,8 @@ class Choices:
         log: answers about a log that does not describe itself.
         sync: how the log is synchronised with the clip.
         mounting: right, front and up of the actor in the recorder's axes; "" if not
-            given: then gravity has to confirm that the recorder was upright.
+            given: then gravity has to confirm that the recorder was upright;
+            `BY_FRAMES` for what the frames of the clip tell.
     """
 
     title: str | None = None
@@ -112,11 +114,17 @@ def build_sequence(
         if not choices.mounting and not (choices.log and choices.log.axes):
             ask_for_mounting(recording.imu, name_of(source))
         report(0.02, Message("synchronising"))
-        recording = synchronized(
-            clip, recording, choices.sync, lambda f, step: report(0.02 + 0.03 * f, step)
-        )
-        recording = _mounted(recording, choices.mounting)
+        recording = synchronized(clip, recording, choices.sync, _share(report))
+        axes = choices.mounting
+        if axes == BY_FRAMES:
+            axes = mounting_by_frames(clip, recording, _share(report))
+        recording = _mounted(recording, axes)
         return write_sequence(clip, recording, target, choices=choices, progress=report)
+
+
+def _share(report: files.Progress) -> files.Progress:
+    """Return the progress of following frames, within that of an import."""
+    return lambda share, step: report(0.02 + 0.03 * share, step)
 
 
 def _mounted(recording: Recording, axes: str) -> Recording:

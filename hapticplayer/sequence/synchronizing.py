@@ -107,17 +107,24 @@ def find_sync(
             late_s = stored_skews().get(camera_of(clip.path), 0.0)
         return read_sound(clip.path, late_s)
 
-    def look() -> FrameRotation:
-        from hapticplayer.capture.sync.pictures import spans_to_watch
-
-        spans_s = spans_to_watch(clip.duration_s)
-        return rotation(clip.path, spans_s=spans_s, progress=progress)
-
     offset_s, own = choices.offset_s, recording.clock_map
     given = None if offset_s is None else ClockMap(offset_s)
     known = own if own.confidence > 0.0 else None
-    inputs = SyncInput(recording.imu, hear, given, known, look)
+    inputs = SyncInput(recording.imu, hear, given, known, lambda: watch(clip, progress))
     return sync_method(choices.method).function()(inputs)
+
+
+def watch(clip: ClipInfo, progress: files.Progress) -> FrameRotation:
+    """Return the camera's rotation as the frames of a clip tell it.
+
+    Raises:
+        InputError: without OpenCV.
+        MediaError: when the clip cannot be decoded.
+    """
+    from hapticplayer.capture.sync.pictures import spans_to_watch
+
+    spans_s = spans_to_watch(clip.duration_s)
+    return rotation(clip.path, spans_s=spans_s, progress=progress)
 
 
 def uncertainty(found: Synchronisation, clip: str) -> str:

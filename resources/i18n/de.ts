@@ -6095,6 +6095,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie &quot;realistic&quot; den Parameter &quot;effects&quot;: &quot;off&quot;</translation>
     </message>
     <message>
+        <source>give --mounting (right, front and up of the actor)</source>
+        <translation>Geben Sie --mounting an (rechts, vorne und oben der Person)</translation>
+    </message>
+    <message>
         <source>give an effects.json</source>
         <translation>geben Sie eine effects.json an</translation>
     </message>
@@ -7017,6 +7021,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
         <translation>{clip}: Die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s; gehört das Log zu diesem Video, und ist das Video nicht stabilisiert? Sonst geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
+        <translation>{clip}: Die Bilder lassen offen, ob die Montage {axes} oder {next_best} ist (Verhältnis {ratio:.2f}); {give}</translation>
+    </message>
+    <message>
+        <source>{clip}: the frames tell the mounting {axes}, but gravity another side up; is the video upright and not mirrored? Otherwise {give}</source>
+        <translation>{clip}: Die Bilder ergeben die Montage {axes}, die Schwerkraft aber eine andere Seite oben; steht das Video aufrecht und ist es nicht gespiegelt? Sonst: {give}</translation>
     </message>
     <message>
         <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {pictures_s:.3f} s; choose --sync pats or --sync pictures (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>

@@ -6095,6 +6095,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez à &quot;realistic&quot; le paramètre &quot;effects&quot;: &quot;off&quot;</translation>
     </message>
     <message>
+        <source>give --mounting (right, front and up of the actor)</source>
+        <translation>donnez --mounting (droite, avant et haut de la personne)</translation>
+    </message>
+    <message>
         <source>give an effects.json</source>
         <translation>donnez un effects.json</translation>
     </message>
@@ -7017,6 +7021,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
         <translation>{clip}&#xa0;: les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s&#xa0;; est-ce le journal de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Sinon, donnez --offset S</translation>
+    </message>
+    <message>
+        <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
+        <translation>{clip}&#xa0;: les images ne disent pas si le montage est {axes} ou {next_best} (rapport {ratio:.2f})&#xa0;; {give}</translation>
+    </message>
+    <message>
+        <source>{clip}: the frames tell the mounting {axes}, but gravity another side up; is the video upright and not mirrored? Otherwise {give}</source>
+        <translation>{clip}&#xa0;: d&apos;après les images le montage est {axes}, mais selon la gravité un autre côté était en haut&#xa0;; la vidéo est-elle droite et non inversée&#xa0;? Sinon&#xa0;: {give}</translation>
     </message>
     <message>
         <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {pictures_s:.3f} s; choose --sync pats or --sync pictures (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>

@@ -1,14 +1,28 @@
 """Synchronises by the camera's rotation, as its frames and as the log's gyro tell it."""
 
+import dataclasses
 import math
 from collections.abc import Sequence
 
-from hapticplayer.capture.sync.result import PictureEvidence, Rival, Synchronisation
+from hapticplayer.capture.mounting import all_mountings, axes_matrix
+from hapticplayer.capture.sync.result import (
+    FoundMounting,
+    PictureEvidence,
+    Rival,
+    Synchronisation,
+)
 from hapticplayer.capture.sync.rotation_line import Line, fit_line
-from hapticplayer.capture.sync.rotation_match import Fit, Gyro, Watched, candidates
+from hapticplayer.capture.sync.rotation_match import (
+    Fit,
+    Gyro,
+    Watched,
+    candidates,
+    fit_at,
+)
 from hapticplayer.capture.vision import FrameRotation
 from hapticplayer.errors import InputError
 from hapticplayer.model import ClockMap, ImuLog
+from hapticplayer.model.arrays import Floats
 
 LONG_S = 120.0
 """Of longer clips parts are looked at."""
@@ -52,7 +66,31 @@ def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
     if not fits:
         return Synchronisation(ClockMap(confidence=0.0), "pictures")
     line = fit_line(watched, gyro, fits[0])
-    return _result(fits, line)
+    found = _result(fits, line)
+    if not found.is_confident:
+        return found
+    mounting = _mounting(watched, gyro, line.at(watched.begin_s))
+    return dataclasses.replace(found, mounting=mounting)
+
+
+def find_mounting(imu: ImuLog, frames: FrameRotation, clock: ClockMap) -> FoundMounting:
+    """Return which of the 24 mountings a log has whose clock is known.
+
+    Raises:
+        InputError: when the frames or the log tell of no rotation at all.
+    """
+    watched = _usable(imu, frames)
+    log_s = (watched.begin_s - clock.offset_s) / clock.rate
+    return _mounting(watched, Gyro(imu), log_s - watched.begin_s)
+
+
+def _mounting(watched: Watched, gyro: Gyro, shifts_s: Floats) -> FoundMounting:
+    left = {
+        axes: fit_at(watched, gyro, shifts_s, axes_matrix(axes)).unexplained
+        for axes in all_mountings()
+    }
+    best, second = sorted(left, key=lambda axes: left[axes])[:2]
+    return FoundMounting(best, left[second] / max(left[best], 1e-6), second)
 
 
 def _usable(imu: ImuLog, frames: FrameRotation) -> Watched:

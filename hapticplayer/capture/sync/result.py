@@ -9,6 +9,10 @@ ENOUGH_CONFIDENCE = 0.5
 """Below it a person has to check the result."""
 
 
+CLEAR_RATIO = 1.2
+"""Of the two best mountings; below it a person has to choose."""
+
+
 @dataclass(frozen=True, slots=True)
 class Pat:
     """One pat in both streams.
@@ -65,6 +69,31 @@ class PictureEvidence:
 
 
 @dataclass(frozen=True, slots=True)
+class FoundMounting:
+    """Which of the 24 mountings a log has to the camera, as the frames tell.
+
+    Attributes:
+        axes: right, front and up of the camera in the log's axes.
+        ratio: unexplained rotation of the next best over that of the best.
+        next_best: its axes.
+    """
+
+    axes: str
+    ratio: float
+    next_best: str
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether it can be used without being asked for."""
+        return self.ratio >= CLEAR_RATIO
+
+    def described(self) -> dict[str, Any]:
+        """Return it as plain values."""
+        ratio = round(self.ratio, 3)
+        return {"axes": self.axes, "ratio": ratio, "next_best": self.next_best}
+
+
+@dataclass(frozen=True, slots=True)
 class Synchronisation:
     """The clock map of a log to a clip, and its evidence.
 
@@ -81,6 +110,7 @@ class Synchronisation:
         offset_sigma_s: SD of the error at the middle of what was compared; 0 if unknown.
         drift_sigma_ppm: SD of the error of the clock rate; 0 if unknown.
         pictures: what the frames told.
+        mounting: which mounting they tell.
         second: what another method found, which agrees, or does not.
     """
 
@@ -95,6 +125,7 @@ class Synchronisation:
     offset_sigma_s: float = 0.0
     drift_sigma_ppm: float = 0.0
     pictures: PictureEvidence | None = None
+    mounting: FoundMounting | None = None
     second: "Synchronisation | None" = None
 
     @property
@@ -133,6 +164,7 @@ class Synchronisation:
             "offset_sigma_s": round(self.offset_sigma_s, 6),
             "drift_sigma_ppm": round(self.drift_sigma_ppm, 2),
             "pictures": self.pictures.described() if self.pictures else None,
+            "mounting": self.mounting.described() if self.mounting else None,
             "second": self.second.described() if self.second else None,
             "pats": [
                 {

@@ -48,6 +48,10 @@ class Line(NamedTuple):
     read_out_s: float
     read_out_sigma_s: float
 
+    def at(self, media_s: Floats) -> Floats:
+        """Return the shift at media times."""
+        return np.asarray(self.shift_s + self.drift * (media_s - self.middle_s))
+
     @property
     def spread_s(self) -> float:
         """Weighted RMS of what windows leave of the line."""

@@ -156,9 +156,12 @@ class Fit(NamedTuple):
 
 
 def fit_at(
-    watched: Watched, gyro: Gyro, shift_s: float, mounting: Floats | None = None
+    watched: Watched,
+    gyro: Gyro,
+    shift_s: float | Floats,
+    mounting: Floats | None = None,
 ) -> Fit:
-    """Fit gains and mounting (unless it is given) at one shift."""
+    """Fit gains and mounting (unless it is given) at one shift, or at one each (N,)."""
     begin_s, end_s = watched.begin_s + shift_s, watched.end_s + shift_s
     used = gyro.knows(begin_s, end_s) & (watched.weight > 0.0)
     told = watched.high_passed(watched.rotation_rad, used)
@@ -179,6 +182,7 @@ def fit_at(
     size = (told**2).sum(axis=1)
     whole = float((weight * used) @ _loss(size, scale)) or 1.0
     left = float((weight * used) @ _loss((error**2).sum(axis=1), scale)) / whole
+    shift_s = float(np.mean(shift_s))
     return Fit(shift_s, rotation, gains, left if used.any() else 1.0, error, used)
 
 

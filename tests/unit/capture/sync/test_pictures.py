@@ -5,10 +5,11 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 
-from hapticplayer.capture.mounting import axes_matrix
+from hapticplayer.capture.mounting import all_mountings, axes_matrix
 from hapticplayer.capture.sync import synchronize as module
 from hapticplayer.capture.sync.pictures import (
     LONG_S,
+    find_mounting,
     spans_to_watch,
     synchronize_pictures,
 )
@@ -200,6 +201,38 @@ def test_long_clips_are_looked_at_in_parts() -> None:
     assert spans[0][0] == 0.0
     assert spans[-1][1] == pytest.approx(3600.0)
     assert sum(end - begin for begin, end in spans) <= LONG_S
+
+
+# --- mounting --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("axes", all_mountings())
+def test_mounting_is_found(axes) -> None:
+    ride, clock = Ride(4), ClockMap(-3.0, 1.00003)
+
+    found = find_mounting(ride.log(clock, axes), ride.frames(), clock)
+
+    assert found.axes == axes
+    assert found.ratio > 3.0
+
+
+def test_mounting_is_told_when_synchronising() -> None:
+    ride, clock = Ride(4), ClockMap(-3.0, 1.00003)
+
+    found = synchronize_pictures(ride.log(clock, "-x,z,y"), ride.frames())
+
+    assert found.mounting is not None
+    assert found.mounting.axes == "-x,z,y"
+    assert found.mounting.is_clear
+
+
+def test_turning_about_one_axis_does_not_tell_the_mounting() -> None:
+    ride = Ride(4)
+    ride.size[:, 1:] = 0.0
+
+    found = find_mounting(ride.log(ClockMap()), ride.frames(), ClockMap())
+
+    assert not found.is_clear
 
 
 # --- together with pats ----------------------------------------------------------------

@@ -1,0 +1,62 @@
+"""The mounting that the frames of a clip tell; gravity is the second opinion."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from hapticplayer.capture.limits import UPRIGHT
+from hapticplayer.capture.mounting import mean_up, up_in_frame_a
+from hapticplayer.capture.recording import Recording
+from hapticplayer.capture.sync.result import FoundMounting
+from hapticplayer.errors import Message, UsageError
+from hapticplayer.media.clip_info import ClipInfo
+from hapticplayer.sequence import files
+from hapticplayer.sequence.synchronizing import watch
+
+_GIVE = Message("give --mounting (right, front and up of the actor)")
+
+
+def mounting_by_frames(
+    clip: ClipInfo, recording: Recording, progress: files.Progress
+) -> str:
+    """Return the axes of the mounting of a synchronised recording.
+
+    What synchronising has found is used; else the frames are followed now.
+
+    Raises:
+        UsageError: when frames do not tell two mountings apart, or gravity disagrees.
+        InputError: when frames or log tell of no rotation.
+    """
+    found = _already(recording.provenance.get("synchronisation"))
+    if found is None:
+        from hapticplayer.capture.sync.pictures import find_mounting
+
+        frames = watch(clip, progress)
+        found = find_mounting(recording.imu, frames, recording.clock_map)
+    if not found.is_clear:
+        raise UsageError(
+            "{clip}: the frames do not tell whether the mounting is {axes} or "
+            "{next_best} (ratio {ratio:.2f}); {give}",
+            clip=clip.path.name,
+            axes=found.axes,
+            next_best=found.next_best,
+            ratio=found.ratio,
+            give=_GIVE,
+        )
+    up = mean_up(recording.imu)
+    if up is not None and up_in_frame_a(up, found.axes)[2] < UPRIGHT:
+        raise UsageError(
+            "{clip}: the frames tell the mounting {axes}, but gravity another side up; "
+            "is the video upright and not mirrored? Otherwise {give}",
+            clip=clip.path.name,
+            axes=found.axes,
+            give=_GIVE,
+        )
+    return found.axes
+
+
+def _already(synchronisation: Any) -> FoundMounting | None:
+    """Return what synchronising has found."""
+    if not isinstance(synchronisation, Mapping):
+        return None
+    found = synchronisation.get("mounting")
+    return FoundMounting(**found) if isinstance(found, Mapping) else None
