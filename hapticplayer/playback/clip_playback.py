@@ -22,6 +22,8 @@ from hapticplayer.playback.source import Source
 from hapticplayer.playback.video_output import FrameSink, VideoOutput
 
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
+FETCHED_S, FETCHED_AGAIN_S = 0.5, 2.0
+"""Of a stream, ahead of its first frame; once it had to wait, enough not to stop often."""
 SLOWEST, FASTEST = SPEED.least, SPEED.largest
 DAMAGED = Message("the clip is damaged: some of its frames are missing or broken")
 
@@ -56,6 +58,7 @@ class ClipPlayback:
         self._latencies, self._device = Latencies(), ""
         self._first_sound_by_s = 0.0
         self._damaged = 0
+        self.fetched_s = FETCHED_S  # of a stream before it plays
         self._actions: dict[Action, Callable[[float], None]] = {
             Action.GO_TO: self._go_to,
             Action.HOLD: self._hold,
@@ -90,6 +93,7 @@ class ClipPlayback:
         """Load a source and show its first frame."""
         self.handle(Event.CLOSE)
         self.source, self.end_s = source, source.clip.duration_s
+        self.fetched_s = FETCHED_S
         self.video.open(source.clip.content)
         self.sound.open(source.clip.content, has_sound=source.clip.has_audio)
         self.handle(Event.OPEN)
@@ -152,6 +156,11 @@ class ClipPlayback:
         self.media.renew()
         self.sound.ring.follow(self.media.epoch)
 
+    def wait_for_stream(self) -> None:
+        """Stop at the last frame until more of the stream has come."""
+        self.fetched_s = FETCHED_AGAIN_S
+        self.seek(self.video.frame_s)
+
     # --- actions --------------------------------------------------------------
 
     def _go_to(self, media_s: float) -> None:
@@ -205,7 +214,8 @@ class ClipPlayback:
 
     def _note_progress(self, now_s: float) -> None:
         if self.phase is Phase.BUFFERING:
-            if self.video.is_ready and self.sound.is_ready(now_s):
+            is_ready = self.video.is_ready and self.sound.is_ready(now_s)
+            if is_ready and self._is_fetched():
                 is_heard = self.sound.is_open
                 self.handle(Event.BUFFERED if is_heard else Event.BUFFERED_SILENT)
         elif self.phase is Phase.STARTING:
@@ -221,6 +231,13 @@ class ClipPlayback:
             elif media_s >= self.end_s or self.video.is_dry:
                 self.handle(Event.END)
                 self._reporter.event("end")
+
+    def _is_fetched(self) -> bool:
+        """Whether a stream has enough of its clip to play for a while."""
+        source = self.source
+        if source is None or source.stream is None:
+            return True
+        return source.stream.is_ahead(self.fetched_s, source.clip.duration_s)
 
     def _hear(self) -> None:
         """Follow what the sound output reports."""

@@ -345,7 +345,7 @@ class Player:
             self._was_stalled = has_stalled
             self._reporter.event("picture_stopped" if has_stalled else "picture_back")
             if has_stalled and self._clip.source and self._clip.source.stream:
-                self._clip.seek(self._clip.video.frame_s)  # wait for what is to come
+                self._clip.wait_for_stream()
         return has_stalled
 
     def _follow_stream(self) -> None:

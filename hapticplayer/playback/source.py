@@ -41,6 +41,9 @@ class ForceStream(Protocol):
     def follow(self, feedback: str, media_s: float) -> bool:
         """Fetch what is felt from a position on; return whether it is there."""
 
+    def is_ahead(self, seconds: float, duration_s: float) -> bool:
+        """Whether a clip of a duration may play for so long without waiting."""
+
     def close(self) -> None:
         """Fetch nothing any more, neither force nor clip."""
 

@@ -1,5 +1,6 @@
 """A bad network between a stream's server and its viewers."""
 
+import math
 import threading
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -29,6 +30,7 @@ class NetworkFaults:
         delay_s: by which every answer is later.
         is_reordered: the packets of an answer come in any order.
         damaged: share of the packets of force with one wrong bit.
+        bytes_per_s: that come through, of each connection.
     """
 
     lost: float = 0.0
@@ -36,6 +38,7 @@ class NetworkFaults:
     delay_s: float = 0.0
     is_reordered: bool = False
     damaged: float = 0.0
+    bytes_per_s: float = math.inf
 
 
 class BadNetwork(ThreadingHTTPServer):
@@ -123,7 +126,7 @@ class _Handler(BaseHTTPRequestHandler):
         status, headers, content = self._ask()
         kind, *place = self.path.split("/")[2:]
         if kind != MANIFEST:
-            self._wait(kind)
+            self._wait(kind, len(content))
             if network.happens(network.faults.lost):
                 self.close_connection = True
                 return
@@ -147,9 +150,10 @@ class _Handler(BaseHTTPRequestHandler):
         finally:
             connection.close()
 
-    def _wait(self, kind: str) -> None:
-        clock = self.server.clock
-        clock.sleep_until(clock.now_s() + self.server.faults.delay_s)
+    def _wait(self, kind: str, size_bytes: int) -> None:
+        clock, faults = self.server.clock, self.server.faults
+        wait_s = faults.delay_s + size_bytes / faults.bytes_per_s
+        clock.sleep_until(clock.now_s() + wait_s)
         while self.server.holds == kind:
             clock.sleep_until(clock.now_s() + 0.02)
 

@@ -34,6 +34,10 @@ class Stream:
         self.force.follow(feedback, media_s)
         return self.force.has(feedback, media_s)
 
+    def is_ahead(self, seconds: float, duration_s: float) -> bool:
+        """Whether the clip may play for so long, as far as its bytes tell."""
+        return self.clip.is_ahead(seconds * self.clip.size_bytes / duration_s)
+
     def close(self) -> None:
         """Ask for nothing any more."""
         self.clip.close()

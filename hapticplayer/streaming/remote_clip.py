@@ -91,6 +91,14 @@ class RemoteClip(ClipBytes):
         finally:
             del self._waiting[reader]
 
+    def is_ahead(self, count_bytes: float) -> bool:
+        """Whether so much of what decoders will read next is there, or nothing comes."""
+        blocks = min(int(count_bytes / BLOCK_BYTES) + 1, _AHEAD_BLOCKS // 2)
+        with self._news:
+            if self._problem or self._is_closed:
+                return True
+            return not any(self._missing(k, blocks) for k in self._wanted.values())
+
     def forget(self, reader: int) -> None:
         """Fetch nothing for a reader any more."""
         with self._news:
@@ -118,6 +126,7 @@ class RemoteClip(ClipBytes):
             except Aborted:
                 continue
             except Unreachable:
+                self._at_once = max(self._at_once // 2, 1)
                 self._wait(_RETRY_S)
             except HapticPlayerError as problem:
                 with self._news:

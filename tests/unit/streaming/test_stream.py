@@ -15,7 +15,8 @@ from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
-from hapticplayer.streaming import remote_clip
+from hapticplayer.simulation.network import BadNetwork, NetworkFaults
+from hapticplayer.streaming import asking, remote_clip
 from hapticplayer.streaming.asking import Place
 from hapticplayer.streaming.force_fetch import FIRST_PACKETS, ForceFetch
 from hapticplayer.streaming.opening import open_stream
@@ -63,6 +64,18 @@ def test_the_clip_reads_like_the_file(server, packed, rng, monkeypatch, block_by
     clip.close()
 
 
+def test_a_network_that_becomes_thin_is_asked_for_less(server, packed, monkeypatch):
+    monkeypatch.setattr(remote_clip, "BLOCK_BYTES", 500)
+    monkeypatch.setattr(asking, "ANSWER_S", 0.5)
+    thin = NetworkFaults(bytes_per_s=40_000.0)
+    with BadNetwork(server.url, thin, CLOCK) as network:
+        clip = RemoteClip(Place.of(network.url), server.offer.manifest, CLOCK)
+        clip._at_once = 200  # takes 2.5 s
+        with clip.open() as reader:
+            assert reader.read(20_000) == packed.read_bytes()[:20_000]
+        clip.close()
+
+
 def test_memory_for_the_clip_is_limited(server, packed, monkeypatch):
     monkeypatch.setattr(remote_clip, "BLOCK_BYTES", 100)
     monkeypatch.setattr(remote_clip, "_KEPT_BLOCKS", 20)
@@ -73,6 +86,21 @@ def test_memory_for_the_clip_is_limited(server, packed, monkeypatch):
         assert reader.read() == packed.read_bytes()
     assert len(clip._blocks) <= 20
     clip.close()
+
+
+def test_a_clip_says_whether_enough_of_it_is_there(server, packed, monkeypatch):
+    monkeypatch.setattr(remote_clip, "BLOCK_BYTES", 500)
+    monkeypatch.setattr(remote_clip, "_MOST_BLOCKS", 2)
+    clip = remote(server)
+    with clip.open() as reader:
+        reader.read(1)
+        wait_for(lambda: clip.is_ahead(5_000))
+        monkeypatch.setattr(server, "offer", None)  # nothing comes any more
+        clip._blocks.pop(6)
+        assert clip.is_ahead(2_000)
+        assert not clip.is_ahead(5_000)
+    clip.close()
+    assert clip.is_ahead(5_000)
 
 
 def test_frames_are_those_of_the_file(source, packed):
