@@ -8,6 +8,7 @@ PLACES = {
     "one_file": "distribution.one_file",
     "formats": "distribution.formats",
     "serve": "distribution.serve",
+    "ten_hours": "distribution.ten_hours",
     "damage": "campaigns:force_damage",
 }
 sys.exit(command("distribution", __doc__, PLACES))

@@ -133,13 +133,17 @@ def _curves(name: str, curve: Polyline, digits: int) -> Iterator[dict[str, Any]]
 def _sharpness(track: ForceTrack, until_ms: int) -> Polyline:
     """Return sharpness, one value in the middle of each second."""
     middles, values = [], []
-    for first, last in pieces(until_ms, 1000):
-        force_n = track.at(np.arange(first, last) / 1000.0)
-        power = np.square(np.abs(np.fft.rfft(force_n, 1000, axis=0))).sum(axis=1)
-        hertz = float(
-            np.sum(power[1:] * np.arange(1, 501)) / max(power[1:].sum(), 1e-12)
-        )
-        share = np.log(max(hertz, _LOW_HZ) / _LOW_HZ) / np.log(_HIGH_HZ / _LOW_HZ)
-        middles.append((first + last) // 2)
-        values.append(float(np.clip(share, 0.0, 1.0)))
+    for begin, end in pieces(until_ms, 60_000):
+        force_n = track.at(np.arange(begin, end) / 1000.0)
+        for first, last in pieces(end - begin, 1000):
+            middles.append(begin + (first + last) // 2)
+            values.append(_share(force_n[first:last]))
     return np.array(middles, np.int64), np.array(values)
+
+
+def _share(force_n: Floats) -> float:
+    """Return where the mean frequency of a second lies, 0 to 1."""
+    power = np.square(np.abs(np.fft.rfft(force_n, 1000, axis=0))).sum(axis=1)
+    hertz = float(np.sum(power[1:] * np.arange(1, 501)) / max(power[1:].sum(), 1e-12))
+    share = np.log(max(hertz, _LOW_HZ) / _LOW_HZ) / np.log(_HIGH_HZ / _LOW_HZ)
+    return float(np.clip(share, 0.0, 1.0))

@@ -14,6 +14,7 @@ from hapticplayer.interchange import (
     mpegv,
     mpegv_read,
     wav,
+    wav_read,
 )
 from hapticplayer.interchange.force_files import (
     ForceFile,
@@ -61,8 +62,8 @@ _FORMATS = (
         Message("the force in newtons, at the sample rate"),
         wav.is_ours,
         wav.write,
-        wav.read,
-        read_back(wav.read),
+        wav_read.read,
+        read_back(wav_read.read),
     ),
     ForceFormat(
         "mpegv",

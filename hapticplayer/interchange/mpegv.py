@@ -15,7 +15,7 @@ import numpy as np
 from hapticplayer.errors import InputError
 from hapticplayer.interchange.force_files import WriteChoices, refuse_large
 from hapticplayer.interchange.milliseconds import Ticks, end_ms, pieces
-from hapticplayer.interchange.mpegv_read import MAX_ROWS, MAX_TAGS
+from hapticplayer.interchange.mpegv_read import MAX_BYTES, MAX_ROWS, MAX_TAGS
 from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.model.arrays import Floats
 
@@ -55,7 +55,11 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
             tags += text.count("<")
             out.write(text.encode())
     out.write(b"</SEM>\n")
-    if rows > MAX_ROWS or tags > MAX_TAGS - _HEAD.count("<") - 1:
+    if (
+        out.tell() > MAX_BYTES
+        or rows > MAX_ROWS
+        or tags > MAX_TAGS - _HEAD.count("<") - 1
+    ):
         raise InputError(
             "the track is too long for this format", remedy="choose another format"
         )

@@ -1,12 +1,14 @@
 """WAV, MPEG-V, funscript and AHAP: units, axes, and what others write."""
 
 import json
+import math
 import re
 import struct
 
 import numpy as np
 import pytest
 from scipy.io import wavfile
+from scipy.signal import resample_poly
 
 from hapticplayer.errors import InputError
 from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
@@ -76,6 +78,25 @@ def test_wav_of_others_acts_along_the_chosen_direction(tmp_path, kind):
     force_n = at(found.track, 0.2125, 0.2375)  # a quarter of a period, and three
     np.testing.assert_allclose(force_n, [[0, 0, 1], [0, 0, -1]], atol=0.02)
     assert len(found.notes) == 3
+
+
+@pytest.mark.parametrize("rate", [8001, 12345, 44100, 48000])
+def test_wav_is_slowed_down_in_blocks_as_in_one(tmp_path, rng, monkeypatch, rate):
+    monkeypatch.setattr("hapticplayer.interchange.wav_read._AT_ONCE", 20000)
+    samples = rng.normal(0.0, 0.1, (70001, 3)).astype(np.float32)
+    wavfile.write(tmp_path / "a.wav", rate, samples)
+    common = math.gcd(rate, 1000)
+    whole = resample_poly(samples, 1000 // common, rate // common, axis=0)
+    found = read_force(tmp_path / "a.wav").track
+    np.testing.assert_allclose(found.force_n, whole, atol=1e-6)
+    np.testing.assert_allclose(found.time_s, np.arange(len(whole)) / 1000.0)
+
+
+def test_wav_of_too_many_samples_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr("hapticplayer.interchange.wav_read.MAX_SAMPLES", 99)
+    wavfile.write(tmp_path / "a.wav", 1000, np.zeros(100, dtype=np.float32))
+    with pytest.raises(InputError, match="too many values"):
+        read_force(tmp_path / "a.wav")
 
 
 def test_wav_with_samples_that_are_no_numbers_is_refused(written):
