@@ -64,11 +64,16 @@ def run(options: argparse.Namespace, report: Report) -> None:
         rows = [[kind, *one.values()] for kind, one in each.items()]
         published = PUBLISHED if name == "karma" else ()
         report.table(name, header, [*rows, *published])
-        for kind in ("hjif", "mpegv"):
+        for kind in ("hjif", "mpegv", "ahap"):
             largest = each[kind]["error_max_n"]
             report.target(f"{kind}, {name}: largest N", largest, ("<=", 0.01002))
     thinned = {name: thinning(track) for name, track in tracks.items()}
-    report.figures |= {"costs": costs, "thinning": thinned}
+    published = [
+        [name.partition(",")[0], kbit_s, rms_n]
+        for name, kbit_s, _, rms_n, *_ in PUBLISHED
+        if rms_n != "-"
+    ]
+    report.figures |= {"costs": costs, "thinning": thinned, "published": published}
     columns = ["tolerance N", "ours kbit/s", "RDP kbit/s", "RMS N"]
     columns += ["RDP RMS N", "felt RMS N"]
     for name, rows in thinned.items():
