@@ -78,6 +78,7 @@ COMMANDS = (
     Command("rearm", "&Re-arm the force", "playback", 4, ("Ctrl+R",)),
     Command("feedback", "Other feed&back\u2026", "playback", 5, needs_clip=True),
     Command("set_up_device", "Set up the &device\u2026", "playback", 5),
+    Command("outlets", "M&ore devices\u2026", "playback", 5),
     Command("get_to_know", "&Try out the forces\u2026", "playback", 5, ("Ctrl+K",)),
     Command("latencies", "Measure l&atencies\u2026", "playback", 5),
     Command("plots", "Live &plots", "view", 0, ("P",), is_checkable=True),

@@ -34,9 +34,17 @@ if TYPE_CHECKING:
     from app.experimenter.import_wizard import ImportWizard
     from app.experimenter.library_page import LibraryPage
     from app.experimenter.rendering_page import RenderingPage
+    from app.player.outlets_page import OutletsPage
     from app.player.share_page import SharePage
 
-    Working = EditorPage | ImportWizard | LibraryPage | RenderingPage | SharePage
+    Working = (
+        EditorPage
+        | ImportWizard
+        | LibraryPage
+        | OutletsPage
+        | RenderingPage
+        | SharePage
+    )
 
 translate = QCoreApplication.translate
 
@@ -294,6 +302,17 @@ class Dialogs(QObject):
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
+
+    def outlets(self, clock: Clock) -> None:
+        """Show what plays beside the device."""
+        from app.player.outlets_page import OutletsPage
+
+        session, page = self._session, self._window.findChild(OutletsPage)
+        if page is None:
+            page = OutletsPage(clock, session, self._window)
+            self._working.append(page)
+            page.finished.connect(lambda _result: self._forget(page))
+        page.show()
 
     def faults(self, clock: Clock) -> None:
         """Show the panel that makes faults happen to the simulated device."""

@@ -33,6 +33,7 @@ class Session(QObject):
         opening: another source is about to be loaded; sizes can be prepared.
         opened: another source is loaded.
         chosen: a person opened it; it is about to play.
+        stopped: a person took the force away.
         changed: the phase, the stop, the device or the feedback is another.
         ended: the clip has come to its end.
         another_video: the clip is not the one that its force was made for.
@@ -41,6 +42,7 @@ class Session(QObject):
     opening = Signal(object)
     opened = Signal()
     chosen = Signal(object)
+    stopped = Signal()
     changed = Signal()
     ended = Signal()
     another_video = Signal(object)
@@ -149,6 +151,7 @@ class Session(QObject):
     def stop(self) -> None:
         """Take the force away at once and pause."""
         self.player.stop_force()
+        self.stopped.emit()
 
     def rearm(self) -> None:
         """Let the force come back after a stop; the grip has to be near the middle."""

@@ -182,6 +182,7 @@ class PlayerWindow(QMainWindow):
             (commands.fullscreen, self.toggle_fullscreen),
             (commands.feedback, self.dialogs.other_feedback),
             (commands.set_up_device, lambda: self.dialogs.set_up(self.clock)),
+            (commands.outlets, lambda: self.dialogs.outlets(self.clock)),
             (commands.get_to_know, lambda: self.dialogs.get_to_know(self.clock)),
             (commands.faults, lambda: self.dialogs.faults(self.clock)),
             (commands.latencies, lambda: self.dialogs.latencies(self.clock)),

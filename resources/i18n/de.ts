@@ -148,6 +148,10 @@
         <translation>&amp;Gerät einrichten…</translation>
     </message>
     <message>
+        <source>M&amp;ore devices…</source>
+        <translation>Weitere &amp;Geräte…</translation>
+    </message>
+    <message>
         <source>&amp;Try out the forces…</source>
         <translation>&amp;Kräfte ausprobieren…</translation>
     </message>
@@ -2232,6 +2236,89 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <source>yyyy-MM-dd</source>
         <extracomment>how a date is written in figures, in Qt&apos;s letters</extracomment>
         <translation>dd.MM.yyyy</translation>
+    </message>
+</context>
+<context>
+    <name>OutletsPage</name>
+    <message>
+        <source>Motion rig</source>
+        <translation>Bewegungsplattform</translation>
+    </message>
+    <message>
+        <source>This device plays already</source>
+        <translation>Dieses Gerät spielt schon</translation>
+    </message>
+    <message>
+        <source>The rig moves gently, one axis after the other. Esc stops it.</source>
+        <translation>Die Plattform bewegt sich sanft, eine Achse nach der anderen. Esc hält sie an.</translation>
+    </message>
+    <message>
+        <source>More devices</source>
+        <translation>Weitere Geräte</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished">Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Play on this device, too</source>
+        <translation>Auch auf diesem Gerät spielen</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished">STOPP</translation>
+    </message>
+    <message>
+        <source>Stop all of them (Esc)</source>
+        <translation>Alle anhalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>The devices keep playing</source>
+        <translation>Die Geräte spielen weiter</translation>
+    </message>
+    <message>
+        <source>Rig&apos;s software</source>
+        <translation>Software der Plattform</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation type="unfinished">Verstärkung</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latenz</translation>
+    </message>
+    <message>
+        <source>Device to add</source>
+        <translation>Gerät, das hinzukommt</translation>
+    </message>
+    <message>
+        <source>Each of these plays beside the chosen device and stops with it. A rig moves with the motion of the recording: begin with a small gain.</source>
+        <translation>Jedes davon spielt neben dem gewählten Gerät und hält mit ihm an. Eine Plattform bewegt sich mit der Bewegung der Aufnahme: Beginnen Sie mit einer kleinen Verstärkung.</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation type="unfinished">Stumm</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Testen</translation>
+    </message>
+    <message>
+        <source>Move the rig gently, or stop that</source>
+        <translation>Die Plattform sanft bewegen, oder das anhalten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished">Entfernen</translation>
+    </message>
+    <message>
+        <source>Release this device</source>
+        <translation>Dieses Gerät freigeben</translation>
     </message>
 </context>
 <context>
@@ -5704,7 +5791,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Motion rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegungsplattform</translation>
     </message>
     <message>
         <source>Mute (silence instead)</source>
@@ -5848,11 +5935,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>a rig moves only with the realistic feedback of a sequence that has its motion</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Plattform bewegt sich nur mit der realistischen Rückmeldung einer Sequenz, die ihre Bewegung hat</translation>
     </message>
     <message>
         <source>a rig track needs at least one row</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Spur für eine Plattform braucht mindestens eine Zeile</translation>
     </message>
     <message>
         <source>a row for each change of the force</source>
@@ -6376,7 +6463,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
-        <translation type="unfinished"></translation>
+        <translation>bei {address} hört niemand zu: Starten Sie die Software der Plattform</translation>
     </message>
     <message>
         <source>not read: {what} ({count})</source>
@@ -6444,7 +6531,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>port {port} cannot be opened ({reason}); end what listens there</source>
-        <translation type="unfinished"></translation>
+        <translation>Port {port} lässt sich nicht öffnen ({reason}); beenden Sie, was dort zuhört</translation>
     </message>
     <message>
         <source>position lies outside of any clip</source>
@@ -6580,7 +6667,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>rig:{text}: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>rig:{text}: {reason}</translation>
     </message>
     <message>
         <source>rotation from frames needs OpenCV, which is not installed</source>
@@ -6964,11 +7051,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the rig at {address} cannot be reached ({reason}); check address and network, and choose the device again</source>
-        <translation type="unfinished"></translation>
+        <translation>die Plattform bei {address} ist nicht erreichbar ({reason}); prüfen Sie Adresse und Netz und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>the rig is not open; choose the device again</source>
-        <translation type="unfinished"></translation>
+        <translation>die Plattform ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>the server has not answered for {s:g} s</source>
@@ -6996,7 +7083,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>there is no outlet {name!r}</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Ausgabe {name!r}</translation>
     </message>
     <message>
         <source>timed out</source>
@@ -7044,7 +7131,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{outlet}: {what}</source>
-        <translation type="unfinished"></translation>
+        <translation>{outlet}: {what}</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -7072,7 +7159,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>{word!r} ist unbekannt; verwenden Sie {known}</translation>
     </message>
     <message>
         <source>the grip did not give way to 1 N; hold it more loosely</source>
@@ -8204,7 +8291,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{name!r} is not a packet format; use {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} ist kein Paketformat; verwenden Sie {known}</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -8384,7 +8471,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{text!r} is not HOST:PORT</source>
-        <translation type="unfinished"></translation>
+        <translation>{text!r} ist nicht HOST:PORT</translation>
     </message>
     <message>
         <source>{text!r} is not a parameter; write NAME=VALUE</source>

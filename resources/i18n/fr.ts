@@ -148,6 +148,10 @@
         <translation>Pré&amp;parer l’appareil…</translation>
     </message>
     <message>
+        <source>M&amp;ore devices…</source>
+        <translation>A&amp;utres appareils…</translation>
+    </message>
+    <message>
         <source>&amp;Try out the forces…</source>
         <translation>E&amp;ssayer les forces…</translation>
     </message>
@@ -2232,6 +2236,89 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <source>yyyy-MM-dd</source>
         <extracomment>how a date is written in figures, in Qt&apos;s letters</extracomment>
         <translation>dd/MM/yyyy</translation>
+    </message>
+</context>
+<context>
+    <name>OutletsPage</name>
+    <message>
+        <source>Motion rig</source>
+        <translation>Plateforme mobile</translation>
+    </message>
+    <message>
+        <source>This device plays already</source>
+        <translation>Cet appareil joue déjà</translation>
+    </message>
+    <message>
+        <source>The rig moves gently, one axis after the other. Esc stops it.</source>
+        <translation>La plateforme bouge doucement, un axe après l’autre. Échap l’arrête.</translation>
+    </message>
+    <message>
+        <source>More devices</source>
+        <translation>Autres appareils</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished">Ajouter</translation>
+    </message>
+    <message>
+        <source>Play on this device, too</source>
+        <translation>Jouer aussi sur cet appareil</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished">STOP</translation>
+    </message>
+    <message>
+        <source>Stop all of them (Esc)</source>
+        <translation>Les arrêter tous (Échap)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Fermer</translation>
+    </message>
+    <message>
+        <source>The devices keep playing</source>
+        <translation>Les appareils continuent de jouer</translation>
+    </message>
+    <message>
+        <source>Rig&apos;s software</source>
+        <translation>Logiciel de la plateforme</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation type="unfinished">Gain</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latence</translation>
+    </message>
+    <message>
+        <source>Device to add</source>
+        <translation>Appareil à ajouter</translation>
+    </message>
+    <message>
+        <source>Each of these plays beside the chosen device and stops with it. A rig moves with the motion of the recording: begin with a small gain.</source>
+        <translation>Chacun joue à côté de l’appareil choisi et s’arrête avec lui. Une plateforme suit le mouvement de l’enregistrement&#xa0;: commencez avec un petit gain.</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation type="unfinished">Muet</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Tester</translation>
+    </message>
+    <message>
+        <source>Move the rig gently, or stop that</source>
+        <translation>Bouger doucement la plateforme, ou l’arrêter</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished">Retirer</translation>
+    </message>
+    <message>
+        <source>Release this device</source>
+        <translation>Libérer cet appareil</translation>
     </message>
 </context>
 <context>
@@ -5704,7 +5791,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Motion rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Plateforme mobile</translation>
     </message>
     <message>
         <source>Mute (silence instead)</source>
@@ -5848,11 +5935,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>a rig moves only with the realistic feedback of a sequence that has its motion</source>
-        <translation type="unfinished"></translation>
+        <translation>une plateforme ne bouge qu’avec le retour réaliste d’une séquence qui contient son mouvement</translation>
     </message>
     <message>
         <source>a rig track needs at least one row</source>
-        <translation type="unfinished"></translation>
+        <translation>une piste de plateforme doit avoir au moins une ligne</translation>
     </message>
     <message>
         <source>a row for each change of the force</source>
@@ -6376,7 +6463,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
-        <translation type="unfinished"></translation>
+        <translation>personne n’écoute à {address}&#xa0;: lancez le logiciel de la plateforme</translation>
     </message>
     <message>
         <source>not read: {what} ({count})</source>
@@ -6444,7 +6531,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>port {port} cannot be opened ({reason}); end what listens there</source>
-        <translation type="unfinished"></translation>
+        <translation>le port {port} ne peut pas être ouvert ({reason})&#xa0;; fermez ce qui y écoute</translation>
     </message>
     <message>
         <source>position lies outside of any clip</source>
@@ -6580,7 +6667,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>rig:{text}: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>rig:{text}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>rotation from frames needs OpenCV, which is not installed</source>
@@ -6964,11 +7051,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the rig at {address} cannot be reached ({reason}); check address and network, and choose the device again</source>
-        <translation type="unfinished"></translation>
+        <translation>la plateforme à {address} est injoignable ({reason})&#xa0;; vérifiez l’adresse et le réseau, puis choisissez à nouveau l’appareil</translation>
     </message>
     <message>
         <source>the rig is not open; choose the device again</source>
-        <translation type="unfinished"></translation>
+        <translation>la plateforme n’est pas ouverte&#xa0;; choisissez à nouveau l’appareil</translation>
     </message>
     <message>
         <source>the server has not answered for {s:g} s</source>
@@ -6996,7 +7083,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>there is no outlet {name!r}</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’y a pas de sortie {name!r}</translation>
     </message>
     <message>
         <source>timed out</source>
@@ -7044,7 +7131,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{outlet}: {what}</source>
-        <translation type="unfinished"></translation>
+        <translation>{outlet}&#xa0;: {what}</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -7072,7 +7159,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>{word!r} est inconnu&#xa0;; utilisez {known}</translation>
     </message>
     <message>
         <source>the grip did not give way to 1 N; hold it more loosely</source>
@@ -8204,7 +8291,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{name!r} is not a packet format; use {known}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} n’est pas un format de paquets&#xa0;; utilisez {known}</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -8384,7 +8471,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{text!r} is not HOST:PORT</source>
-        <translation type="unfinished"></translation>
+        <translation>{text!r} n’est pas HOST:PORT</translation>
     </message>
     <message>
         <source>{text!r} is not a parameter; write NAME=VALUE</source>

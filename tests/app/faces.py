@@ -46,6 +46,7 @@ from app.player.fault_panel import FaultPanel
 from app.player.firmware_dialog import Question
 from app.player.keys_dialog import KeysDialog
 from app.player.latency_page import LatencyPage
+from app.player.outlets_page import OutletsPage
 from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
 from app.plots.grip_view import GripView
@@ -104,6 +105,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "unknown-image": lambda: Question(window, setup_texts.unknown_image(), "OK"),
         "feedback": lambda: ConditionDialog(["mine"], window),
         "faults": lambda: FaultPanel(window.clock, window.session, window),
+        "outlets": lambda: OutletsPage(window.clock, window.session, window),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "latencies": lambda: LatencyPage(
             window.clock, "simulated", window.settings, _no_player, window

@@ -130,7 +130,7 @@ def _one_of(word: str, known: Any) -> str:
         raise DeviceError(
             "{word!r} is unknown; use {known}",
             word=word,
-            known=joined(Message(", "), known),
+            known=joined(", ", known),
         )
     return word
 

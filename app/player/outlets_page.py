@@ -1,0 +1,270 @@
+"""More devices: what plays beside the chosen one, each with its state, test and mute."""
+
+import threading
+
+from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QGridLayout,
+    QLabel,
+    QLineEdit,
+    QWidget,
+)
+
+from app.bridge.languages import translated
+from app.player import choices
+from app.player.health import device_name, mode_text
+from app.player.session import Session
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.layout import STRETCH, captioned, fill_page, indent, paragraph, row_of
+from app.widgets.texts import titled
+from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE, OUTLETS, find_device
+from hapticplayer.devices.rig.packets import FORMATS
+from hapticplayer.devices.rig.settings import GAIN, LATENCY_MS, LOOPBACK
+from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.processes import Health
+from hapticplayer.playback.forces import ForcePlayer
+from hapticplayer.playback.snapshot import OutletState, Snapshot
+from hapticplayer.rendering import rig_demonstration
+
+translate = QCoreApplication.translate
+
+POLL_MS = 100
+GENTLE_GAIN = 0.25
+_WIDTH_PX, _RIG = 640, "rig"
+
+
+def outlet_text(name: str) -> str:
+    """Return an outlet's name for people, with what was chosen of it."""
+    kind, _, chosen = name.partition(":")
+    if kind not in OUTLETS:
+        return device_name(name)
+    return titled(translate("OutletsPage", "Motion rig"), chosen.replace(",", ", "))
+
+
+def state_text(outlet: OutletState) -> str:
+    """Return what an outlet does, or what is wrong with it."""
+    if outlet.problem or outlet.health in (Health.FAILED, Health.GONE):
+        return translated(outlet.problem) or translate("Health", "failed")
+    if outlet.health is Health.STARTING:
+        return translate("Health", "starting")
+    if outlet.note and not outlet.is_muted:
+        return translated(outlet.note)
+    return mode_text(outlet.mode)
+
+
+class OutletsPage(QDialog):
+    """Stays beside the window; what stops the force there stops a test here, too."""
+
+    def __init__(
+        self, clock: Clock, session: Session, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._clock, self._session, self._player = clock, session, session.player
+        session.stopped.connect(self.end_test)
+        self.tested: ForcePlayer | None = None
+        self._shown: list[str] = []
+        self.states: dict[str, QLabel] = {}
+        self.tests: dict[str, QWidget] = {}
+        self.mutes: dict[str, QCheckBox] = {}
+        self.rows, self.problem = QGridLayout(), paragraph("", theme.DIM, lines=2)
+        self.kind, self.address = QComboBox(), QLineEdit()
+        self.gain, self.latency = QDoubleSpinBox(), QDoubleSpinBox()
+        self._make_form()
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(self.look)
+        self._timer.start()
+        self.look()
+
+    # --- what a person does --------------------------------------------------
+
+    def add(self) -> None:
+        """Play on the outlet of the form as well."""
+        name = str(self.kind.currentData())
+        if self._is_rig:
+            address = self.address.text().strip()
+            name += f",{address}" * bool(address)
+            name += f",gain={self.gain.value():g},latency_ms={self.latency.value():g}"
+        if name in (*self._names(), self._player.snapshot().device):
+            self._say(self.tr("This device plays already"))
+        else:
+            self._use([*self._names(), name])
+
+    def remove(self, name: str) -> None:
+        """Bring an outlet to rest and let go of it."""
+        self._use([one for one in self._names() if one != name])
+
+    def mute(self, name: str, *, is_muted: bool) -> None:
+        """Let an outlet come to rest, or play again."""
+        self._player.set_outlet(name, is_muted=is_muted)
+
+    def test(self, name: str) -> None:
+        """Move a rig gently along and about each axis; once more: stop."""
+        if self.tested is not None:
+            self.end_test()
+            return
+        self._player.pause()
+        try:
+            self.tested = ForcePlayer(self._clock, name, rig_demonstration()[0])
+        except HapticPlayerError as problem:
+            self._say(translated(message_of(problem)))
+            return
+        self._say(
+            self.tr("The rig moves gently, one axis after the other. Esc stops it.")
+        )
+
+    def end_test(self) -> None:
+        """Let the rig come to rest; its processes end when it has."""
+        player, self.tested = self.tested, None
+        if player is not None:
+            self._say(translated(player.problem))
+            player.stop()
+            threading.Thread(target=player.close, name="rig-test").start()
+
+    def reject(self) -> None:
+        """Stop before anything else; Escape comes here too."""
+        self._session.stop()
+        super().reject()
+
+    def done(self, result: int) -> None:
+        """Close; the outlets go on."""
+        self.end_test()
+        self._timer.stop()
+        super().done(result)
+
+    def close_jobs(self) -> None:
+        """End what still moves: the window closes."""
+        self.end_test()
+
+    # --- what is shown -------------------------------------------------------
+
+    def look(self) -> None:
+        """Show what has changed."""
+        now = self._player.snapshot()
+        names = [outlet.name for outlet in now.outlets]
+        if names != self._shown:
+            self._shown = names
+            self._fill_rows(now)
+        if self.tested is not None:
+            self.tested.poll()
+            if self.tested.is_over:
+                self.end_test()
+        for outlet in now.outlets:
+            self.states[outlet.name].setText(state_text(outlet))
+            self.mutes[outlet.name].setChecked(outlet.is_muted)
+            may_test = outlet.mode is Mode.IDLE and not now.is_playing
+            self.tests[outlet.name].setEnabled(
+                self.tested is not None or (may_test and _is_rig(outlet.name))
+            )
+
+    @property
+    def _is_rig(self) -> bool:
+        return _is_rig(str(self.kind.currentData()))
+
+    def _names(self) -> list[str]:
+        return [outlet.name for outlet in self._player.snapshot().outlets]
+
+    def _use(self, names: list[str]) -> None:
+        try:
+            for name in names:
+                find_device(name)
+            self._player.set_outlets(names)
+        except HapticPlayerError as problem:
+            self._say(translated(message_of(problem)))
+            return
+        self._say("")
+        self.look()
+
+    def _say(self, text: str) -> None:
+        self.problem.setText(text)
+
+    def _make_form(self) -> None:
+        for name in FORMATS:
+            self.kind.addItem(outlet_text(f"{_RIG}:{name}"), f"{_RIG}:{name}")
+        for choice in choices.devices():
+            if choice.name != NO_DEVICE:
+                self.kind.addItem(choice.text, choice.name)
+        self.kind.currentIndexChanged.connect(self._on_kind)
+        for box, within, value in (
+            (self.gain, GAIN, GENTLE_GAIN),
+            (self.latency, LATENCY_MS, 0.0),
+        ):
+            box.setRange(within.least, within.largest)
+            box.setValue(value)
+            indent(box)
+        self.gain.setSingleStep(0.05)
+        self.latency.setSuffix("\u00a0ms")
+        self._on_kind()
+
+    def _on_kind(self) -> None:
+        for widget in (self.address, self.gain, self.latency):
+            widget.setEnabled(self._is_rig)
+        kind = FORMATS.get(str(self.kind.currentData()).partition(":")[2])
+        self.address.setPlaceholderText(f"{LOOPBACK}:{kind.port}" if kind else "")
+
+    def _lay_out(self) -> None:
+        self.setWindowTitle(self.tr("More devices"))
+        self.setMinimumWidth(_WIDTH_PX)
+        add = text_button(self.tr("Add"), self.tr("Play on this device, too"))
+        add.clicked.connect(self.add)
+        stop = text_button(self.tr("STOP"), self.tr("Stop all of them (Esc)"), "stop")
+        stop.clicked.connect(self._session.stop)
+        close = text_button(self.tr("Close"), self.tr("The devices keep playing"))
+        close.clicked.connect(self.accept)
+        where = captioned(self.tr("Rig's software"), self.address)
+        gain = captioned(self.tr("Gain"), self.gain)
+        latency = captioned(self.tr("Latency"), self.latency)
+        self.kind.setAccessibleName(self.tr("Device to add"))
+        fill_page(
+            self,
+            paragraph(
+                self.tr(
+                    "Each of these plays beside the chosen device and stops with it. A rig "
+                    "moves with the motion of the recording: begin with a small gain."
+                )
+            ),
+            self.rows,
+            row_of(self.kind, add),
+            row_of(*where, *gain, *latency),
+            self.problem,
+            row_of(stop, STRETCH, close),
+        )
+
+    def _fill_rows(self, now: Snapshot) -> None:
+        while (item := self.rows.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.deleteLater()
+        self.states, self.tests, self.mutes = {}, {}, {}
+        for row, outlet in enumerate(now.outlets):
+            self._add_row(row, outlet.name)
+
+    def _add_row(self, row: int, name: str) -> None:
+        text = outlet_text(name)
+        label, self.states[name] = paragraph(text), paragraph("", theme.DIM)
+        self.mutes[name] = mute = QCheckBox(self.tr("Mute"))
+        test = text_button(
+            self.tr("Test"), self.tr("Move the rig gently, or stop that")
+        )
+        remove = text_button(self.tr("Remove"), self.tr("Release this device"))
+        for widget in (mute, test, remove):
+            widget.setAccessibleName(titled(text, widget.text()))
+        mute.clicked.connect(lambda on: self.mute(name, is_muted=on))
+        test.clicked.connect(lambda: self.test(name))
+        remove.clicked.connect(lambda: self.remove(name))
+        self.tests[name] = test
+        for column, part in enumerate((label, self.states[name], mute, test, remove)):
+            self.rows.addWidget(part, row, column)
+        self.rows.setColumnStretch(0, 2)
+        self.rows.setColumnStretch(1, 3)
+
+
+def _is_rig(name: str) -> bool:
+    return name.partition(":")[0] == _RIG
