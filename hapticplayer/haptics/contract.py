@@ -119,7 +119,7 @@ class State(NamedTuple):
     acted_s: float = -math.inf  # last time at which a force was allowed
     track: AnyTrack | None = None  # that was followed
     switch_n: Vector = ZERO  # left of the difference to the track before
-    share: float = 1.0  # of the track's force, less where it has not arrived
+    share: float = 0.0  # that is felt of a track which is still arriving
 
 
 class Situation(NamedTuple):

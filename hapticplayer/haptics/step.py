@@ -44,7 +44,7 @@ def step(situation: Situation) -> State:
     media_s = situation.media_s
     reaction, cause = assess(situation)
     planned = pull = wanted = switch = ZERO
-    share = state.share
+    share = 0.0
     if reaction is Reaction.GO and track is not None:
         planned = track.force_at(media_s)
         if isinstance(track, ArrivingTrack) and math.isfinite(media_s):

@@ -157,9 +157,10 @@ class ClipPlayback:
         self.sound.ring.follow(self.media.epoch)
 
     def wait_for_stream(self) -> None:
-        """Stop at the last frame until more of the stream has come."""
-        self.fetched_s = FETCHED_AGAIN_S
-        self.seek(self.video.frame_s)
+        """Stop at the last frame until more has come, if it is a stream that is late."""
+        if not self._is_fetched(0.0):
+            self.fetched_s = FETCHED_AGAIN_S
+            self.seek(self.video.frame_s)
 
     # --- actions --------------------------------------------------------------
 
@@ -215,7 +216,7 @@ class ClipPlayback:
     def _note_progress(self, now_s: float) -> None:
         if self.phase is Phase.BUFFERING:
             is_ready = self.video.is_ready and self.sound.is_ready(now_s)
-            if is_ready and self._is_fetched():
+            if is_ready and self._is_fetched(self.fetched_s):
                 is_heard = self.sound.is_open
                 self.handle(Event.BUFFERED if is_heard else Event.BUFFERED_SILENT)
         elif self.phase is Phase.STARTING:
@@ -232,12 +233,12 @@ class ClipPlayback:
                 self.handle(Event.END)
                 self._reporter.event("end")
 
-    def _is_fetched(self) -> bool:
-        """Whether a stream has enough of its clip to play for a while."""
+    def _is_fetched(self, seconds: float) -> bool:
+        """Whether a stream has enough of its clip to play for so long."""
         source = self.source
         if source is None or source.stream is None:
             return True
-        return source.stream.is_ahead(self.fetched_s, source.clip.duration_s)
+        return source.stream.is_ahead(seconds, source.clip.duration_s)
 
     def _hear(self) -> None:
         """Follow what the sound output reports."""

@@ -344,7 +344,7 @@ class Player:
         if has_stalled is not self._was_stalled:
             self._was_stalled = has_stalled
             self._reporter.event("picture_stopped" if has_stalled else "picture_back")
-            if has_stalled and self._clip.source and self._clip.source.stream:
+            if has_stalled:
                 self._clip.wait_for_stream()
         return has_stalled
 

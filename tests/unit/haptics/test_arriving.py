@@ -134,6 +134,22 @@ def test_after_a_seek_the_force_waits_for_its_packet(filling, world):
     assert after[-1] == pytest.approx(4.0)
 
 
+@pytest.mark.parametrize("late_ticks", [1, 25, 60, 150])
+def test_a_packet_just_after_a_seek_is_no_step(filling, world, late_ticks):
+    for packet in range(8):
+        filling.fill(packet, FULL)
+    played(world, 0.7)
+    world.clock = PlaybackClock(2, world.now_s, 2.0, 1.0, np.inf)
+    planned = []
+    for tick in range(400):
+        if tick == late_ticks:
+            for packet in range(15, PACKETS):
+                filling.fill(packet, FULL)
+        planned.append(world.tick().planned_n[1])
+    assert np.diff(planned).max() <= SLOPE_N
+    assert planned[-1] == pytest.approx(4.0)
+
+
 @pytest.mark.parametrize("media_s", [-1.0, 1e9, 1e300])
 def test_outside_of_the_track_there_is_no_force(filling, media_s):
     filling.fill(0, FULL)
