@@ -90,10 +90,15 @@ class ForceTrack:
         if self.reconstruction is Reconstruction.HOLD:
             rows = np.searchsorted(self.time_s, times[inside], side="right") - 1
             force[inside] = self.force_n[rows]
-        else:
+        elif inside.any():
+            # only the entries around: numpy converts all that it is given, each time
+            asked = times[inside]
+            ends = asked.min(), asked.max()
+            first, last = np.searchsorted(self.time_s, ends, side="right")
+            rows = slice(first - 1, last + 1)
             for axis in range(3):
                 force[inside, axis] = np.interp(
-                    times[inside], self.time_s, self.force_n[:, axis]
+                    asked, self.time_s[rows], self.force_n[rows, axis]
                 )
         return force
 

@@ -72,6 +72,20 @@ def test_linear_is_straight_between_rows_and_zero_outside():
     assert found[2, 2] == -1.0
 
 
+def test_a_part_of_a_track_is_as_if_all_were_asked_for(rng):
+    force = rng.normal(size=(400, 3)).astype(np.float32)
+    track = ForceTrack(np.cumsum(0.1 + rng.random(400)), force)
+    asked = np.concatenate([track.time_s, rng.uniform(-5.0, track.end_s + 5.0, 900)])
+    whole = track.at(asked)
+    for first in range(0, len(asked), 7):
+        some = slice(first, first + 7)
+        assert np.array_equal(track.at(asked[some]), whole[some])
+    lines = [np.interp(asked, track.time_s, axis, 0.0, 0.0) for axis in force.T]
+    is_before = asked < track.end_s
+    assert np.array_equal(whole[is_before], np.stack(lines, axis=1)[is_before])
+    assert track.at(np.array([-1.0, 1e6])).tolist() == [[0.0] * 3] * 2
+
+
 @pytest.mark.parametrize("how", list(Reconstruction))
 def test_outside_the_active_spans_the_force_is_zero(how, rng):
     for _ in range(20):
