@@ -22,11 +22,12 @@ from pathlib import Path
 SCREENS = {1.0: (1920, 1080), 2.0: (1920, 1080), 3.0: (3840, 2160)}
 LARGEST = (3840, 2160)  # for other scales
 LANGUAGES, THEMES = ("en", "fr", "de"), ("dark", "light", "contrast")
-GROUPS = ("player", "device", "library", "study")
+GROUPS = ("player", "device", "library", "editor", "study")
 DOCS = {
     "player-playing": "screenshot.png",
     "import-sync-sure": "import.png",
     "library-4": "library.png",
+    "editor-working": "editor.png",
     "operator-playing": "operator.png",
     "study-trial-03-questions": "questions.png",
     "faults-told": "faults.png",
@@ -81,7 +82,7 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
     from app.player.menus import LANGUAGE, THEME
     from app.player.remake import apply_appearance
     from hapticplayer.playback.source import open_source
-    from tools.pages import device, library, player, study
+    from tools.pages import device, editor, library, player, study
     from tools.pages.material import make_material
     from tools.pages.stage import Stage
 
@@ -89,6 +90,7 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
         "player": player.pictures,
         "device": device.pictures,
         "library": library.pictures,
+        "editor": editor.pictures,
         "study": study.pictures,
     }
     application = make_application()

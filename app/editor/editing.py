@@ -63,6 +63,15 @@ class Editing(QObject):
             left = edits.removed(self.document.effects, number)
             self.document.change(left, self.tr("Delete"))
 
+    def reorder(self, by: int) -> None:
+        """Apply the selected effect earlier (-1) or later (+1) than now."""
+        number, count = self.document.selected, len(self.document.effects)
+        if number is None or not 0 <= number + by < count:
+            return
+        changed = edits.reordered(self.document.effects, number, number + by)
+        self.document.change(changed, self.tr("Change the order"))
+        self.document.select(number + by)
+
     def duplicate(self) -> None:
         """Add a copy after the selected effect."""
         effect = self.document.effect

@@ -44,6 +44,13 @@ def removed(effects: EffectList, number: int) -> EffectList:
     return EffectList(every[:number] + every[number + 1 :])
 
 
+def reordered(effects: EffectList, number: int, to: int) -> EffectList:
+    """Return the list with an effect applied in another place of the order."""
+    every = list(effects.effects)
+    every.insert(to, every.pop(number))
+    return EffectList(tuple(every))
+
+
 def moved(effect: Effect, by_s: float, duration_s: float) -> Effect:
     """Return an effect earlier or later, within the clip."""
     by_s = min(by_s, max(0.0, duration_s - effect.end_s))

@@ -70,6 +70,13 @@ class EffectPanel(QWidget):
             self.tr("Dupl&icate"), self.tr("Add a copy after it (Ctrl+D)")
         )
         self.delete = text_button(self.tr("Dele&te"), self.tr("Delete it (Del)"))
+        self.order = QLabel()
+        self.order.setStyleSheet(f"color: {theme.DIM};")
+        self.earlier = text_button("\u2191", self.tr("Apply it earlier"))
+        self.later = text_button("\u2193", self.tr("Apply it later"))
+        for button, by in ((self.earlier, -1), (self.later, 1)):
+            button.setAccessibleName(button.toolTip())
+            button.clicked.connect(lambda _=False, by=by: self.editing.reorder(by))
         self.enabled.clicked.connect(lambda is_on: self.editing.switch(is_on=is_on))
         self.duplicate.clicked.connect(self.editing.duplicate)
         self.delete.clicked.connect(self.editing.delete)
@@ -83,7 +90,11 @@ class EffectPanel(QWidget):
         column_of(
             *(self.title, row_of((self.span, 1), self.enabled), self.hint),
             *((self.area, 1), self.problem),
-            row_of(self.duplicate, self.delete, STRETCH, spacing=8),
+            row_of(
+                *(self.duplicate, self.delete, STRETCH),
+                *(self.order, self.earlier, self.later),
+                spacing=6,
+            ),
             spacing=4,
             of=self,
         )
@@ -94,7 +105,10 @@ class EffectPanel(QWidget):
         """Show what is selected now."""
         document = self.editing.document
         effect = document.effect
-        for widget in (self.enabled, self.duplicate, self.delete, self.span, self.area):
+        for widget in (
+            *(self.enabled, self.duplicate, self.delete, self.span),
+            *(self.order, self.earlier, self.later),
+        ):
             widget.setVisible(effect is not None)
         self.hint.setVisible(effect is None)
         self._show_problem("")
@@ -107,6 +121,11 @@ class EffectPanel(QWidget):
         self.span.setText(span_text(effect.start_s, effect.end_s))
         self.enabled.setChecked(effect.enabled)
         self.duplicate.setEnabled(self.editing.can_add)
+        place, count = (document.selected or 0) + 1, len(document.effects)
+        self.order.setText(f"{place}/{count}")
+        self.order.setToolTip(self.tr("Place in the order in which they are applied"))
+        self.earlier.setEnabled(place > 1)
+        self.later.setEnabled(place < count)
         shown = (document.selected, effect.kind, effect.target, bool(effect.curve))
         if shown != self._shown:
             self._shown = shown

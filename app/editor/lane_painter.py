@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.editor.view import TimeView
 from app.experimenter.sync_strip import Curve, columns, tick_step_s
@@ -18,7 +18,7 @@ translate = QCoreApplication.translate
 
 RULER_PX, EVENTS_PX, MARGIN_PX = 20, 22, 5
 LEAST_FORCE_N = 1.0
-_TICK_PX = 90
+_TICK_PX, _CURVE_PX = 90, 1.4
 _SOUND_SHARE = 0.8  # of the height of a curve
 _ROW_PX, _LEAST_ROW_PX = 24, 7
 
@@ -92,7 +92,7 @@ def paint_force(
         middle = lane.center().y()
         painter.drawLine(QPointF(lane.left(), middle), QPointF(lane.right(), middle))
     if before is not None and before is not track:
-        paint_curves(painter, lanes, view, before, half_n, (theme.DIM,) * 3)
+        paint_curves(painter, lanes, view, before, half_n, (theme.DISABLED,) * 3)
     if track is not None:
         paint_curves(painter, lanes, view, track, half_n, theme.AXIS_COLOURS)
     for lane, name in zip(lanes.axes, names, strict=True):
@@ -124,7 +124,7 @@ def paint_curves(
     for axis, lane in enumerate(lanes.axes):
         room = 0.5 * lane.height() - MARGIN_PX
         y = lane.center().y() - room / half_n * page.values[:, axis]
-        painter.setPen(QColor(colours[axis]))
+        painter.setPen(QPen(QColor(colours[axis]), _CURVE_PX))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.drawPolyline(_polygon(x, y))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)

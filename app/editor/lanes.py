@@ -28,7 +28,7 @@ from hapticplayer.rendering.event import Event
 from hapticplayer.rendering.events import DETECTORS
 from hapticplayer.sequence.time_line import TimeLine
 
-LEAST_PX = QSize(320, 210)
+LEAST_PX = QSize(320, 140)
 USUAL_FRAME_S = 1.0 / 30.0  # where a clip does not say
 _ZOOM = 1.25
 _CURSOR_PX = 3
@@ -220,6 +220,8 @@ class Lanes(QWidget):
         with QPainter(self) as painter:
             painter.setClipRect(event.rect())
             painter.drawPixmap(0, 0, front)
+            if self._loudness is None:
+                return
             x = self.view.x_of(self.cursor_s, self.width())
             painter.setPen(QPen(QColor(theme.TEXT), 1.5))
             painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
@@ -232,6 +234,8 @@ class Lanes(QWidget):
         if still is None or still.devicePixelRatio() != self.devicePixelRatioF():
             still = self._still = self._draw_still()
         made, lanes = QPixmap(still), self.lanes
+        if self._loudness is None:
+            return made
         with QPainter(made) as painter:
             painter.setFont(theme.scaled(self.font(), 0.9))
             if self.loop_s is not None:
@@ -245,16 +249,15 @@ class Lanes(QWidget):
         made = QPixmap(self.size() * ratio)
         made.setDevicePixelRatio(ratio)
         made.fill(QColor(theme.PANEL))
+        if self._loudness is None:
+            return made  # nothing is loaded
         lanes = self.lanes
         with QPainter(made) as painter:
             painter.setFont(theme.scaled(self.font(), 0.9))
             lane_painter.paint_frame(painter, lanes, self.view)
             before = self.before if self._shows_before else None
             lane_painter.paint_force(painter, lanes, self.view, self.track, before)
-            if self._loudness is not None:
-                lane_painter.paint_sound(
-                    painter, lanes.sound, self.view, self._loudness
-                )
+            lane_painter.paint_sound(painter, lanes.sound, self.view, self._loudness)
         return made
 
     def _paint_events(self, painter: QPainter, lane: QRectF) -> None:
@@ -282,13 +285,30 @@ class Lanes(QWidget):
             return
         colour = QColor(theme.PRIMARY if effect.enabled else theme.RAISED)
         is_selected = number == self.selected
-        edge = QColor(theme.FOCUS if is_selected else theme.BORDER)
+        edge = QColor(theme.TEXT if is_selected else theme.BORDER)
         painter.setPen(QPen(edge, 3 if is_selected else 1))
         painter.setBrush(colour)
         painter.drawRect(box.adjusted(1, 1, -1, -1) if is_selected else box)
         painter.setBrush(Qt.BrushStyle.NoBrush)
+        self._paint_fades(painter, box, effect)
         text = theme.PRIMARY_TEXT if effect.enabled else theme.DIM
         self._write(painter, box, effect_title(effect), text)
+
+    def _paint_fades(self, painter: QPainter, box: QRectF, effect: Effect) -> None:
+        """Draw a line that rises and one that falls."""
+        px_per_s = box.width() / effect.duration_s
+        rises_px, falls_px = (
+            fade_s * px_per_s for fade_s in (effect.fade_in_s, effect.fade_out_s)
+        )
+        colour = QColor(theme.PRIMARY_TEXT if effect.enabled else theme.DIM)
+        colour.setAlpha(130)
+        painter.setPen(colour)
+        if rises_px > 1.0:
+            top = QPointF(box.left() + rises_px, box.top())
+            painter.drawLine(box.bottomLeft(), top)
+        if falls_px > 1.0:
+            top = QPointF(box.right() - falls_px, box.top())
+            painter.drawLine(top, box.bottomRight())
 
     def _write(self, painter: QPainter, box: QRectF, text: str, colour: str) -> None:
         """Write a text into a box, as much as there is room for."""

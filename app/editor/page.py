@@ -53,7 +53,7 @@ from hapticplayer.sequence.time_line import TimeLine, time_line_of
 WIDTH_PX, HEIGHT_PX = 1180, 860
 POLL_MS = 20  # an edit is felt within 200 ms
 _AROUND_S = 0.3  # of an effect, that is repeated with it
-_VIDEO_PX = 150  # high, at least
+_VIDEO_PX = 130  # high, at least
 _STAGE_PX, _LANES_PX = 330, 420  # only the proportion counts
 _ZOOM = 1.6
 _REARM = QKeyCombination(Qt.KeyboardModifier.ControlModifier, Qt.Key.Key_R)
@@ -117,7 +117,6 @@ class EditorPage(QDialog):
         offer_stop(self.stop_button, is_stopped=False)
         self.time = ElidedLabel()
         self.time.setAccessibleName(self.tr("Time"))
-        self._show_time(0.0)
         self.closer = text_button("+", self.tr("Show less of the clip (+)"), "tool")
         self.wider = text_button(
             "\u2212", self.tr("Show more of the clip (\u2212)"), "tool"
@@ -146,6 +145,7 @@ class EditorPage(QDialog):
         )
         self.close_button = text_button(self.tr("Close"), "")
         self.bar = QScrollBar(Qt.Orientation.Horizontal)
+        self.bar.setEnabled(False)
         self.note = paragraph(colour=theme.DIM)
         self.note.setTextFormat(Qt.TextFormat.PlainText)
         self._connect_parts()
@@ -419,8 +419,10 @@ class EditorPage(QDialog):
         self.lanes.show_loop(span_s)
 
     def _follow(self, media_s: float) -> None:
+        before_s = self.lanes.cursor_s
         self.lanes.set_cursor(media_s)
-        self.view.reveal(media_s)
+        if self.view.begin_s <= before_s <= self.view.end_s:
+            self.view.reveal(media_s)  # else a person looks somewhere else
         self._show_time(media_s)
 
     def _show_state(self) -> None:

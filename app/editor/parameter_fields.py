@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import QLabel, QSlider, QWidget
 
 from app.experimenter.numbers import NumberBox
@@ -93,9 +93,12 @@ class NumberField(QWidget):
         column_of(
             caption,
             row_of((self.slider, 1), self.box, spacing=6),
-            spacing=0,
+            spacing=2,
             of=self,
         )
+        for part in (self.slider, self.box):
+            part.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+            part.installEventFilter(self)
         self._goes_on = False
         self.slider.sliderPressed.connect(self._begin)
         self.slider.valueChanged.connect(self._on_slider)
@@ -120,6 +123,14 @@ class NumberField(QWidget):
             self.slider.setValue(self._scale.step(value))
         for part in (self.slider, self.box):
             part.blockSignals(False)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
+        """Leave the wheel to the panel, unless the field has the focus."""
+        is_wheel = event.type() == QEvent.Type.Wheel
+        if is_wheel and isinstance(watched, QWidget) and not watched.hasFocus():
+            event.ignore()
+            return True
+        return super().eventFilter(watched, event)
 
     def _begin(self) -> None:
         self._goes_on = False

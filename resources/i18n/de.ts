@@ -547,6 +547,10 @@
         <translation>Löschen</translation>
     </message>
     <message>
+        <source>Change the order</source>
+        <translation>Reihenfolge ändern</translation>
+    </message>
+    <message>
         <source>Duplicate</source>
         <translation>Duplizieren</translation>
     </message>
@@ -700,8 +704,20 @@
         <translation>&amp;Löschen</translation>
     </message>
     <message>
+        <source>Apply it earlier</source>
+        <translation>Früher anwenden</translation>
+    </message>
+    <message>
+        <source>Apply it later</source>
+        <translation>Später anwenden</translation>
+    </message>
+    <message>
         <source>No effect is selected</source>
         <translation>Kein Effekt ausgewählt</translation>
+    </message>
+    <message>
+        <source>Place in the order in which they are applied</source>
+        <translation>Platz in der Reihenfolge, in der sie angewendet werden</translation>
     </message>
     <message>
         <source>Fade in</source>
@@ -2258,7 +2274,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished">Hinzufügen</translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Play on this device, too</source>

@@ -547,6 +547,10 @@
         <translation>Supprimer</translation>
     </message>
     <message>
+        <source>Change the order</source>
+        <translation>Modifier l’ordre</translation>
+    </message>
+    <message>
         <source>Duplicate</source>
         <translation>Dupliquer</translation>
     </message>
@@ -700,8 +704,20 @@
         <translation>Suppri&amp;mer</translation>
     </message>
     <message>
+        <source>Apply it earlier</source>
+        <translation>Appliquer plus tôt</translation>
+    </message>
+    <message>
+        <source>Apply it later</source>
+        <translation>Appliquer plus tard</translation>
+    </message>
+    <message>
         <source>No effect is selected</source>
         <translation>Aucun effet sélectionné</translation>
+    </message>
+    <message>
+        <source>Place in the order in which they are applied</source>
+        <translation>Place dans l’ordre d’application</translation>
     </message>
     <message>
         <source>Fade in</source>
@@ -2258,7 +2274,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished">Ajouter</translation>
+        <translation>Ajouter</translation>
     </message>
     <message>
         <source>Play on this device, too</source>

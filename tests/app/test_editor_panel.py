@@ -3,8 +3,10 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from app.editor.document import Document
 from app.editor.editing import Editing
@@ -131,3 +133,48 @@ def test_fields_that_go_change_nothing(panel):
     chosen(panel, "engine")
     QTest.qWait(10)
     assert panel.editing.document.effects == before
+
+
+def test_the_order_can_be_changed_and_the_effect_stays_chosen(panel):
+    chosen(panel, "mute")
+    assert panel.order.text() == "4/10"
+    panel.later.click()
+    names = [one.kind for one in panel.editing.document.effects.effects]
+    assert names[3:5] == ["pulse", "mute"]
+    assert effect(panel).kind == "mute"
+    for _ in range(4):
+        panel.earlier.click()
+    assert panel.order.text() == "1/10"
+    assert not panel.earlier.isEnabled()
+    while panel.editing.document.stack.canUndo():
+        panel.editing.document.stack.undo()
+    names = [one.kind for one in panel.editing.document.effects.effects]
+    assert names == [kind.name for kind in EFFECTS]
+
+
+def test_the_wheel_changes_only_what_has_the_focus(panel, qtbot):
+    field = chosen(panel, "sine").fields["frequency_hz"]
+
+    def turn(widget) -> None:
+        middle = QPointF(widget.rect().center())
+        event = QWheelEvent(
+            middle,
+            widget.mapToGlobal(middle),
+            QPoint(),
+            QPoint(0, 120),
+            Qt.MouseButton.NoButton,
+            Qt.KeyboardModifier(0),
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QApplication.sendEvent(widget, event)
+
+    before = effect(panel)
+    turn(field.box)
+    turn(field.slider)
+    assert effect(panel) == before
+    panel.activateWindow()
+    qtbot.waitUntil(panel.isActiveWindow)
+    field.box.setFocus()
+    turn(field.box)
+    assert effect(panel) != before
