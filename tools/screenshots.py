@@ -28,6 +28,7 @@ DOCS = {
     "import-sync-sure": "import.png",
     "library-4": "library.png",
     "editor-working": "editor.png",
+    "rendering-equal": "rendering.png",
     "operator-playing": "operator.png",
     "study-trial-03-questions": "questions.png",
     "faults-told": "faults.png",

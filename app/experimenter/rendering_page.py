@@ -22,7 +22,6 @@ from app.plots.rendering_picture import RenderingPicture
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import (
-    STRETCH,
     ElidedLabel,
     ask_text,
     column_of,
@@ -88,7 +87,6 @@ class RenderingPage(QDialog):
         self._timer.timeout.connect(self._poll)
         self._timer.start(_POLL_MS)
         self._read()
-        self.fields.preset.setFocus()
 
     # --- building ------------------------------------------------------------
 
@@ -105,7 +103,6 @@ class RenderingPage(QDialog):
             name,
             (row_of(self._form_area(), (right, 1), spacing=14), 1),
             self.status,
-            self._progress_row(),
             self._button_row(),
             spacing=10,
         )
@@ -150,12 +147,14 @@ class RenderingPage(QDialog):
             **{name: reach.format(hand=word) for name, word in hands.items()},
         }
 
-    def _progress_row(self) -> JobRow:
+    def _make_progress(self) -> None:
         self.progress = JobRow(
             text_button(self.tr("S&top"), self.tr("Cancel; nothing is kept"))
         )
         self.progress.stop.clicked.connect(self.jobs.cancel)
-        return self.progress
+        policy = self.progress.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)  # else all moves with each prediction
+        self.progress.setSizePolicy(policy)
 
     def _button_row(self) -> QHBoxLayout:
         self.leave = text_button(self.tr("&Close"), "")
@@ -173,7 +172,10 @@ class RenderingPage(QDialog):
         if self._is_demo:
             self.replace.setToolTip(self.tr("The demo stays as it is"))
         self.replace.clicked.connect(self.render_in_place)
-        return row_of(self.leave, STRETCH, self.copy, self.replace, spacing=8)
+        self._make_progress()
+        return row_of(
+            *(self.leave, (self.progress, 1), self.copy, self.replace), spacing=8
+        )
 
     # --- looking -------------------------------------------------------------
 
@@ -232,7 +234,7 @@ class RenderingPage(QDialog):
     def render_in_place(self) -> None:
         """Render the sequence itself again."""
         folder, change = self._folder, self._change()
-        if change is None:
+        if change is None or self._is_demo:
             return
 
         def done(_none: None) -> None:
@@ -304,12 +306,15 @@ class RenderingPage(QDialog):
         """Show what is known, and what can be done now."""
         is_writing = self._is_writing or self._wanted is not None
         can_choose = self.before is not None and not is_writing
+        was_enabled = self.area.isEnabled()
         self.area.setEnabled(can_choose)
+        if can_choose and not was_enabled:  # the focus left with the fields
+            self.fields.preset.setFocus()
         self.copy.setEnabled(can_choose)
         self.replace.setEnabled(can_choose and not self._is_demo)
         self.progress.show_state(self.jobs.state())
         before, after = self.before, self.after
-        notice = self.status.text() or self.tr("Reading")
+        notice = "" if self.status.text() else self.tr("Reading")
         self.picture.show_curves(
             before.curves if before else None, after.curves if after else None, notice
         )

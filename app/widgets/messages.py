@@ -104,6 +104,7 @@ class JobRow(QFrame):
         if state is not None:
             text = job_text(state)
             self.text_label.set_text(text)
+            self.text_label.setToolTip(text)
             self.bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
             self.bar.setAccessibleName(text)
 

@@ -2282,7 +2282,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>STOP</source>
-        <translation type="unfinished">STOPP</translation>
+        <translation>STOPP</translation>
     </message>
     <message>
         <source>Stop all of them (Esc)</source>
@@ -2290,7 +2290,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>The devices keep playing</source>
@@ -2302,7 +2302,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Gain</source>
-        <translation type="unfinished">Verstärkung</translation>
+        <translation>Verstärkung</translation>
     </message>
     <message>
         <source>Latency</source>
@@ -2318,7 +2318,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Mute</source>
-        <translation type="unfinished">Stumm</translation>
+        <translation>Stumm</translation>
     </message>
     <message>
         <source>Test</source>
@@ -2330,7 +2330,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Entfernen</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Release this device</source>
@@ -2667,7 +2667,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>The device’s right, up and towards the user in the actor’s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
-        <translation>Rechts, oben und zur Person hin am Gerät, in den Achsen der aufnehmenden Person (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
+        <translation>Rechts, oben und zur Person hin am Gerät, in den Achsen der Person mit dem Rekorder (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
     </message>
     <message>
         <source>Handlebar</source>
@@ -2687,11 +2687,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the recorder itself</source>
-        <translation>das Aufnahmegerät selbst</translation>
+        <translation>der Rekorder selbst</translation>
     </message>
     <message>
         <source>{point}, from a recorder on the chest</source>
-        <translation>{point}, Aufnahmegerät auf der Brust</translation>
+        <translation>{point}, Rekorder auf der Brust</translation>
     </message>
     <message>
         <source>another point</source>
@@ -2699,7 +2699,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>From the recorder</source>
-        <translation>Vom Aufnahmegerät aus</translation>
+        <translation>Vom Rekorder aus</translation>
     </message>
     <message>
         <source>right</source>
@@ -7151,7 +7151,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
-        <translation>{text!r} sind keine drei Achsen; gesucht sind rechts, oben und zur Person hin am Gerät, in den Achsen der aufnehmenden Person (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
+        <translation>{text!r} sind keine drei Achsen; gesucht sind rechts, oben und zur Person hin am Gerät, in den Achsen der Person mit dem Rekorder (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
     </message>
     <message>
         <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>

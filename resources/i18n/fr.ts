@@ -2282,7 +2282,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>STOP</source>
-        <translation type="unfinished">STOP</translation>
+        <translation>STOP</translation>
     </message>
     <message>
         <source>Stop all of them (Esc)</source>
@@ -2290,7 +2290,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Fermer</translation>
+        <translation>Fermer</translation>
     </message>
     <message>
         <source>The devices keep playing</source>
@@ -2302,7 +2302,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Gain</source>
-        <translation type="unfinished">Gain</translation>
+        <translation>Gain</translation>
     </message>
     <message>
         <source>Latency</source>
@@ -2318,7 +2318,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Mute</source>
-        <translation type="unfinished">Muet</translation>
+        <translation>Muet</translation>
     </message>
     <message>
         <source>Test</source>
@@ -2330,7 +2330,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Retirer</translation>
+        <translation>Retirer</translation>
     </message>
     <message>
         <source>Release this device</source>
@@ -2667,7 +2667,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>The device’s right, up and towards the user in the actor’s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
-        <translation>La droite, le haut et la direction de l’utilisateur de l’appareil, dans les axes de la personne filmée (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
+        <translation>La droite, le haut et la direction de l’utilisateur de l’appareil, dans les axes de la personne qui porte l’enregistreur (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
     </message>
     <message>
         <source>Handlebar</source>
@@ -7151,7 +7151,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
-        <translation>{text!r} ne sont pas trois axes&#xa0;; donnez la droite, le haut et la direction de l’utilisateur dans les axes de la personne filmée (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
+        <translation>{text!r} ne sont pas trois axes&#xa0;; donnez la droite, le haut et la direction de l’utilisateur dans les axes de la personne qui porte l’enregistreur (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
     </message>
     <message>
         <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>

@@ -84,6 +84,7 @@ def test_it_shows_what_is_there_and_changes_nothing(make_page, ride, name):
     for field in ("gain_n_per_mps2", "force_limit_n", "soft_knee_n", "lever_arm_m"):
         assert getattr(chosen.mapping, field) == getattr(mapping, field), field
     assert page.before is page.after
+    assert page.focusWidget() is page.fields.preset
     for key in page.figures:
         first, second = shown(page, key)
         assert first == second != "\u2013"
@@ -100,8 +101,11 @@ def test_every_preset_has_its_sentence(page):
 
 def test_a_choice_is_predicted_beside_what_is_there(page, ride, wait_for):
     before = open_sequence(ride)
+    before_px = page.picture.geometry()
     page.fields.gain.setValue(0.2)
     assert shown(page, "peak")[1] == "\u2013"
+    wait_for(page.progress.isVisible)
+    assert page.picture.geometry() == before_px  # nothing jumps
     wait_for(lambda: page.after is not None)
     peak_n = before.tracks["realistic"].peak_n()
     assert shown(page, "peak") == [f"{peak_n:.2f} N", f"{peak_n / 2:.2f} N"]
@@ -236,6 +240,9 @@ def test_the_demo_stays_as_it_is(make_page, sequence, cache):
     page = make_page(demo)
     assert page.copy.isEnabled()
     assert not page.replace.isEnabled()
+    page.render_in_place()
+    assert not page.jobs.is_busy
+    assert page.area.isEnabled()
 
 
 def test_closing_stops_the_work(page, monkeypatch, wait_for):

@@ -1,5 +1,6 @@
 """Pictures of what an experimenter does with recordings: import, library, analysis."""
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -88,7 +89,7 @@ def _library(stage: Stage) -> Pictures:
         entry = page.chosen()
         yield "library-delete", stage.asked(lambda: page.is_sure(entry))
         yield "library-rename", stage.asked(page._rename)
-        page._show_status(
+        page.status.show_text(
             page.tr("Moved {title} to the bin.").format(title=entry.title)
         )
         page.undo.show()
@@ -97,7 +98,8 @@ def _library(stage: Stage) -> Pictures:
 
 
 def _rendering(stage: Stage) -> Pictures:
-    page = RenderingPage(stage.source.path, stage.source.title, Path(SHOWN))
+    folder = shutil.copytree(stage.source.path, stage.folder / "rendered")
+    page = RenderingPage(folder, stage.source.title, Path(SHOWN))
     with stage.shown(page):
         yield "rendering-reading", page.grab()
         stage.wait_until(lambda: page.before is not None)
