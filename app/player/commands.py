@@ -85,6 +85,7 @@ COMMANDS = (
     Command("grip", "&Grip view", "view", 0, ("G",), is_checkable=True),
     Command("sync_plot", "S&ync plot", "view", 0, ("S",), is_checkable=True),
     Command("statistics", "&Statistics", "view", 0, ("I",), is_checkable=True),
+    Command("rig", "Simulated &motion rig\u2026", "view", 0),
     Command("faults", "Inject fa&ults\u2026", "view", 0),
     Command("fullscreen", "&Fullscreen", "view", 1, ("F", "F11"), needs_clip=True),
     Command("shortcuts", "&Keyboard shortcuts\u2026", "help", 0, ("?", "F1")),

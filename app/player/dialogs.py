@@ -91,6 +91,7 @@ LATER = (
     "app.player.fault_panel",
     "app.player.keys_dialog",
     "app.player.latency_page",
+    "app.player.rig_panel",
     "app.player.setup_page",
     "app.player.share_page",
     "hapticplayer.study.creation",
@@ -320,6 +321,15 @@ class Dialogs(QObject):
 
         shown = self._window.findChild(FaultPanel)
         panel = shown or FaultPanel(clock, self._session, self._window)
+        panel.show()
+
+    def rig(self, clock: Clock) -> None:
+        """Show what a motion rig at the other end would do."""
+        from app.player.rig_panel import RigPanel
+
+        shown = self._window.findChild(RigPanel)
+        panel = shown or RigPanel(clock, self._window)
+        panel.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         panel.show()
 
     def latencies(self, clock: Clock) -> None:

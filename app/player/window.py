@@ -185,6 +185,7 @@ class PlayerWindow(QMainWindow):
             (commands.outlets, lambda: self.dialogs.outlets(self.clock)),
             (commands.get_to_know, lambda: self.dialogs.get_to_know(self.clock)),
             (commands.faults, lambda: self.dialogs.faults(self.clock)),
+            (commands.rig, lambda: self.dialogs.rig(self.clock)),
             (commands.latencies, lambda: self.dialogs.latencies(self.clock)),
             (commands.shortcuts, self.dialogs.shortcuts),
             (commands.about, self.dialogs.about),

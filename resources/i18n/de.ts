@@ -160,6 +160,10 @@
         <translation>&amp;Griffansicht</translation>
     </message>
     <message>
+        <source>Simulated &amp;motion rig…</source>
+        <translation>Simulierte &amp;Bewegungsplattform…</translation>
+    </message>
+    <message>
         <source>Inject fa&amp;ults…</source>
         <translation>&amp;Fehler einspeisen…</translation>
     </message>
@@ -2894,6 +2898,41 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>After</source>
         <translation>Nachher</translation>
+    </message>
+</context>
+<context>
+    <name>RigPanel</name>
+    <message>
+        <source>Listening on this computer at the ports {ports}. Play with --device rig:outsim, or let a game send its telemetry here.</source>
+        <translation>Hört auf diesem Rechner an den Ports {ports}. Spielen Sie mit --device rig:outsim ab oder lassen Sie ein Spiel seine Telemetrie hierher senden.</translation>
+    </message>
+    <message>
+        <source>Not listening</source>
+        <translation>Hört nicht</translation>
+    </message>
+    <message>
+        <source>Nothing has come yet</source>
+        <translation>Noch nichts empfangen</translation>
+    </message>
+    <message>
+        <source>{format}: out of reach, {share:.0%} of it is done</source>
+        <translation>{format}: außer Reichweite, {share:.0%} davon ausgeführt</translation>
+    </message>
+    <message>
+        <source>{format}: followed</source>
+        <translation>{format}: wird gefolgt</translation>
+    </message>
+    <message>
+        <source>Simulated motion rig</source>
+        <translation>Simulierte Bewegungsplattform</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Stop listening</source>
+        <translation>Nicht mehr hören</translation>
     </message>
 </context>
 <context>
@@ -5647,7 +5686,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>/dev/input/{node}: it has no such force feedback; devices that have: {known}</source>
@@ -6051,7 +6090,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>choose another clip</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie einen anderen Clip</translation>
     </message>
     <message>
         <source>choose another file, or replace it with --overwrite</source>
@@ -6071,7 +6110,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>closed</source>
-        <translation type="unfinished"></translation>
+        <translation>geschlossen</translation>
     </message>
     <message>
         <source>contents and checksums</source>
@@ -6407,7 +6446,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>its headers are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Kopfzeilen sind zu groß</translation>
     </message>
     <message>
         <source>its streams cannot be copied into {kind}</source>
@@ -6923,15 +6962,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the answer does not say which part it is</source>
-        <translation type="unfinished"></translation>
+        <translation>die Antwort sagt nicht, welcher Teil sie ist</translation>
     </message>
     <message>
         <source>the answer ended early</source>
-        <translation type="unfinished"></translation>
+        <translation>die Antwort endete zu früh</translation>
     </message>
     <message>
         <source>the answer has no length</source>
-        <translation type="unfinished"></translation>
+        <translation>die Antwort nennt keine Länge</translation>
     </message>
     <message>
         <source>the axes {text!r} mirror the motion; change one sign</source>
@@ -7103,7 +7142,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>timed out</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitüberschreitung</translation>
     </message>
     <message>
         <source>update hapticplayer here and where the clip is served</source>

@@ -160,6 +160,10 @@
         <translation>Vue de la &amp;poignée</translation>
     </message>
     <message>
+        <source>Simulated &amp;motion rig…</source>
+        <translation>Plate-forme de &amp;mouvement simulée…</translation>
+    </message>
+    <message>
         <source>Inject fa&amp;ults…</source>
         <translation>Injecter des dé&amp;fauts…</translation>
     </message>
@@ -2894,6 +2898,41 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>After</source>
         <translation>Après</translation>
+    </message>
+</context>
+<context>
+    <name>RigPanel</name>
+    <message>
+        <source>Listening on this computer at the ports {ports}. Play with --device rig:outsim, or let a game send its telemetry here.</source>
+        <translation>À l&apos;écoute sur cet ordinateur aux ports {ports}. Lisez avec --device rig:outsim, ou laissez un jeu envoyer sa télémétrie ici.</translation>
+    </message>
+    <message>
+        <source>Not listening</source>
+        <translation>Pas à l&apos;écoute</translation>
+    </message>
+    <message>
+        <source>Nothing has come yet</source>
+        <translation>Rien n&apos;est encore arrivé</translation>
+    </message>
+    <message>
+        <source>{format}: out of reach, {share:.0%} of it is done</source>
+        <translation>{format}&#xa0;: hors de portée, {share:.0%} exécutés</translation>
+    </message>
+    <message>
+        <source>{format}: followed</source>
+        <translation>{format}&#xa0;: suivi</translation>
+    </message>
+    <message>
+        <source>Simulated motion rig</source>
+        <translation>Plate-forme de mouvement simulée</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Fermer</translation>
+    </message>
+    <message>
+        <source>Stop listening</source>
+        <translation>Ne plus écouter</translation>
     </message>
 </context>
 <context>
@@ -5647,7 +5686,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>/dev/input/{node}: it has no such force feedback; devices that have: {known}</source>
@@ -6051,7 +6090,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>choose another clip</source>
-        <translation type="unfinished"></translation>
+        <translation>choisissez un autre clip</translation>
     </message>
     <message>
         <source>choose another file, or replace it with --overwrite</source>
@@ -6071,7 +6110,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>closed</source>
-        <translation type="unfinished"></translation>
+        <translation>fermé</translation>
     </message>
     <message>
         <source>contents and checksums</source>
@@ -6407,7 +6446,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>its headers are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>ses en-têtes sont trop grands</translation>
     </message>
     <message>
         <source>its streams cannot be copied into {kind}</source>
@@ -6923,15 +6962,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the answer does not say which part it is</source>
-        <translation type="unfinished"></translation>
+        <translation>la réponse ne dit pas quelle partie elle est</translation>
     </message>
     <message>
         <source>the answer ended early</source>
-        <translation type="unfinished"></translation>
+        <translation>la réponse s&apos;est terminée trop tôt</translation>
     </message>
     <message>
         <source>the answer has no length</source>
-        <translation type="unfinished"></translation>
+        <translation>la réponse n&apos;a pas de longueur</translation>
     </message>
     <message>
         <source>the axes {text!r} mirror the motion; change one sign</source>
@@ -7103,7 +7142,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>timed out</source>
-        <translation type="unfinished"></translation>
+        <translation>délai dépassé</translation>
     </message>
     <message>
         <source>update hapticplayer here and where the clip is served</source>

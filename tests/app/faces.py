@@ -47,6 +47,7 @@ from app.player.firmware_dialog import Question
 from app.player.keys_dialog import KeysDialog
 from app.player.latency_page import LatencyPage
 from app.player.outlets_page import OutletsPage
+from app.player.rig_panel import RigPanel
 from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
 from app.plots.grip_view import GripView
@@ -106,6 +107,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "feedback": lambda: ConditionDialog(["mine"], window),
         "faults": lambda: FaultPanel(window.clock, window.session, window),
         "outlets": lambda: OutletsPage(window.clock, window.session, window),
+        "rig": lambda: RigPanel(window.clock, window, (0,)),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "latencies": lambda: LatencyPage(
             window.clock, "simulated", window.settings, _no_player, window

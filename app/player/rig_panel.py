@@ -1,0 +1,95 @@
+"""What a motion rig would do: listens on this machine, and shows the platform."""
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QDialog, QLabel, QWidget
+
+from app.bridge.languages import translated
+from app.plots.rig_view import RigView
+from app.widgets import theme
+from app.widgets.buttons import text_button
+from app.widgets.layout import (
+    STRETCH,
+    fill_page,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
+from hapticplayer.clock import Clock
+from hapticplayer.devices.rig.packets import FORMATS
+from hapticplayer.errors import InputError, message_of
+from hapticplayer.simulation.rig.platform import Follower, reached
+from hapticplayer.simulation.rig.receiver import Ears
+
+POLL_MS = 33
+_WIDTH_PX, _HEIGHT_PX = 520, 480
+
+
+class RigPanel(QDialog):
+    """Stays beside the window; ports are open while it is."""
+
+    def __init__(
+        self, clock: Clock, parent: QWidget, ports: tuple[int, ...] | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._clock = clock
+        self._followers: dict[int, Follower] = {}
+        self.view, self.state = RigView(), QLabel()
+        self.hint = paragraph("", theme.DIM)
+        self.ears: Ears | None = None
+        wanted = ports or tuple(kind.port for kind in FORMATS.values())
+        try:
+            self.ears = Ears(clock, wanted)
+        except InputError as problem:
+            self.hint.setText(translated(message_of(problem)))
+        else:
+            self.hint.setText(
+                self.tr(
+                    "Listening on this computer at the ports {ports}. Play with "
+                    "--device rig:outsim, or let a game send its telemetry here."
+                ).format(ports=", ".join(map(str, self.ears.rigs)))
+            )
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(self.poll)
+        self._timer.start()
+        self.poll()
+
+    def poll(self) -> None:
+        """Take the packets that have come, and show where the platform is."""
+        if self.ears is None:
+            self.state.setText(self.tr("Not listening"))
+            return
+        newest = None
+        for port, at_s, heard in self.ears.listen(0.0):
+            follower = self._followers.setdefault(port, Follower())
+            newest = heard.format, follower.pose(heard, at_s)
+        if newest is not None:
+            name, asked = newest
+            pose, share = reached(asked)
+            self.view.show_pose(pose, is_clamped=share < 1.0)
+            self.state.setText(self._words(name, share))
+        elif not self._followers:
+            self.state.setText(self.tr("Nothing has come yet"))
+
+    def done(self, result: int) -> None:
+        """Close the ports."""
+        self._timer.stop()
+        if self.ears is not None:
+            self.ears.close()
+        super().done(result)
+
+    def _words(self, name: str, share: float) -> str:
+        if share < 1.0:
+            return self.tr("{format}: out of reach, {share:.0%} of it is done").format(
+                format=name, share=share
+            )
+        return self.tr("{format}: followed").format(format=name)
+
+    def _lay_out(self) -> None:
+        self.setWindowTitle(self.tr("Simulated motion rig"))
+        resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
+        self.state.setFont(theme.scaled(self.font(), 1.2, bold=True))
+        close = text_button(self.tr("Close"), self.tr("Stop listening"))
+        close.clicked.connect(self.reject)
+        fill_page(self, self.state, (self.view, 1), self.hint, row_of(STRETCH, close))

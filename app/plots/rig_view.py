@@ -1,0 +1,83 @@
+"""A motion rig's platform on its six legs, as seen from the left behind."""
+
+import math
+
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.widgets import theme
+from hapticplayer.model.arrays import Floats
+from hapticplayer.simulation.rig.platform import (
+    BASE_RADIUS_M,
+    HOME_M,
+    LONGEST_M,
+    SHORTEST_M,
+    Pose,
+    base_m,
+    legs_m,
+    platform_m,
+)
+
+LEAST_PX, WANTED_PX = QSize(180, 140), QSize(420, 300)
+_FROM_RAD, _ABOVE_RAD = math.radians(-35.0), math.radians(22.0)
+_SHOWN_M = 2.6 * BASE_RADIUS_M
+_NEAR_AN_END = 0.08
+
+
+class RigView(QWidget):
+    """Draws a pose; the front of the platform has a mark, legs near an end warn."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(LEAST_PX)
+        self.pose, self.is_clamped = Pose(), False
+
+    def sizeHint(self) -> QSize:
+        """Return a size at which everything can be seen."""
+        return WANTED_PX
+
+    def show_pose(self, pose: Pose, *, is_clamped: bool) -> None:
+        """Show a pose that the legs reach, and whether more was asked for."""
+        if (pose, is_clamped) != (self.pose, self.is_clamped):
+            self.pose, self.is_clamped = pose, is_clamped
+            self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw floor, legs and platform."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), QColor(theme.FLOOR))
+        floor, top = base_m(), platform_m(self.pose)
+        self._polygon(painter, floor, theme.GRID)
+        for below, above, length_m in zip(floor, top, legs_m(self.pose), strict=True):
+            spare = min(length_m - SHORTEST_M, LONGEST_M - length_m)
+            is_near = spare < _NEAR_AN_END * (LONGEST_M - SHORTEST_M)
+            pen = QPen(QColor(theme.WARN if is_near else theme.DIM), 5.0)
+            pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+            painter.setPen(pen)
+            painter.drawLine(self._seen(below), self._seen(above))
+        edge = theme.WARN if self.is_clamped else theme.ACCENT
+        self._polygon(painter, top, edge, filled=theme.RAISED)
+        painter.setPen(QPen(QColor(edge), 4.0))
+        front = 0.5 * (top[0] + top[1])  # between the two joints in front
+        painter.drawLine(self._seen(top.mean(axis=0)), self._seen(front))
+
+    def _polygon(
+        self, painter: QPainter, points: Floats, edge: str, filled: str = ""
+    ) -> None:
+        painter.setPen(QPen(QColor(edge), 2.0))
+        painter.setBrush(QColor(filled) if filled else Qt.BrushStyle.NoBrush)
+        painter.drawPolygon(QPolygonF([self._seen(point) for point in points]))
+
+    def _seen(self, point: Floats) -> QPointF:
+        """Return where a point of the room is on the widget, in parallel projection."""
+        x, y, z = (float(value) for value in point)
+        c, s = math.cos(_FROM_RAD), math.sin(_FROM_RAD)
+        across, away = c * x + s * y, c * y - s * x
+        up = math.cos(_ABOVE_RAD) * (z - 0.5 * HOME_M) + math.sin(_ABOVE_RAD) * away
+        scale = min(self.width(), self.height()) / _SHOWN_M
+        return QPointF(
+            0.5 * self.width() + scale * across, 0.5 * self.height() - scale * up
+        )

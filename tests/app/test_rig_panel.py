@@ -1,0 +1,51 @@
+"""The simulated rig in the window: it follows packets, and tells what is out of reach."""
+
+import socket
+
+import pytest
+
+from app.player.rig_panel import RigPanel
+from hapticplayer.clock import SystemClock
+from hapticplayer.devices.rig.packets import outsim
+from hapticplayer.devices.rig.settings import RigSettings
+from hapticplayer.model.rig import RigMotion
+from hapticplayer.simulation.rig.platform import Pose
+
+
+@pytest.fixture
+def panel(qtbot):
+    made = RigPanel(SystemClock(), None, (0,))
+    qtbot.addWidget(made)
+    yield made
+    made.done(0)
+
+
+def send(panel, **values):
+    (port,) = panel.ears.rigs
+    motion = RigMotion(*[0.0] * len(RigMotion._fields))._replace(**values)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
+        end.sendto(outsim(motion, 1.0, RigSettings()), ("127.0.0.1", port))
+
+
+def test_a_packet_moves_the_platform(panel, wait_for):
+    assert panel.state.text() == "Nothing has come yet"
+    send(panel, pitch_rad=0.1)
+    wait_for(lambda: panel.view.pose.pitch_rad == pytest.approx(0.1))
+    assert not panel.view.is_clamped
+    assert panel.state.text() == "outsim: followed"
+
+
+def test_what_is_out_of_reach_is_held_back_and_told(panel, wait_for):
+    send(panel, up_mps2=30.0)
+    wait_for(lambda: panel.view.is_clamped)
+    assert 0.05 < panel.view.pose.up_m < 0.3
+    assert "out of reach" in panel.state.text()
+
+
+def test_a_port_that_is_taken_is_told(panel, qtbot):
+    other = RigPanel(SystemClock(), None, tuple(panel.ears.rigs))
+    qtbot.addWidget(other)
+    assert other.state.text() == "Not listening"
+    assert "cannot be opened" in other.hint.text()
+    assert other.view.pose == Pose()
+    other.done(0)
