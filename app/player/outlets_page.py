@@ -59,6 +59,32 @@ def state_text(outlet: OutletState) -> str:
     return mode_text(outlet.mode)
 
 
+class RigTest:
+    """A test of a rig, from its beginning until its processes have ended.
+
+    `was_muted` is whether a person had silenced the outlet before.
+    """
+
+    def __init__(self, name: str, was_muted: bool) -> None:
+        self.name, self.was_muted = name, was_muted
+        self._releaser: threading.Thread | None = None
+
+    def release(self, player: ForcePlayer) -> None:
+        """Let the rig come to rest, in a thread of its own."""
+        self._releaser = threading.Thread(target=player.close, name="rig-test")
+        self._releaser.start()
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether it is over."""
+        return self._releaser is not None and not self._releaser.is_alive()
+
+    def wait(self) -> None:
+        """Wait until it is over."""
+        if self._releaser is not None:
+            self._releaser.join()
+
+
 class OutletsPage(QDialog):
     """Stays beside the window; what stops the force there stops a test here, too."""
 
@@ -69,6 +95,7 @@ class OutletsPage(QDialog):
         self._clock, self._session, self._player = clock, session, session.player
         session.stopped.connect(self.end_test)
         self.tested: ForcePlayer | None = None
+        self._test: RigTest | None = None
         self._shown: list[str] = []
         self.states: dict[str, QLabel] = {}
         self.tests: dict[str, QWidget] = {}
@@ -111,12 +138,17 @@ class OutletsPage(QDialog):
         if self.tested is not None:
             self.end_test()
             return
+        if self._test is not None:  # the last one still comes to rest
+            return
         self._player.pause()
         try:
             self.tested = ForcePlayer(self._clock, name, rig_demonstration()[0])
         except HapticPlayerError as problem:
             self._say(translated(message_of(problem)))
             return
+        # the player's own packets to the same rig would alternate with these
+        self._test = RigTest(name, self.mutes[name].isChecked())
+        self.mute(name, is_muted=True)
         self._say(
             self.tr("The rig moves gently, one axis after the other. Esc stops it.")
         )
@@ -127,7 +159,17 @@ class OutletsPage(QDialog):
         if player is not None:
             self._say(translated(player.problem))
             player.stop()
-            threading.Thread(target=player.close, name="rig-test").start()
+            if self._test is not None:
+                self._test.release(player)
+
+    def _note_rest(self) -> None:
+        """Let an outlet play again once its test has come to rest."""
+        test = self._test
+        if test is None or not test.is_at_rest:
+            return
+        self._test = None
+        if test.name in self._names():
+            self.mute(test.name, is_muted=test.was_muted)
 
     def reject(self) -> None:
         """Stop before anything else; Escape comes here too."""
@@ -138,6 +180,9 @@ class OutletsPage(QDialog):
         """Close; the outlets go on."""
         self.end_test()
         self._timer.stop()
+        if self._test is not None:
+            self._test.wait()
+            self._note_rest()
         super().done(result)
 
     def close_jobs(self) -> None:
@@ -157,6 +202,7 @@ class OutletsPage(QDialog):
             self.tested.poll()
             if self.tested.is_over:
                 self.end_test()
+        self._note_rest()
         for outlet in now.outlets:
             self.states[outlet.name].setText(state_text(outlet))
             self.mutes[outlet.name].setChecked(outlet.is_muted)

@@ -83,6 +83,11 @@ class ForceOutput:
         self._releasing.append((processes.device, thread))
         thread.start()
 
+    @property
+    def is_releasing(self) -> bool:
+        """Whether a former device still comes to rest."""
+        return any(thread.is_alive() for _, thread in self._releasing)
+
     def wait_released(self, *, hardware_only: bool = False) -> None:
         """Wait until all former devices, or all hardware, can be opened by others."""
         for device, thread in self._releasing:
@@ -192,8 +197,8 @@ class ForceOutput:
             self._compare("sound", self.audio)
         if self._reporter.log is not None:
             self._reporter.log.ticks(records)
-            self._log_modes(records, lost)
             self._log_sync()
+        self._log_modes(records, lost)
 
     def _compare(self, what: str, meter: SyncMeter) -> None:
         """Measure how much later the force came, and report what can be felt."""

@@ -54,9 +54,15 @@ class _Tagged(Reporter):
 
 
 class Outlet:
-    """One of them."""
+    """One of them; it waits in neutral until those that were released are at rest.
 
-    def __init__(self, name: str, output: ForceOutput) -> None:
+    They may drive the same rig, and packets of both would alternate.
+    """
+
+    def __init__(
+        self, name: str, output: ForceOutput, before: Sequence[ForceOutput] = ()
+    ) -> None:
+        self._before = before
         entry = find_device(name)
         chosen = settings_of(entry)
         self.name, self.output = name, output
@@ -94,6 +100,7 @@ class Outlet:
         """Publish where the clip is, with the condition that the player plays."""
         wanted = (self.feedback or feedback) if feedback else NO_TRACK
         is_on = wanted in self._names and not self.is_muted
+        is_on = is_on and not any(one.is_releasing for one in self._before)
         ahead = clock.ahead(self.latency_s)
         self.output.processes.publish(ahead, wanted if is_on else NO_TRACK)
 
@@ -160,19 +167,22 @@ class Outlets:
 
         Raises:
             DeviceError: for a name or settings that are not allowed.
+            UsageError: when two of them send the same to one address.
             HapticsError: when processes cannot be started.
         """
+        _refuse_alike(names)
         for name in self._all.keys() - set(names):
             released = self._all.pop(name).output
             released.release()
             self._released.append(released)
+        self._released = [one for one in self._released if one.is_releasing]
         new = [name for name in names if name not in self._all]
         for name in new:
             reporter = _Tagged(self._clock, self._reporter, name)
             output = ForceOutput(
                 self._clock, reporter, name, self._scheduling, self._make
             )
-            self._all[name] = Outlet(name, output)
+            self._all[name] = Outlet(name, output, tuple(self._released))
             self._all[name].set_latencies(self._latencies)
         self._hand_over(self._all[name] for name in new)
 
@@ -246,3 +256,18 @@ class Outlets:
             one.output.close()
         for output in self._released:
             output.wait_released()
+
+
+def _refuse_alike(names: Sequence[str]) -> None:
+    taken: set[tuple[str, str]] = set()
+    for name in names:
+        chosen = settings_of(find_device(name))
+        if chosen is None:
+            continue
+        if (chosen.format.name, chosen.address) in taken:
+            raise UsageError(
+                "two outlets send {format} to {address}; keep one of them",
+                format=chosen.format.name,
+                address=chosen.address,
+            )
+        taken.add((chosen.format.name, chosen.address))

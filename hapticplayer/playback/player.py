@@ -191,16 +191,22 @@ class Player:
         self._reporter.event("outlets", outlets=list(names))
 
     def set_outlet(
-        self, name: str, *, feedback: str = "", is_muted: bool = False
+        self, name: str, *, feedback: str | None = None, is_muted: bool | None = None
     ) -> None:
         """Give an outlet a condition of its own ("" for the player's), or mute it.
+
+        None keeps what is.
 
         Raises:
             UsageError: when there is no such outlet.
         """
         outlet = self._outlets[name]
-        outlet.feedback, outlet.is_muted = feedback, is_muted
-        self._reporter.event("outlet", outlet=name, feedback=feedback, muted=is_muted)
+        if feedback is not None:
+            outlet.feedback = feedback
+        if is_muted is not None:
+            outlet.is_muted = is_muted
+        now = {"feedback": outlet.feedback, "muted": outlet.is_muted}
+        self._reporter.event("outlet", outlet=name, **now)
 
     def wait_ready(self) -> None:
         """Wait for device and outlets; see `HapticsProcesses.wait_ready`."""

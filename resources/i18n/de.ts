@@ -7145,6 +7145,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Zeitüberschreitung</translation>
     </message>
     <message>
+        <source>two outlets send {format} to {address}; keep one of them</source>
+        <translation>zwei Ausgaben senden {format} an {address}; behalten Sie eine davon</translation>
+    </message>
+    <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation>hapticplayer hier und beim Anbieter aktualisieren</translation>
     </message>

@@ -7145,6 +7145,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>délai dépassé</translation>
     </message>
     <message>
+        <source>two outlets send {format} to {address}; keep one of them</source>
+        <translation>deux sorties envoient {format} à {address}&#xa0;; n’en gardez qu’une</translation>
+    </message>
+    <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation>mettez hapticplayer à jour ici et là où le clip est servi</translation>
     </message>

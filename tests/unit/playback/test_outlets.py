@@ -1,5 +1,7 @@
 """Several outlets: each gets its signal and its clock; what one does leaves the others."""
 
+import threading
+
 import numpy as np
 import pytest
 
@@ -12,6 +14,7 @@ from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.outlets import NO_MOTION, Outlets
+from hapticplayer.playback.player import Player
 
 RIG, OTHER = "rig:outsim,gain=0.5,latency_ms=40", "rig:beamng"
 TRACKS = {
@@ -174,6 +177,55 @@ def test_what_is_not_named_any_more_is_released(outlets):
         outlets[OTHER]
 
 
+def test_a_new_outlet_waits_for_those_that_come_to_rest(outlets):
+    at_rest = threading.Event()
+    processes_of(outlets, RIG).close = at_rest.wait
+    louder = "rig:outsim,gain=0.6"
+    outlets.use([louder, OTHER])
+    outlets.poll(CLOCK, "realistic")
+    assert processes_of(outlets, louder).published[-1][1] == ""
+    assert processes_of(outlets, OTHER).published[-1][1] == "realistic"
+    released = outlets._released[0]
+    at_rest.set()
+    released.wait_released()
+    outlets.poll(CLOCK, "realistic")
+    assert processes_of(outlets, louder).published[-1][1] == "realistic"
+
+
+def test_two_outlets_may_not_drive_one_rig(outlets):
+    with pytest.raises(UsageError, match="two outlets send outsim to 127"):
+        outlets.use([RIG, "rig:outsim,gain=0.6"])
+    outlets.use([RIG, "rig:beamng,127.0.0.1:4123"])  # told apart by their content
+
+
+def test_modes_of_an_outlet_are_logged_with_its_name(outlets):
+    lines = []
+    outlets._reporter.line = lambda kind, **fields: lines.append(
+        {"kind": kind, **fields}
+    )
+    ticks = np.zeros(2, TICK)
+    ticks["mode"] = Mode.FOLLOWING, Mode.RAMPING
+    processes_of(outlets, OTHER).ticks = ticks
+    outlets.poll(CLOCK, "realistic")
+    assert [(one["name"], one["outlet"]) for one in lines] == [
+        ("force_following", OTHER),
+        ("ramp", OTHER),
+    ]
+
+
 def test_settings_that_are_not_allowed_are_refused(outlets):
     with pytest.raises(DeviceError, match="rate must be between"):
         outlets.use(["rig:outsim,rate=5"])
+
+
+def test_the_player_keeps_what_is_not_changed(manual_clock):
+    player = Player(manual_clock, audio=None, haptics=Processes)
+    player.set_outlets([RIG, "gamepad"])
+    player.set_outlet("gamepad", feedback="random")
+    player.set_outlet("gamepad", is_muted=True)
+    state = {one.name: one for one in player.snapshot().outlets}["gamepad"]
+    assert (state.feedback, state.is_muted) == ("random", True)
+    player.set_outlet("gamepad", is_muted=False)
+    state = {one.name: one for one in player.snapshot().outlets}["gamepad"]
+    assert (state.feedback, state.is_muted) == ("random", False)
+    player.close()
