@@ -191,10 +191,32 @@ class EditingLanes(Lanes):
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Offer the effect of an event."""
-        number = self.event_at(QPointF(event.pos()))
-        if number is not None:
+        """Offer the effect of an event, or what can be done with an effect."""
+        at = QPointF(event.pos())
+        held, number = self.effect_at(at), self.event_at(at)
+        if held is not None:
+            self.editing.document.select(held.number)
+            self._offer_changes(event.globalPos())
+        elif number is not None:
             self.offer(number, event.globalPos())
+
+    def _offer_changes(self, at: QPoint) -> None:
+        self.menu = menu = self._new_menu()
+        effect = self.editing.document.effect
+        is_on = effect is not None and effect.enabled
+        switch = self.tr("Switch off") if is_on else self.tr("Switch on")
+        for text, action in (
+            (switch, self.editing.toggle),
+            (self.tr("Duplicate"), self.editing.duplicate),
+            (self.tr("Delete"), self.editing.delete),
+        ):
+            menu.addAction(text).triggered.connect(action)
+        menu.popup(at)
+
+    def _new_menu(self) -> QMenu:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        return menu
 
     # --- events ----------------------------------------------------------------
 
@@ -202,8 +224,7 @@ class EditingLanes(Lanes):
         """Ask whether an effect is to be made of an event; by itself none is."""
         event = self.events[number]
         self.point_at(event.start_s)
-        self.menu = menu = QMenu(self)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.menu = menu = self._new_menu()
         menu.addAction(event_text(event)).setEnabled(False)
         menu.addSeparator()
         effect = event.effect

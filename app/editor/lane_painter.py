@@ -18,7 +18,7 @@ translate = QCoreApplication.translate
 
 RULER_PX, EVENTS_PX, MARGIN_PX = 20, 22, 5
 LEAST_FORCE_N = 1.0
-_TICK_PX, _CURVE_PX = 90, 1.4
+_TICK_PX, _APART_PX = 90, 0.4
 _SOUND_SHARE = 0.8  # of the height of a curve
 _ROW_PX, _LEAST_ROW_PX = 24, 7
 
@@ -124,10 +124,23 @@ def paint_curves(
     for axis, lane in enumerate(lanes.axes):
         room = 0.5 * lane.height() - MARGIN_PX
         y = lane.center().y() - room / half_n * page.values[:, axis]
-        painter.setPen(QPen(QColor(colours[axis]), _CURVE_PX))
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.drawPolyline(_polygon(x, y))
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
+        _stroke(painter, _polygon(x, y), QColor(colours[axis]))
+
+
+def _stroke(painter: QPainter, line: QPolygonF, colour: QColor) -> None:
+    """Draw a line 1.5 px wide out of some that are as thin as a pixel of the screen.
+
+    Qt has a fast way for those alone: 0.3 ms for 2300 points, 26 ms for any wider pen.
+    """
+    pen = QPen(colour)
+    pen.setCosmetic(True)
+    painter.setPen(pen)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    count = 1 + round(painter.device().devicePixelRatioF())
+    for number in range(count):
+        aside = _APART_PX * (number - 0.5 * (count - 1))
+        painter.drawPolyline(line.translated(aside, aside))
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
 
 
 def paint_loop(

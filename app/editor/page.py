@@ -180,7 +180,7 @@ class EditorPage(QDialog):
         self.bar.valueChanged.connect(self._on_scrolled)
         self.view.changed.connect(self._show_scroll)
         self.lanes.pointed.connect(self._on_pointed)
-        self.job_bar.cancelled.connect(self.reject)
+        self.job_bar.cancelled.connect(self._cancel)
 
     def _lay_out(self) -> None:
         self.setWindowTitle(f"{self.tr('Edit effects')}[*]")
@@ -279,6 +279,14 @@ class EditorPage(QDialog):
         self._end()
         super().reject()
 
+    def _cancel(self) -> None:
+        """Stop saving, of which nothing is kept; or reading, and then close."""
+        if self.loaded is None:
+            self.reject()
+        else:
+            self._closes_when_saved = False
+            self.jobs.cancel()
+
     def _may_close(self) -> bool:
         """Ask; where the changes are to be saved, the page closes after that."""
         buttons = QMessageBox.StandardButton
@@ -339,6 +347,7 @@ class EditorPage(QDialog):
         assert self.loaded is not None  # it was saved
         self.loaded = self.loaded._replace(source=source)
         self._set_usable(is_usable=True)
+        self.lanes.setFocus()
         self._show_force(source.tracks[Feedback.REALISTIC.value])
         self.saved.emit(self.folder)
         if self._closes_when_saved:
@@ -380,6 +389,9 @@ class EditorPage(QDialog):
         self.jobs.poll()
         if not self.jobs.is_busy:
             self.job_bar.hide()
+            if self.loaded is not None and not self.lanes.isEnabled():
+                self._set_usable(is_usable=True)  # saving was cancelled
+                self.lanes.setFocus()
         if self.live is not None:
             self.live.poll()
         self.comparison.poll()

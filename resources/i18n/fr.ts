@@ -578,6 +578,22 @@
         <translation>Ligne de temps</translation>
     </message>
     <message>
+        <source>Switch off</source>
+        <translation>Désactiver</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>Activer</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
         <source>Add the effect: {name}, {span}</source>
         <translation>Ajouter l’effet&#xa0;: {name}, {span}</translation>
     </message>

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from faces import make_player
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QDropEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QDropEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
@@ -230,3 +230,36 @@ def test_a_click_beside_effects_selects_none(page):
     QTest.mouseClick(page.lanes, Qt.MouseButton.LeftButton, Qt.KeyboardModifier(0), at)
     assert page.document.selected is None
     assert page.panel.hint.isVisible()
+
+
+def test_saving_can_be_cancelled_and_nothing_is_written(
+    page, folder, monkeypatch, wait_for
+):
+    page.document.select(0)
+    page.panel.delete.click()
+
+    def never_ends(_work, *_arguments, progress):
+        while True:
+            progress(0.1, "waiting")
+            QTest.qSleep(1)
+
+    monkeypatch.setattr("app.editor.page.in_child", never_ends)
+    page.save_button.click()
+    page.reject()
+    assert page.isVisible()  # it is being saved
+    page.job_bar.cancelled.emit()
+    wait_for(page.lanes.isEnabled)
+    assert not page.document.stack.isClean()
+    assert store.effects_of(open_sequence(folder)) == EFFECTS
+
+
+def test_a_menu_switches_and_deletes_an_effect(page, qtbot):
+    lanes, at = page.lanes, page.lanes.effect_box(1).center().toPoint()
+    for row in (0, 2):
+        reason = QContextMenuEvent.Reason.Mouse
+        lanes.contextMenuEvent(QContextMenuEvent(reason, at, lanes.mapToGlobal(at)))
+        lanes.menu.actions()[row].trigger()
+        lanes.menu.close()
+        if row == 0:
+            assert not page.document.effects.effects[1].enabled
+    assert [one.kind for one in page.document.effects.effects] == ["gain"]
