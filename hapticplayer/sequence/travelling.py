@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from hapticplayer.errors import Message, SequenceError
 from hapticplayer.media.matroska import Attachment
+from hapticplayer.model import Feedback
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.packed import MANIFEST, Packed
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular
@@ -119,8 +120,18 @@ def attachment_of(name: str, content: bytes) -> Attachment:
 def _contents(
     sequence: store.Sequence, attached: Iterable[Attachment], inside_bytes: int = 0
 ) -> Contents:
+    added = {
+        one["file"]: name
+        for name, one in sequence.description["feedbacks"].items()
+        if "file" in one and name not in tuple(Feedback)
+    }
     parts = tuple(
-        Part(one.name, _text_of(one.name), one.media_type, len(one.content))
+        Part(
+            one.name,
+            _text_of(one.name, added.get(one.name)),
+            one.media_type,
+            len(one.content),
+        )
         for one in attached
     )
     clip = sequence.clip
@@ -133,7 +144,10 @@ def _contents(
     )
 
 
-def _text_of(name: str) -> str:
+def _text_of(name: str, feedback: str | None) -> str:
+    """Return what a file is; of an added track, whose file has a number, with its name."""
+    if feedback is not None:
+        return Message("force {name!r}, N, lossless", name=feedback)
     if name.endswith(".hjif"):
         return Message("force for other programs")
     return next((text for begin, text in _TEXTS if name.startswith(begin)), "")

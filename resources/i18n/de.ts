@@ -6241,6 +6241,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Kraftvektor, jede Millisekunde</translation>
     </message>
     <message>
+        <source>force {name!r}, N, lossless</source>
+        <translation>Kraft {name!r}, N, verlustfrei</translation>
+    </message>
+    <message>
         <source>force, N, lossless</source>
         <translation>Kraft, N, verlustfrei</translation>
     </message>

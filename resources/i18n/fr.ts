@@ -6241,6 +6241,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>vecteur de force, chaque milliseconde</translation>
     </message>
     <message>
+        <source>force {name!r}, N, lossless</source>
+        <translation>force {name!r}, N, sans perte</translation>
+    </message>
+    <message>
         <source>force, N, lossless</source>
         <translation>force, N, sans perte</translation>
     </message>

@@ -14,7 +14,7 @@ from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, UsageE
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import MATROSKA, Additions, remux, video_payload
-from hapticplayer.model import Mapping
+from hapticplayer.model import ForceTrack, Mapping
 from hapticplayer.sequence import editing, open_sequence, verify_sequence
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
@@ -84,6 +84,14 @@ def test_the_mp4_names_its_side_car_and_plays_alone(sequence_folder, tmp_path):
         read_packed(tmp_path / "ride.haptics.mkv")
     (tmp_path / "ride.haptics.mkv").unlink()
     assert read_packed(tmp_path / "ride.mp4") is None
+
+
+def test_an_added_track_is_listed_by_its_name(sequence_folder):
+    track = ForceTrack([0.0, 0.5], np.ones((2, 3)))
+    editing.add_track(sequence_folder, "bump", lambda _duration_s: track)
+    texts = [str(part.text) for part in contents(sequence_folder).attached]
+    assert "force 'bump', N, lossless" in texts
+    assert texts.count("force, N, lossless") == 2
 
 
 def test_the_listing_says_what_is_written(sequence_folder, tmp_path):
