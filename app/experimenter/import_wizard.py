@@ -3,16 +3,15 @@
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QDialog,
     QHBoxLayout,
     QLabel,
     QStackedWidget,
     QWidget,
 )
 
-from app.bridge.jobs import Jobs, Progress, in_child
+from app.bridge.jobs import Progress, in_child
 from app.bridge.languages import translated
 from app.experimenter.import_files import FilesPage
 from app.experimenter.import_mounting import MountingPage
@@ -20,11 +19,11 @@ from app.experimenter.import_sync import SyncPage
 from app.experimenter.quality_view import QualityView
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import (
     STRETCH,
     column_of,
     paragraph,
-    resize_within_screen,
     row_of,
 )
 from app.widgets.messages import JobRow
@@ -38,12 +37,11 @@ from hapticplayer.sequence.store import DESCRIPTION
 from hapticplayer.sequence.synchronizing import SyncChoices
 
 WIDTH_PX, HEIGHT_PX = 940, 640
-_POLL_MS = 30
 _PARTS = 1000
 FILES, SYNC, MOUNTING, REPORT = range(4)
 
 
-class ImportWizard(QDialog):
+class ImportWizard(JobDialog):
     """Leads through an import; what is uncertain has to be confirmed."""
 
     play_wanted = Signal(object)
@@ -52,23 +50,18 @@ class ImportWizard(QDialog):
     def __init__(
         self, folder: str, library: Path, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
+        super().__init__((WIDTH_PX, HEIGHT_PX), parent)
         self.setWindowTitle(self.tr("Import a recording"))
-        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.recognised: Recognised | None = None
         self.made: Path | None = None
-        self._is_leaving = False
         self._is_stale = False
         self.files, self.sync = FilesPage(folder), SyncPage()
         self.mounting, self.report = MountingPage(library), QualityView()
-        self.jobs = Jobs(self._on_failed)
         self._lay_out()
         self.files.changed.connect(self._look)
         self.sync.decided.connect(self._show_buttons)
         self.sync.method_chosen.connect(self._look)
-        self._timer = QTimer(self)
-        self._timer.timeout.connect(self._poll)
-        self._timer.start(_POLL_MS)
+        self.begin()
         self.go_to(FILES)
 
     # --- building ------------------------------------------------------------
@@ -183,7 +176,7 @@ class ImportWizard(QDialog):
 
     def _look(self) -> None:
         """Read the files that are chosen now; what was typed last may come too late."""
-        if self._is_leaving:
+        if self.is_leaving:
             return
         self.recognised = None
         self.files.forget()
@@ -213,7 +206,8 @@ class ImportWizard(QDialog):
         self.sync.show_found(found)
         self.mounting.show_found(found)
 
-    def _on_failed(self, problem: BaseException) -> None:
+    def on_failed(self, problem: BaseException) -> None:
+        """Tell what went wrong."""
         if self._is_stale:
             return
         if not isinstance(problem, HapticPlayerError):
@@ -273,38 +267,25 @@ class ImportWizard(QDialog):
 
     # --- what happens by itself ----------------------------------------------
 
-    def _poll(self) -> None:
+    def poll(self) -> None:
+        """Show how far the work is, and what came of it."""
         was_busy = self.jobs.is_busy
         self.jobs.poll()
         self.sync.poll()
         self.progress.show_state(self.jobs.state())
         if was_busy and not self.jobs.is_busy:
-            if self._is_leaving:
-                super().reject()
-            elif self._is_stale:
+            if self._is_stale and not self.is_leaving:
                 self._is_stale = False
                 self._look()
             else:
                 self._show_buttons()
 
-    def reject(self) -> None:
-        """Close; work that runs is stopped first, without holding the window up."""
+    def cancel_jobs(self) -> None:
+        """Ask what runs to stop."""
+        super().cancel_jobs()
         self.sync.close_jobs()
-        self._is_leaving = True
-        if self.jobs.is_busy:
-            self.jobs.cancel()
-            self.hide()
-        else:
-            super().reject()
-
-    def done(self, result: int) -> None:
-        """Let nothing run on, nor begin."""
-        self._is_leaving = True
-        self.close_jobs()
-        super().done(result)
 
     def close_jobs(self) -> None:
         """Stop what runs and wait for it; the program ends."""
-        self._timer.stop()
-        self.jobs.close()
+        super().close_jobs()
         self.sync.close_jobs()

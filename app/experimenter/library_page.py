@@ -2,10 +2,9 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QFile, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QFile, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QImage, QPixmap
 from PySide6.QtWidgets import (
-    QDialog,
     QHBoxLayout,
     QLabel,
     QLineEdit,
@@ -17,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Job, Jobs, Progress, in_child
+from app.bridge.jobs import Job, Progress, in_child
 from app.bridge.languages import translated
 from app.experimenter.library_details import LibraryDetails
 from app.experimenter.quality_view import colour_of, mark_name
@@ -25,6 +24,7 @@ from app.experimenter.rendering_page import RenderingPage
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import folder_dialog
+from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import ElidedLabel, ask_text
 from app.widgets.messages import JobRow, StatusLine
 from app.widgets.texts import date_text, quoted, time_text
@@ -38,13 +38,12 @@ from hapticplayer.sequence.report import Mark, worst
 
 WIDTH_PX, HEIGHT_PX = 1080, 680
 THUMBNAIL_PX = 72
-_POLL_MS = 40
 _ENTRY = int(Qt.ItemDataRole.UserRole)
 _LEFT_PX, _RIGHT_PX = 480, 600
 _LONGEST = 80  # characters of a title in a question
 
 
-class LibraryPage(QDialog):
+class LibraryPage(JobDialog):
     """Shows what lies in the library; one piece of work at a time."""
 
     open_wanted = Signal(object)
@@ -53,17 +52,13 @@ class LibraryPage(QDialog):
     library_chosen = Signal(object)
 
     def __init__(self, library: Path, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__((WIDTH_PX, HEIGHT_PX), parent)
         self.setWindowTitle(self.tr("Library"))
-        room = self.screen().availableGeometry()
-        self.resize(min(WIDTH_PX, room.width()), min(HEIGHT_PX, room.height()))
         self.library = library
-        self.jobs = Jobs(self._on_failed)
         self._job: Job[list[Thumbnail | None]] | None = None
         self._pictured: list[Path] = []
         self._thumbnails: dict[Path, QIcon] = {}
         self._binned: tuple[Path, Path] | None = None
-        self._is_leaving = False
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Search"))
         self.search.setAccessibleName(self.tr("Search"))
@@ -86,9 +81,7 @@ class LibraryPage(QDialog):
         self.details.rendering_wanted.connect(self.open_rendering)
         self.status = StatusLine()
         self._lay_out()
-        self._timer = QTimer(self)
-        self._timer.timeout.connect(self._poll)
-        self._timer.start(_POLL_MS)
+        self.begin()
         self.refresh()
         self.list.setFocus()
 
@@ -277,7 +270,7 @@ class LibraryPage(QDialog):
         try:
             rename_sequence(entry.folder, title)
         except HapticPlayerError as problem:
-            self._on_failed(problem)
+            self.on_failed(problem)
         self.refresh()
 
     def open_rendering(self, entry: Entry) -> RenderingPage | None:
@@ -374,18 +367,18 @@ class LibraryPage(QDialog):
         self.jobs.run(title, work, done)  # type: ignore[arg-type]
         self._on_chosen()
 
-    def _on_failed(self, problem: BaseException) -> None:
+    def on_failed(self, problem: BaseException) -> None:
+        """Tell what went wrong."""
         self.status.show_problem(problem)
 
-    def _poll(self) -> None:
+    def poll(self) -> None:
+        """Show how far the work is, and what came of it."""
         was_busy = self.jobs.is_busy
         self.jobs.poll()
         self.progress.show_state(self.jobs.state())
         if was_busy and not self.jobs.is_busy:
             self._on_chosen()
         self._poll_pictures()
-        if self._is_leaving and not self._is_working:
-            super().reject()
 
     def _poll_pictures(self) -> None:
         """Take over thumbnails of clips, and ask for those that are missing."""
@@ -401,7 +394,7 @@ class LibraryPage(QDialog):
             return
         held = [self.list.item(row).data(_ENTRY) for row in range(self.list.count())]
         wanted = [e for e in held if e.folder not in self._thumbnails and e.clip][:16]
-        if wanted and not self._is_leaving:
+        if wanted and not self.is_leaving:
             self._pictured = [entry.folder for entry in wanted]
             clips = [entry.clip for entry in wanted]
             self._job = Job(
@@ -422,31 +415,21 @@ class LibraryPage(QDialog):
 
     # --- the end -------------------------------------------------------------
 
-    def reject(self) -> None:
-        """Close; work that runs is stopped first, without holding the window up."""
-        if self._is_working:
-            self._is_leaving = True
-            self.jobs.cancel()
-            if self._job is not None:
-                self._job.cancel()
-            self.hide()
-        else:
-            super().reject()
+    def cancel_jobs(self) -> None:
+        """Ask what runs to stop."""
+        super().cancel_jobs()
+        if self._job is not None:
+            self._job.cancel()
 
     @property
-    def _is_working(self) -> bool:
+    def is_working(self) -> bool:
+        """Whether closing has to wait for something."""
         is_looking = self._job is not None and not self._job.is_done
-        return self.jobs.is_busy or is_looking
-
-    def done(self, result: int) -> None:
-        """Let nothing run on."""
-        self.close_jobs()
-        super().done(result)
+        return super().is_working or is_looking
 
     def close_jobs(self) -> None:
         """Stop what runs and wait for it."""
-        self._timer.stop()
-        self.jobs.close()
+        super().close_jobs()
         for page in self.findChildren(RenderingPage):
             page.close_jobs()
         if self._job is not None:

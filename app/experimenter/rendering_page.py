@@ -4,9 +4,8 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QDialog,
     QFormLayout,
     QGridLayout,
     QHBoxLayout,
@@ -15,19 +14,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Jobs, Progress, in_child
+from app.bridge.jobs import Progress, in_child
 from app.bridge.languages import translated
 from app.experimenter.rendering_fields import Chosen, RenderingFields
 from app.plots.rendering_picture import RenderingPicture
 from app.widgets import theme
 from app.widgets.buttons import text_button
+from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import (
     ElidedLabel,
     ask_text,
     column_of,
     fill_page,
     paragraph,
-    resize_within_screen,
     row_of,
     scrolling,
 )
@@ -47,13 +46,12 @@ from hapticplayer.sequence.files import cache_root
 from hapticplayer.sequence.library import free_name
 
 WIDTH_PX, HEIGHT_PX = 1080, 680
-_POLL_MS = 40
 _SETTLE_POLLS = 8
 _PARTS = 1000
 _DASH = "\u2013"
 
 
-class RenderingPage(QDialog):
+class RenderingPage(JobDialog):
     """Fields on the left, before and after on the right.
 
     `changed` has the folder of the sequence that was rendered again, `made` that of a
@@ -66,15 +64,13 @@ class RenderingPage(QDialog):
     def __init__(
         self, folder: Path, title: str, library: Path, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
+        super().__init__((WIDTH_PX, HEIGHT_PX), parent)
         self.setWindowTitle(self.tr("Rendering"))
-        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self._folder, self._title, self._library = folder, title, library
         self.before: RenderingResult | None = None
         self.after: RenderingResult | None = None
-        self.jobs = Jobs(self._on_failed)
         self._is_demo = cache_root() in folder.absolute().parents
-        self._is_writing = self._is_leaving = self._is_due = False
+        self._is_writing = self._is_due = False
         self._wait = 0  # polls until what was chosen is looked at
         self._wanted: tuple[Callable[[Progress], None], Callable[[None], None]] | None
         self._wanted = None
@@ -83,9 +79,7 @@ class RenderingPage(QDialog):
         self.status, self.warning = StatusLine(), paragraph("", theme.WARN)
         self._lay_out()
         self.fields.changed.connect(self._on_changed)
-        self._timer = QTimer(self)
-        self._timer.timeout.connect(self._poll)
-        self._timer.start(_POLL_MS)
+        self.begin()
         self._read()
 
     # --- building ------------------------------------------------------------
@@ -299,7 +293,8 @@ class RenderingPage(QDialog):
 
     # --- what is shown -------------------------------------------------------
 
-    def _on_failed(self, problem: BaseException) -> None:
+    def on_failed(self, problem: BaseException) -> None:
+        """Tell what went wrong."""
         self.status.show_problem(problem)
 
     def _show(self) -> None:
@@ -328,7 +323,8 @@ class RenderingPage(QDialog):
 
     # --- what happens by itself ----------------------------------------------
 
-    def _poll(self) -> None:
+    def poll(self) -> None:
+        """Show how far the work is, and what came of it."""
         was_busy = self.jobs.is_busy
         self.jobs.poll()
         self.progress.show_state(self.jobs.state())
@@ -336,11 +332,9 @@ class RenderingPage(QDialog):
             self._is_writing = False
             self._show()
         self._wait = max(0, self._wait - 1)
-        if self.jobs.is_busy:
+        if self.jobs.is_busy or self.is_leaving:
             return
-        if self._is_leaving:
-            super().reject()
-        elif self._wanted is not None:
+        if self._wanted is not None:
             self._is_writing, (work, done) = True, self._wanted
             self._wanted = None
             self.jobs.run(self.tr("Rendering the force"), work, done)
@@ -348,25 +342,6 @@ class RenderingPage(QDialog):
         elif self._is_due and not self._wait:
             self._is_due = False
             self._look()
-
-    def reject(self) -> None:
-        """Close; work that runs is stopped first, without holding the window up."""
-        self._is_leaving = True
-        if self.jobs.is_busy:
-            self.jobs.cancel()
-            self.hide()
-        else:
-            super().reject()
-
-    def done(self, result: int) -> None:
-        """Let nothing run on."""
-        self.close_jobs()
-        super().done(result)
-
-    def close_jobs(self) -> None:
-        """Stop what runs and wait for it."""
-        self._timer.stop()
-        self.jobs.close()
 
 
 def _figure(text: str, colour: str = "") -> QLabel:

@@ -3,26 +3,25 @@
 from pathlib import Path
 from typing import NamedTuple
 
-from PySide6.QtCore import QCoreApplication, Qt, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QDialog,
     QFileDialog,
     QRadioButton,
     QTableWidgetItem,
     QWidget,
 )
 
-from app.bridge.jobs import Jobs, Progress, in_child
+from app.bridge.jobs import Progress, in_child
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog
+from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import (
     STRETCH,
     fill_page,
     paragraph,
-    resize_within_screen,
     row_of,
 )
 from app.widgets.messages import JobRow, StatusLine
@@ -36,7 +35,6 @@ from hapticplayer.sequence.travelling import MOTION_FILES, Contents, Part
 translate = QCoreApplication.translate
 
 WIDTH_PX, HEIGHT_PX = 760, 560
-_POLL_MS = 40
 _PARTS = 1000
 _MEGABYTE = 1e6
 
@@ -48,7 +46,7 @@ class Wanted(NamedTuple):
     with_motion: bool
 
 
-class SharePage(QDialog):
+class SharePage(JobDialog):
     """Lists what is shared of one sequence; `shared` has the file once it is there."""
 
     shared = Signal(object)
@@ -56,12 +54,10 @@ class SharePage(QDialog):
     def __init__(
         self, folder: Path, where: str, title: str, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
+        super().__init__((WIDTH_PX, HEIGHT_PX), parent)
         self.setWindowTitle(self.tr("Share"))
-        resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self._folder, self._where, self._title = folder, where, title
         self._contents: Contents | None = None
-        self.jobs = Jobs(self._on_failed)
         self.one_file = QRadioButton(self.tr("&One file (MKV)"))
         self.two_files = QRadioButton(self.tr("M&P4, with a second file for the force"))
         self.with_motion = QCheckBox(self.tr("&Motion and recorded samples, too"))
@@ -73,9 +69,7 @@ class SharePage(QDialog):
         )
         self.status = StatusLine()
         self._lay_out()
-        self._timer = QTimer(self)
-        self._timer.timeout.connect(self._poll)
-        self._timer.start(_POLL_MS)
+        self.begin()
         self.jobs.run(
             self.tr("Reading"),
             lambda progress: in_child(
@@ -211,7 +205,8 @@ class SharePage(QDialog):
         self.status.show_text(text, theme.GOOD)
         self.shared.emit(target)
 
-    def _on_failed(self, problem: BaseException) -> None:
+    def on_failed(self, problem: BaseException) -> None:
+        """Tell what went wrong."""
         self.status.show_problem(problem)
 
     def _show_busy(self) -> None:
@@ -223,24 +218,13 @@ class SharePage(QDialog):
         has_motion = self._contents is not None and self._contents.has_motion
         self.with_motion.setEnabled(has_motion and not is_busy)
 
-    def _poll(self) -> None:
+    def poll(self) -> None:
+        """Show how far the work is, and what came of it."""
         was_busy = self.jobs.is_busy
         self.jobs.poll()
         self.progress.show_state(self.jobs.state())
         if was_busy and not self.jobs.is_busy:
             self._show_busy()
-
-    # --- the end -------------------------------------------------------------
-
-    def done(self, result: int) -> None:
-        """Let nothing run on."""
-        self.close_jobs()
-        super().done(result)
-
-    def close_jobs(self) -> None:
-        """Stop what runs and wait for it."""
-        self._timer.stop()
-        self.jobs.close()
 
 
 def size_text(size_bytes: int) -> str:
