@@ -9,6 +9,7 @@ from typing import Any
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device, settings_of
+from hapticplayer.devices.rig.settings import RigSettings
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses
@@ -262,7 +263,7 @@ def _refuse_alike(names: Sequence[str]) -> None:
     taken: set[tuple[str, str]] = set()
     for name in names:
         chosen = settings_of(find_device(name))
-        if chosen is None:
+        if not isinstance(chosen, RigSettings):  # a sound card mixes what it gets
             continue
         if (chosen.format.name, chosen.address) in taken:
             raise UsageError(

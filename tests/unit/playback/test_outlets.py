@@ -198,6 +198,13 @@ def test_two_outlets_may_not_drive_one_rig(outlets):
     outlets.use([RIG, "rig:beamng,127.0.0.1:4123"])  # told apart by their content
 
 
+def test_shakers_play_beside_rigs_and_each_other(outlets):
+    names = [RIG, "shaker:pulse", "shaker:pulse,channels=3+4"]
+    outlets.use(names)
+    assert [one.name for one in outlets] == names
+    assert outlets["shaker:pulse"].latency_s == pytest.approx(0.080)
+
+
 def test_modes_of_an_outlet_are_logged_with_its_name(outlets):
     lines = []
     outlets._reporter.line = lambda kind, **fields: lines.append(
