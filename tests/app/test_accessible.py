@@ -213,6 +213,28 @@ def test_every_text_is_whole(make_window, dressed, source, language, tmp_path, q
     assert whole_texts(make_window(), source, tmp_path, qtbot) == []
 
 
+SMALL_PX = (960, 540)
+"""A screen of 1920 x 1080 pixels at 200 %."""
+
+
+@pytest.mark.parametrize("language", languages.NAMES)
+def test_every_dialog_fits_a_small_screen(
+    make_window, dressed, source, language, tmp_path
+):
+    dressed(language=language)
+    window = make_window()
+    window.session.show_source(source)
+    large = {}
+    for name, make in faces.dialogs(window, tmp_path).items():
+        face = make()
+        face.show()
+        least = face.minimumSizeHint()
+        if least.width() > SMALL_PX[0] or least.height() > SMALL_PX[1]:
+            large[name] = (least.width(), least.height())
+        faces.close(face)
+    assert large == {}
+
+
 def test_every_text_is_whole_where_everything_is_larger(tmp_path):
     """Qt takes the scale when it begins: in processes of their own, side by side."""
     if os.environ.get(SCALE):
