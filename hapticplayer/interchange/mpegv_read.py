@@ -5,7 +5,8 @@ duration alone, since what the standard means by `timeSamples` could not be veri
 ActiveKinesthetic is a constant force, Vibration a sine at the full scale that the user
 chooses. RigidBodyMotion MoveToward is acceleration times the default gain, unless the
 file holds PassiveKinestheticForce: then it moves a seat, and the hand has its force.
-XML is read without entities, document types and network.
+Attributes without a namespace, as Python PlaySEM writes them (type="vibration", timestamp,
+intensity), are read too. XML is read without entities, document types and network.
 """
 
 import math
@@ -89,8 +90,11 @@ class _Reader:
 
     def add(self, element: Element, scale: float) -> None:
         """Add an effect, or note that it is not understood."""
-        kind = _name(element.get(_XSI, "")).rpartition(":")[2].removesuffix("Type")
-        begin_s = self._number(element, _SI + "pts", 0.0, 0.0, 1e15) / scale
+        kind = element.get(_XSI, element.get("type", ""))
+        kind = kind.rpartition(":")[2].removesuffix("Type")
+        kind = kind[:1].upper() + kind[1:]
+        pts = "timestamp" if "timestamp" in element.attrib else _SI + "pts"
+        begin_s = self._number(element, pts, 0.0, 0.0, 1e15) / scale
         length_s = self._number(element, "duration", 0.0, 0.0, 1e15) / scale
         if begin_s + length_s > MAX_SECONDS:
             raise self._refusal(Message("an effect lies outside of any clip"))
@@ -196,9 +200,8 @@ class _Reader:
     def _vibration(self, element: Element, length_s: float) -> Floats:
         span = element.get("intensity-range", "0 100").split()
         most = float(span[1][:9]) if len(span) == 2 and span[1].isdecimal() else 100.0
-        level = self._number(element, "intensity-value", 0.0, -1e6, 1e6) / max(
-            most, 1.0
-        )
+        name = "intensity" if "intensity" in element.attrib else "intensity-value"
+        level = self._number(element, name, 0.0, -1e6, 1e6) / max(most, 1.0)
         count = int(length_s * 1000.0) + 1
         self._spend(count)
         full_n = self._choices.full_scale_n

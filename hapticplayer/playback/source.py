@@ -15,16 +15,11 @@ from hapticplayer.model import Feedback, ForceTrack, MotionTrack
 from hapticplayer.playback.video_check import VideoCheck
 from hapticplayer.rendering import coverage_notice, no_feedback, refuse_late
 from hapticplayer.sequence import open_sequence
-from hapticplayer.sequence.packed import read_packed
+from hapticplayer.sequence.packed import read_packed, side_car_of
 from hapticplayer.sequence.store import DESCRIPTION, Sequence
 
 FROM_FILE = "file"
 """Name of the feedback that `--force FILE` adds."""
-
-MISSING_FORCE = Message(
-    "force belongs to this video, but neither it nor the file beside it (.haptics.mkv) "
-    "holds any; ask for both files again"
-)
 
 
 class ForceStream(Protocol):
@@ -124,9 +119,17 @@ def _from_video(path: Path) -> Source:
         return _source_of(packed.sequence, path, check)
     clip = probe(path)
     tracks = {Feedback.NONE.value: no_feedback_for(clip)}
-    notice = MISSING_FORCE if clip.names_force else None
+    notice = _missing_force(path) if clip.names_force else None
     return Source(
         path.name, path, clip, tracks, None, Feedback.NONE.value, notice=notice
+    )
+
+
+def _missing_force(path: Path) -> Message:
+    return Message(
+        "force belongs to this video, but neither it nor a file {name!r} beside it holds "
+        "any; ask for both files again, and rename neither alone",
+        name=side_car_of(path).name,
     )
 
 

@@ -6229,10 +6229,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bilder werden verfolgt</translation>
     </message>
     <message>
-        <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
-        <translation>zu diesem Video gehört Kraft, aber weder es selbst noch die Datei daneben (.haptics.mkv) enthält welche; verlangen Sie beide Dateien noch einmal</translation>
-    </message>
-    <message>
         <source>force for other programs</source>
         <translation>Kraft für andere Programme</translation>
     </message>
@@ -7911,6 +7907,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>fitting {axis}</source>
         <translation>{axis} wird angepasst</translation>
+    </message>
+    <message>
+        <source>force belongs to this video, but neither it nor a file {name!r} beside it holds any; ask for both files again, and rename neither alone</source>
+        <translation>zu diesem Video gehört Kraft, aber weder es noch eine Datei {name!r} daneben enthält sie; fragen Sie nach beiden Dateien und benennen Sie keine allein um</translation>
     </message>
     <message>
         <source>found no order in which no sequence is played twice in a row</source>

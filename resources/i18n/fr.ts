@@ -6229,10 +6229,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>suivi des images</translation>
     </message>
     <message>
-        <source>force belongs to this video, but neither it nor the file beside it (.haptics.mkv) holds any; ask for both files again</source>
-        <translation>une force va avec cette vidéo, mais ni elle ni le fichier voisin (.haptics.mkv) n’en contient&#xa0;; redemandez les deux fichiers</translation>
-    </message>
-    <message>
         <source>force for other programs</source>
         <translation>force pour d’autres programmes</translation>
     </message>
@@ -7911,6 +7907,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>fitting {axis}</source>
         <translation>ajustement de {axis}</translation>
+    </message>
+    <message>
+        <source>force belongs to this video, but neither it nor a file {name!r} beside it holds any; ask for both files again, and rename neither alone</source>
+        <translation>une force accompagne cette vidéo, mais ni elle ni un fichier {name!r} à côté ne la contient&#xa0;; redemandez les deux fichiers et n’en renommez pas un seul</translation>
     </message>
     <message>
         <source>found no order in which no sequence is played twice in a row</source>

@@ -153,6 +153,20 @@ def test_mpegv_motion_and_vibration_become_force(read):
     assert np.abs(found.track.force_n[:, 1]).max() == pytest.approx(1.0, abs=1e-3)
 
 
+def test_effects_without_a_namespace_are_read(read):
+    found = read(
+        '<SEM><SensoryEffects><Effect type="vibration" timestamp="1500" '
+        'duration="700" intensity="50" location="center"/>'
+        '<Effect type="wind" timestamp="0" duration="10" intensity="60"/>'
+        "</SensoryEffects></SEM>",
+        ".xml",
+        full_scale_n=2.0,
+    )
+    np.testing.assert_allclose(at(found.track, 1.4, 2.3), np.zeros((2, 3)))
+    assert np.abs(found.track.force_n[:, 1]).max() == pytest.approx(1.0, abs=1e-3)
+    assert str(found.notes[-1]) == "not read: Wind (1)"
+
+
 def moving(acceleration_mps2, valid=True):
     rows = np.tile(np.asarray(acceleration_mps2, dtype=float), (201, 1))
     return MotionTrack(
