@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings, latencies_of
+from app.player.controls import kept_volume
 from app.player.fullscreen import EscapeFilter
 from app.player.session import Session
 from app.player.video_surface import SurfaceSink, VideoSurface
@@ -64,6 +65,7 @@ class Playing(QObject):
         self.session = Session(player, self._show)
         self.session.changed.connect(self.changed)
         player.set_latencies(latencies_of(self._means.settings, screen))
+        player.set_volume(kept_volume(self._means.settings))
         self.surface.set_clip_size(source.clip.width, source.clip.height)
         player.open(source)
         self.track = source.tracks[Feedback.REALISTIC.value]

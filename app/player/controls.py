@@ -18,6 +18,13 @@ VOLUME_STEP, WHOLE = 5, 100
 SPEED_STEP = 1.1  # as in mpv
 
 
+def kept_volume(settings: Settings) -> float:
+    """Return the loudness that was kept, from 0 to 1; 0 while muted."""
+    percent = settings.number(VOLUME, WHOLE)
+    is_muted = settings.flag(MUTED, default=False)
+    return 0.0 if is_muted else min(max(percent, 0.0), WHOLE) / WHOLE
+
+
 class Controls(QObject):
     """Drives the player for the person at the window, and says what has changed."""
 

@@ -14,6 +14,7 @@ from app.editor.playing import Means
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Mode
+from hapticplayer.playback.source import open_source
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence.editing import set_effects
 
@@ -176,4 +177,33 @@ def test_menu_and_library_open_it(window, source, folder, wait_for):
     page = window.findChild(EditorPage)
     assert page.folder == folder
     wait_for(lambda: page.loaded is not None)
+    page.reject()
+
+
+@pytest.mark.parametrize(
+    ("kept", "gain"),
+    [({}, 1.0), ({"volume": 50}, 0.125), ({"volume": 50, "muted": True}, 0.0)],
+)
+def test_it_is_as_loud_as_the_window(make_page, folder, settings, kept, gain):
+    for name, value in kept.items():
+        settings.keep(name, value)
+    player = make_page(folder).playing.session.player
+    assert player._clip.sound.ring.gain == pytest.approx(gain)
+
+
+def test_the_window_plays_what_was_saved(window, folder, wait_for):
+    window.session.show_source(open_source(folder))
+    window.player.seek(1.0)
+    before = window.player.snapshot().source.tracks["realistic"]
+    window.dialogs.edit_effects(window.clock)
+    page = window.findChild(EditorPage)
+    wait_for(lambda: page.loaded is not None)
+    page.editing.add_kind("mute", 0.0)
+    page.save()
+    wait_for(page.document.stack.isClean)
+    now = window.player.snapshot()
+    after = now.source.tracks["realistic"]
+    at_s = np.array([0.37])  # of a shake of 2 Hz
+    assert np.abs(after.at(at_s)).max() < 0.2 * np.abs(before.at(at_s)).max()
+    assert now.media_s == pytest.approx(1.0, abs=0.05)
     page.reject()
