@@ -129,6 +129,19 @@ def test_tracks_of_every_kind_come_back(name, kind, tmp_path):
     assert report["error_max_n"] <= TOLERANCE_N + ROUNDING_N
 
 
+@pytest.mark.parametrize("kind", list(SPECIAL)[:-1])
+@pytest.mark.parametrize("name", ["funscript", "ahap"])
+def test_tracks_of_every_kind_are_written(name, kind, tmp_path):
+    track = SPECIAL[kind]
+    path = tmp_path / f"track{FORCE_FORMATS[name].suffix}"
+    report = export_track(track, path, FORCE_FORMATS[name], WriteChoices())
+    if name == "ahap":
+        assert report["error_max_n"] <= TOLERANCE_N + ROUNDING_N
+    else:
+        reach_n = 40.0 * 0.04  # of the spring, at the edge of the workspace
+        assert np.abs(read_force(path).track.force_n).max() <= reach_n + ROUNDING_N
+
+
 @pytest.mark.parametrize("name", ["wav", "mpegv"])
 def test_a_track_that_would_not_be_read_is_not_written(name, tmp_path, monkeypatch):
     monkeypatch.setattr(f"hapticplayer.interchange.{name}.{LIMITS[name]}", 100)
