@@ -7,10 +7,13 @@ import pytest
 from scipy.signal import butter, sosfiltfilt
 from scipy.spatial.transform import Rotation
 
+from hapticplayer.capture.mounting import axes_matrix
+from hapticplayer.capture.sync.pictures import synchronize_pictures
 from hapticplayer.capture.vision import rotation
 from hapticplayer.errors import Cancelled, InputError
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.frames import FrameConverter
+from hapticplayer.model import ImuLog
 from tests.unit.capture.vision.conftest import FRAME_RATE_HZ, film, turning
 
 FOCAL_GAIN = np.tan(np.radians(40.0)) / np.tan(np.radians(42.0))
@@ -123,6 +126,21 @@ def test_frames_are_not_kept(ride_film, monkeypatch) -> None:
 
     assert len(made) == 6 * FRAME_RATE_HZ
     assert most_alive <= 3
+
+
+def test_log_of_a_ride_is_laid_over_its_film(ride_film) -> None:
+    begin_s, offset_s, step_s = 10.0, 7.3, 0.005
+    ride_s = np.arange(0.0, 40.0, step_s)
+    trajectory = film("horse").scene.trajectory
+    rate = trajectory.mean_rate_radps(ride_s, step_s) @ axes_matrix("y,-x,z")
+    imu = ImuLog(ride_s - begin_s - offset_s, np.zeros_like(rate), rate)
+
+    found = synchronize_pictures(imu, rotation(ride_film("horse", begin_s, 12.0)))
+
+    assert found.is_confident
+    assert found.clock_map.offset_s == pytest.approx(offset_s, abs=0.005)
+    assert found.mounting is not None
+    assert found.mounting.axes == "y,-x,z"
 
 
 def test_without_opencv_it_says_what_installing_brings(monkeypatch) -> None:
