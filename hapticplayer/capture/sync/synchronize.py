@@ -157,7 +157,7 @@ def _tried(
 def joined_findings(
     pats: Synchronisation, pictures: Synchronisation
 ) -> Synchronisation:
-    """Return one result: where both agree the pictures', which are more precise."""
+    """Return one result: where both agree the pictures', if they are certain."""
     if pictures.pictures is None:  # nothing fits
         return pats
     if not pats.pats:
@@ -169,10 +169,9 @@ def joined_findings(
         doubt = (1.0 - pats.clock_map.confidence) * (
             1.0 - pictures.clock_map.confidence
         )
-        clock = dataclasses.replace(pictures.clock_map, confidence=1.0 - doubt)
-        return dataclasses.replace(
-            pictures, clock_map=clock, pats=pats.pats, second=pats
-        )
+        best, other = (pictures, pats) if pictures.is_confident else (likelier, other)
+        clock = dataclasses.replace(best.clock_map, confidence=1.0 - doubt)
+        return dataclasses.replace(best, clock_map=clock, pats=pats.pats, second=other)
     if pats.is_confident and pictures.is_confident:
         clock = dataclasses.replace(likelier.clock_map, confidence=0.0)
         return dataclasses.replace(likelier, clock_map=clock, second=other)

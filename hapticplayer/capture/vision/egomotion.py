@@ -92,7 +92,7 @@ class _Linearised(NamedTuple):
 def _linearised(
     points: Floats, flow: Floats, rotation: Floats, travel: Floats
 ) -> _Linearised:
-    of_rotation = _rotation_flow(points)
+    of_rotation = rotation_flow(points)
     left = flow - of_rotation @ rotation
     across, moment = _across(points, left, travel)
     tangent = _tangent(travel)
@@ -129,7 +129,7 @@ def _skew(at: _Linearised, y: Floats, px: float) -> tuple[Floats, Floats]:
 
 def rotation_alone(middle: Floats, flow: Floats, px: float) -> Floats:
     """Return the rotation vector (3,) that explains most of the flow (M, 2) by itself."""
-    of_rotation = _rotation_flow(middle)
+    of_rotation = rotation_flow(middle)
     rotation: Floats = np.zeros(3)
     for scale_px in _COARSE_PX:
         left = flow - of_rotation @ rotation
@@ -145,7 +145,7 @@ def _weight(square: Floats, scale: float) -> Floats:
     return np.asarray(1.0 / (1.0 + square / scale**2) ** 2)
 
 
-def _rotation_flow(points: Floats) -> Floats:
+def rotation_flow(points: Floats) -> Floats:
     """Return (M, 2, 3): the flow of each point per unit of rotation about x, y, z."""
     x, y = points.T
     across = np.stack([x * y, -(1.0 + x * x), y], axis=1)

@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture.vision.egomotion import AHEAD, egomotion
+from hapticplayer.capture.vision.carrier import Carrier
+from hapticplayer.capture.vision.egomotion import AHEAD, egomotion, rotation_flow
 from hapticplayer.capture.vision.features import CELL_PX, FeatureTracker, Matches
 from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import probe
@@ -135,6 +136,7 @@ class _Watcher:
 
     def __init__(self, cv2: Any, width: int, height: int) -> None:
         self._tracker = FeatureTracker(cv2)
+        self._carrier = Carrier(width, height)
         self._middle_px = np.array([0.5 * width - 0.5, 0.5 * height - 0.5])
         focal = 0.5 * max(width, height) / np.tan(0.5 * FIELD_OF_VIEW_RAD)
         self._px = float(1.0 / focal)
@@ -159,12 +161,17 @@ class _Watcher:
         before, after = (
             (px - self._middle_px) * self._px for px in (matches.before, matches.after)
         )
-        found = egomotion(before, after, self._travel, self._px)
+        loose = ~self._carrier.holds(matches)
+        if int(loose.sum()) < _FEWEST:
+            loose[:] = True
+        found = egomotion(before[loose], after[loose], self._travel, self._px)
+        turned = rotation_flow((before + after) / 2.0) @ found.rotation_rad
+        self._carrier.learn(matches, turned / self._px)
         share = float(found.is_inlier.mean())
         if share < _LEAST_AGREEMENT:
             quality = 0.0
         else:
-            quality = share * min(1.0, len(before) / self._many)
+            quality = share * min(1.0, float(loose.sum()) / self._many)
             travel = self._travel + _MEMORY * (found.travel - self._travel)
             self._travel = travel / np.linalg.norm(travel)
         return np.concatenate(

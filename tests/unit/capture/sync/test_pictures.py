@@ -270,6 +270,14 @@ def test_agreement_raises_the_confidence(pictures) -> None:
     assert both.clock_map.offset_s == first.clock_map.offset_s
 
 
+def test_doubtful_frames_only_support_the_pats(pictures) -> None:
+    both = joined_findings(by_pats(1.004, 0.8), with_confidence(pictures, 0.3))
+
+    assert both.method == "pats"
+    assert both.clock_map.offset_s == 1.004
+    assert both.clock_map.confidence == pytest.approx(0.86)
+
+
 def test_certain_ones_that_differ_are_a_question(pictures) -> None:
     both = joined_findings(by_pats(1.1, 0.9), pictures)
 
