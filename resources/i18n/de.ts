@@ -5918,7 +5918,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Shaker</source>
-        <translation>Körperschallwandler</translation>
+        <translation>Shaker</translation>
     </message>
     <message>
         <source>Shocks that stand out of what surrounds them</source>
