@@ -9,7 +9,8 @@ from typing import Any
 from PySide6.QtCore import QByteArray, QStandardPaths
 from PySide6.QtWidgets import QWidget
 
-from hapticplayer.errors import InputError
+from hapticplayer.devices import find_device
+from hapticplayer.errors import DeviceError, InputError
 from hapticplayer.playback.latency import (
     DEVICE,
     DISPLAY,
@@ -28,8 +29,14 @@ from hapticplayer.playback.latency import (
 
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
-_PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES)
-"""Specific to this machine, or private: never exported."""
+OUTLETS, MOST_OUTLETS = "outlets", 16
+"""Name in the settings: what plays beside the device, and whether each is muted."""
+
+_PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES, OUTLETS)
+"""Specific to this machine, or private: never exported, nor taken from others.
+
+An outlet may have an address on the network, which only its user enters.
+"""
 
 _MOST_TEXTS, _LONGEST_TEXT = 1000, 4096
 
@@ -175,6 +182,26 @@ def choose_library(settings: Settings, folder: Path) -> None:
     if folder != library_folder(settings):
         settings.keep(LIBRARY, str(folder))
         settings.save()
+
+
+def outlets_of(settings: Settings) -> dict[str, bool]:
+    """Return the outlets that are kept, and whether each is muted.
+
+    Those that this version has no driver for are left out.
+    """
+    found: dict[str, bool] = {}
+    for name, is_muted in list(settings.table(OUTLETS).items())[:MOST_OUTLETS]:
+        with contextlib.suppress(DeviceError):
+            find_device(name)
+            if name.isprintable():
+                found[name] = is_muted is True
+    return found
+
+
+def keep_outlets(settings: Settings, outlets: dict[str, bool]) -> None:
+    """Remember what plays beside the device, and whether each is muted."""
+    settings.keep(OUTLETS, dict(outlets))
+    settings.save()
 
 
 __all__ = [

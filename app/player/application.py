@@ -9,7 +9,7 @@ from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.interrupts import closing_on_signals
-from app.bridge.settings import Settings, default_path
+from app.bridge.settings import Settings, default_path, outlets_of
 from app.player.controls import OUTPUT
 from app.player.remake import OpenWindow, apply_appearance
 from app.player.video_surface import SurfaceSink, VideoSurface
@@ -26,6 +26,7 @@ from hapticplayer.cli.play import (
 )
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import NO_DEVICE, installed_devices
+from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.scheduling import hasten_window, lock_memory
 from hapticplayer.media.memory import keep_freed_memory
@@ -72,7 +73,10 @@ def run(options: argparse.Namespace) -> int:
     try:
         # only now: the haptics process wants to hear from us within a second
         player.set_device(device, record)
-        player.set_outlets(options.outlets)
+        if source:
+            player.set_outlets(options.outlets)
+        else:
+            _restore_outlets(window, device)
         if source and is_hardware(device):
             player.wait_ready()  # it may not be there: nothing is shown then
         _show(window, options, source, feedback)
@@ -182,6 +186,18 @@ def _run_until_closed(
         complain(problem)
         return 1
     return 0
+
+
+def _restore_outlets(window: PlayerWindow, device: str) -> None:
+    """Play beside the device on what was chosen last; say why where that fails."""
+    kept = outlets_of(window.settings)
+    kept.pop(device, None)
+    try:
+        window.player.set_outlets(list(kept))
+    except HapticPlayerError as problem:
+        window.session.gateway.report(problem)
+    for outlet in window.player.snapshot().outlets:
+        window.player.set_outlet(outlet.name, is_muted=kept[outlet.name])
 
 
 def _last_device(settings: Settings) -> str:

@@ -10,7 +10,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QWidget
 
-from app.bridge.settings import Settings, choose_library, library_folder
+from app.bridge.settings import (
+    Settings,
+    choose_library,
+    keep_outlets,
+    library_folder,
+)
 from app.player.choices import PluggedFalcons
 from app.player.controls import OUTPUT
 from app.player.session import Session
@@ -311,6 +316,7 @@ class Dialogs(QObject):
         session, page = self._session, self._window.findChild(OutletsPage)
         if page is None:
             page = OutletsPage(clock, session, self._window)
+            page.changed.connect(lambda kept: keep_outlets(self._settings, kept))
             self._working.append(page)
             page.finished.connect(lambda _result: self._forget(page))
         page.show()

@@ -2,7 +2,7 @@
 
 import threading
 
-from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtCore import QCoreApplication, QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -15,15 +15,27 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import translated
+from app.bridge.settings import MOST_OUTLETS
 from app.player import choices
 from app.player.health import device_name, mode_text
 from app.player.session import Session
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import STRETCH, captioned, fill_page, indent, paragraph, row_of
-from app.widgets.texts import titled
+from app.widgets.layout import (
+    STRETCH,
+    ElidedLabel,
+    captioned,
+    column_of,
+    fill_page,
+    indent,
+    paragraph,
+    resize_within_screen,
+    row_of,
+    scrolling,
+)
+from app.widgets.texts import local, titled
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, OUTLETS, find_device
+from hapticplayer.devices import NO_DEVICE, OUTLETS, find_device, installed_devices
 from hapticplayer.devices.rig.packets import FORMATS
 from hapticplayer.devices.rig.settings import GAIN, LATENCY_MS, LOOPBACK
 from hapticplayer.errors import HapticPlayerError, message_of
@@ -37,14 +49,23 @@ translate = QCoreApplication.translate
 
 POLL_MS = 100
 GENTLE_GAIN = 0.25
-_WIDTH_PX, _RIG = 640, "rig"
+_WIDTH_PX, _HEIGHT_PX, _RIG = 640, 520, "rig"
+_EXAMPLES = {
+    "shaker": "pulse,channels=3+4",
+    "wheel": "event5",
+    "rumble": "event5",
+    "tcode": "127.0.0.1:8000",
+    "buttplug": "127.0.0.1:12345",
+    "inverse3": "127.0.0.1:10001",
+}
+"""Of what may follow a kind and a colon; see docs/devices.md."""
 
 
 def outlet_text(name: str) -> str:
     """Return an outlet's name for people, with what was chosen of it."""
     kind, _, chosen = name.partition(":")
     if kind not in OUTLETS:
-        return device_name(name)
+        return device_name(name).replace(",", ", ")
     return titled(translate("OutletsPage", "Motion rig"), chosen.replace(",", ", "))
 
 
@@ -57,6 +78,17 @@ def state_text(outlet: OutletState) -> str:
     if outlet.note and not outlet.is_muted:
         return translated(outlet.note)
     return mode_text(outlet.mode)
+
+
+def figures_text(outlet: OutletState) -> str:
+    """Return latency and gain of an outlet."""
+    return local(f"{1e3 * outlet.latency_s:.0f} ms, \u00d7\u2009{outlet.gain:.2f}")
+
+
+def takes_settings(kind: str) -> bool:
+    """Whether something may follow a kind and a colon."""
+    entry = OUTLETS.get(kind) or installed_devices()[kind]
+    return entry.has_serials or bool(entry.settings)
 
 
 class RigTest:
@@ -86,7 +118,14 @@ class RigTest:
 
 
 class OutletsPage(QDialog):
-    """Stays beside the window; what stops the force there stops a test here, too."""
+    """Stays beside the window; what stops the force there stops a test here, too.
+
+    Signals:
+        changed: a person has chosen others, or muted one; has names, each with whether
+            it is muted.
+    """
+
+    changed = Signal(object)
 
     def __init__(
         self, clock: Clock, session: Session, parent: QWidget | None = None
@@ -98,6 +137,7 @@ class OutletsPage(QDialog):
         self._test: RigTest | None = None
         self._shown: list[str] = []
         self.states: dict[str, QLabel] = {}
+        self.figures: dict[str, QLabel] = {}
         self.tests: dict[str, QWidget] = {}
         self.mutes: dict[str, QCheckBox] = {}
         self.rows, self.problem = QGridLayout(), paragraph("", theme.DIM, lines=2)
@@ -120,8 +160,14 @@ class OutletsPage(QDialog):
             address = self.address.text().strip()
             name += f",{address}" * bool(address)
             name += f",gain={self.gain.value():g},latency_ms={self.latency.value():g}"
+        elif chosen := self.address.text().strip():
+            name = f"{name.partition(':')[0]}:{chosen}"
         if name in (*self._names(), self._player.snapshot().device):
             self._say(self.tr("This device plays already"))
+        elif not name.isprintable():
+            self._say(self.tr("Settings are letters, digits and signs"))
+        elif len(self._names()) >= MOST_OUTLETS:
+            self._say(self.tr("No more devices can be added; remove one first"))
         else:
             self._use([*self._names(), name])
 
@@ -132,6 +178,14 @@ class OutletsPage(QDialog):
     def mute(self, name: str, *, is_muted: bool) -> None:
         """Let an outlet come to rest, or play again."""
         self._player.set_outlet(name, is_muted=is_muted)
+
+    def chosen(self) -> dict[str, bool]:
+        """Return the outlets, each with whether a person has muted it."""
+        outlets = self._player.snapshot().outlets
+        muted = {outlet.name: outlet.is_muted for outlet in outlets}
+        if self._test is not None and self._test.name in muted:
+            muted[self._test.name] = self._test.was_muted
+        return muted
 
     def test(self, name: str) -> None:
         """Move a rig gently along and about each axis; once more: stop."""
@@ -189,6 +243,10 @@ class OutletsPage(QDialog):
         """End what still moves: the window closes."""
         self.end_test()
 
+    def _on_mute(self, name: str, *, is_muted: bool) -> None:
+        self.mute(name, is_muted=is_muted)
+        self.changed.emit(self.chosen())
+
     # --- what is shown -------------------------------------------------------
 
     def look(self) -> None:
@@ -205,6 +263,7 @@ class OutletsPage(QDialog):
         self._note_rest()
         for outlet in now.outlets:
             self.states[outlet.name].setText(state_text(outlet))
+            self.figures[outlet.name].setText(figures_text(outlet))
             self.mutes[outlet.name].setChecked(outlet.is_muted)
             may_test = outlet.mode is Mode.IDLE and not now.is_playing
             self.tests[outlet.name].setEnabled(
@@ -228,6 +287,7 @@ class OutletsPage(QDialog):
             return
         self._say("")
         self.look()
+        self.changed.emit(self.chosen())
 
     def _say(self, text: str) -> None:
         self.problem.setText(text)
@@ -251,21 +311,28 @@ class OutletsPage(QDialog):
         self._on_kind()
 
     def _on_kind(self) -> None:
-        for widget in (self.address, self.gain, self.latency):
+        kind, _, chosen = str(self.kind.currentData()).partition(":")
+        for widget in (self.gain, self.latency):
             widget.setEnabled(self._is_rig)
-        kind = FORMATS.get(str(self.kind.currentData()).partition(":")[2])
-        self.address.setPlaceholderText(f"{LOOPBACK}:{kind.port}" if kind else "")
+        takes_text = takes_settings(kind)
+        self.address.setEnabled(takes_text)
+        rig = FORMATS.get(chosen)
+        example = f"{LOOPBACK}:{rig.port}" if rig else _EXAMPLES.get(kind, "")
+        self.address.setPlaceholderText(example)
+        if not takes_text:
+            self.address.clear()
 
     def _lay_out(self) -> None:
         self.setWindowTitle(self.tr("More devices"))
         self.setMinimumWidth(_WIDTH_PX)
         add = text_button(self.tr("Add"), self.tr("Play on this device, too"))
         add.clicked.connect(self.add)
+        self.address.returnPressed.connect(self.add)
         stop = text_button(self.tr("STOP"), self.tr("Stop all of them (Esc)"), "stop")
         stop.clicked.connect(self._session.stop)
         close = text_button(self.tr("Close"), self.tr("The devices keep playing"))
         close.clicked.connect(self.accept)
-        where = captioned(self.tr("Rig's software"), self.address)
+        where = captioned(self.tr("Address or settings"), self.address)
         gain = captioned(self.tr("Gain"), self.gain)
         latency = captioned(self.tr("Latency"), self.latency)
         self.kind.setAccessibleName(self.tr("Device to add"))
@@ -277,24 +344,29 @@ class OutletsPage(QDialog):
                     "moves with the motion of the recording: begin with a small gain."
                 )
             ),
-            self.rows,
-            row_of(self.kind, add),
-            row_of(*where, *gain, *latency),
+            (scrolling(column_of(self.rows, STRETCH)), 1),
+            row_of((self.kind, 1)),
+            row_of(where[0], (self.address, 1)),
+            row_of(*gain, *latency, STRETCH, add),
             self.problem,
             row_of(stop, STRETCH, close),
         )
+        resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
 
     def _fill_rows(self, now: Snapshot) -> None:
         while (item := self.rows.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.deleteLater()
-        self.states, self.tests, self.mutes = {}, {}, {}
+        self.states, self.figures, self.tests, self.mutes = {}, {}, {}, {}
         for row, outlet in enumerate(now.outlets):
             self._add_row(row, outlet.name)
 
     def _add_row(self, row: int, name: str) -> None:
         text = outlet_text(name)
-        label, self.states[name] = paragraph(text), paragraph("", theme.DIM)
+        label, self.states[name] = ElidedLabel(text), paragraph("", theme.DIM)
+        label.setToolTip(text)
+        self.figures[name] = figures = QLabel()
+        figures.setToolTip(self.tr("Latency that is compensated, and gain"))
         self.mutes[name] = mute = QCheckBox(self.tr("Mute"))
         test = text_button(
             self.tr("Test"), self.tr("Move the rig gently, or stop that")
@@ -302,14 +374,14 @@ class OutletsPage(QDialog):
         remove = text_button(self.tr("Remove"), self.tr("Release this device"))
         for widget in (mute, test, remove):
             widget.setAccessibleName(titled(text, widget.text()))
-        mute.clicked.connect(lambda on: self.mute(name, is_muted=on))
+        mute.clicked.connect(lambda on: self._on_mute(name, is_muted=on))
         test.clicked.connect(lambda: self.test(name))
         remove.clicked.connect(lambda: self.remove(name))
         self.tests[name] = test
-        for column, part in enumerate((label, self.states[name], mute, test, remove)):
-            self.rows.addWidget(part, row, column)
-        self.rows.setColumnStretch(0, 2)
-        self.rows.setColumnStretch(1, 3)
+        for column, part in enumerate((label, figures, mute, test, remove)):
+            self.rows.addWidget(part, 2 * row, column)
+        self.rows.addWidget(self.states[name], 2 * row + 1, 0, 1, -1)
+        self.rows.setColumnStretch(0, 1)
 
 
 def _is_rig(name: str) -> bool:

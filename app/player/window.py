@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QMainWindow, QSplitter, QStackedWidget, QWidget
 
 from app.bridge.desktop import Desktop
 from app.bridge.pump import Cadence, Pump
-from app.bridge.settings import Settings
+from app.bridge.settings import Settings, keep_outlets
 from app.experimenter.study_menu import StudyMenu
 from app.player import choices
 from app.player.commands import Actions
@@ -245,6 +245,10 @@ class PlayerWindow(QMainWindow):
 
     def _on_device_chosen(self, name: str) -> None:
         self.messages.hide()
+        outlets = {one.name: one.is_muted for one in self.player.snapshot().outlets}
+        if outlets.pop(name, None) is not None:  # it leads from now on
+            self.player.set_outlets(list(outlets))
+            keep_outlets(self.settings, outlets)
         self.session.choose_device(name)
         self.settings.keep(DEVICE, self.player.snapshot().device)
 

@@ -2285,6 +2285,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Dieses Gerät spielt schon</translation>
     </message>
     <message>
+        <source>Settings are letters, digits and signs</source>
+        <translation>Einstellungen sind Buchstaben, Ziffern und Zeichen</translation>
+    </message>
+    <message>
+        <source>No more devices can be added; remove one first</source>
+        <translation>Es können keine weiteren Geräte hinzugefügt werden; entfernen Sie erst eines</translation>
+    </message>
+    <message>
         <source>The rig moves gently, one axis after the other. Esc stops it.</source>
         <translation>Die Plattform bewegt sich sanft, eine Achse nach der anderen. Esc hält sie an.</translation>
     </message>
@@ -2317,8 +2325,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Geräte spielen weiter</translation>
     </message>
     <message>
-        <source>Rig&apos;s software</source>
-        <translation>Software der Plattform</translation>
+        <source>Address or settings</source>
+        <translation>Adresse oder Einstellungen</translation>
     </message>
     <message>
         <source>Gain</source>
@@ -2335,6 +2343,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Each of these plays beside the chosen device and stops with it. A rig moves with the motion of the recording: begin with a small gain.</source>
         <translation>Jedes davon spielt neben dem gewählten Gerät und hält mit ihm an. Eine Plattform bewegt sich mit der Bewegung der Aufnahme: Beginnen Sie mit einer kleinen Verstärkung.</translation>
+    </message>
+    <message>
+        <source>Latency that is compensated, and gain</source>
+        <translation>Latenz, die ausgeglichen wird, und Verstärkung</translation>
     </message>
     <message>
         <source>Mute</source>

@@ -2285,6 +2285,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Cet appareil joue déjà</translation>
     </message>
     <message>
+        <source>Settings are letters, digits and signs</source>
+        <translation>Les réglages sont des lettres, des chiffres et des signes</translation>
+    </message>
+    <message>
+        <source>No more devices can be added; remove one first</source>
+        <translation>Aucun autre appareil ne peut être ajouté&#xa0;; retirez-en un d’abord</translation>
+    </message>
+    <message>
         <source>The rig moves gently, one axis after the other. Esc stops it.</source>
         <translation>La plateforme bouge doucement, un axe après l’autre. Échap l’arrête.</translation>
     </message>
@@ -2317,8 +2325,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Les appareils continuent de jouer</translation>
     </message>
     <message>
-        <source>Rig&apos;s software</source>
-        <translation>Logiciel de la plateforme</translation>
+        <source>Address or settings</source>
+        <translation>Adresse ou réglages</translation>
     </message>
     <message>
         <source>Gain</source>
@@ -2335,6 +2343,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Each of these plays beside the chosen device and stops with it. A rig moves with the motion of the recording: begin with a small gain.</source>
         <translation>Chacun joue à côté de l’appareil choisi et s’arrête avec lui. Une plateforme suit le mouvement de l’enregistrement&#xa0;: commencez avec un petit gain.</translation>
+    </message>
+    <message>
+        <source>Latency that is compensated, and gain</source>
+        <translation>Latence compensée, et gain</translation>
     </message>
     <message>
         <source>Mute</source>
@@ -5918,7 +5930,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Shaker</source>
-        <translation>Transducteur</translation>
+        <translation>Vibreur</translation>
     </message>
     <message>
         <source>Shocks that stand out of what surrounds them</source>

@@ -1,20 +1,34 @@
 """More devices in the window: added, muted, tested, removed, and stopped by Escape."""
 
 import contextlib
+import shutil
 import threading
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
+from app.bridge.settings import (
+    OUTLETS,
+    Settings,
+    default_path,
+    keep_outlets,
+    outlets_of,
+)
+from app.player import application as program
 from app.player import outlets_page
 from app.player.outlets_page import OutletsPage, outlet_text, state_text
+from app.player.window import DEVICE, PlayerWindow
+from hapticplayer import __version__, cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import RigTrack
+from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import OutletState
+from hapticplayer.sequence import files
 from hapticplayer.simulation.rig.receiver import Ears
 
 
@@ -30,7 +44,7 @@ def page(window):
     return window.findChild(OutletsPage)
 
 
-def outlets_of(window):
+def playing_on(window):
     return {one.name: one for one in window.player.snapshot().outlets}
 
 
@@ -48,14 +62,14 @@ def wait_for_tests_to_end(wait_for):
 
 def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, ears, wait_for):
     name = add_rig(page, ears)
-    wait_for(lambda: outlets_of(window)[name].health is Health.READY)
-    assert outlets_of(window)[name].gain == 0.25
+    wait_for(lambda: playing_on(window)[name].health is Health.READY)
+    assert playing_on(window)[name].gain == 0.25
     page.look()
     assert page.states[name].text() == "at rest"
     page.add()
     assert page.problem.text() == "This device plays already"
     page.remove(name)
-    assert outlets_of(window) == {}
+    assert playing_on(window) == {}
     assert page.states == {}
 
 
@@ -64,17 +78,17 @@ def test_what_cannot_be_reached_or_is_not_allowed_is_said(window, page):
     page.address.setText("here")
     page.add()
     assert "'here' is not HOST:PORT" in page.problem.text()
-    assert outlets_of(window) == {}
+    assert playing_on(window) == {}
 
 
 def test_muting_is_seen_by_the_player(window, page, ears):
     name = add_rig(page, ears)
     QTest.mouseClick(page.mutes[name], Qt.MouseButton.LeftButton)
-    assert outlets_of(window)[name].is_muted == page.mutes[name].isChecked()
+    assert playing_on(window)[name].is_muted == page.mutes[name].isChecked()
     page.mute(name, is_muted=True)
-    assert outlets_of(window)[name].is_muted
+    assert playing_on(window)[name].is_muted
     page.mute(name, is_muted=False)
-    assert not outlets_of(window)[name].is_muted
+    assert not playing_on(window)[name].is_muted
 
 
 def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
@@ -85,11 +99,11 @@ def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
     track = RigTrack(np.arange(0.0, 1.5, 0.01), motion)
     monkeypatch.setattr(outlets_page, "rig_demonstration", lambda: (track, ()))
     name = add_rig(page, ears)
-    wait_for(lambda: outlets_of(window)[name].health is Health.READY)
+    wait_for(lambda: playing_on(window)[name].health is Health.READY)
     page.test(name)
-    assert outlets_of(window)[name].is_muted  # its packets would alternate with these
+    assert playing_on(window)[name].is_muted  # its packets would alternate with these
     wait_for(lambda: page.tested is None)
-    wait_for(lambda: not outlets_of(window)[name].is_muted)
+    wait_for(lambda: not playing_on(window)[name].is_muted)
     list(ears.listen(0.0))
     (report,) = ears.report().values()
     assert report["peak_mps2"] > 0.1
@@ -98,14 +112,14 @@ def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
 
 def test_escape_stops_everything(window, page, ears, wait_for):
     name = add_rig(page, ears)
-    wait_for(lambda: outlets_of(window)[name].health is Health.READY)
+    wait_for(lambda: playing_on(window)[name].health is Health.READY)
     page.test(name)
     QTest.keyClick(page, Qt.Key.Key_Escape)
     assert page.tested is None
-    wait_for(lambda: outlets_of(window)[name].mode is Mode.TRIPPED)
+    wait_for(lambda: playing_on(window)[name].mode is Mode.TRIPPED)
     assert window.session.is_stopped
     window.session.rearm()
-    wait_for(lambda: outlets_of(window)[name].mode is Mode.IDLE)
+    wait_for(lambda: playing_on(window)[name].mode is Mode.IDLE)
     wait_for_tests_to_end(wait_for)
 
 
@@ -118,3 +132,141 @@ def test_names_and_states_are_words():
     lost = OutletState("rig", Health.FAILED, "the network is down", *values)
     assert state_text(lost) == "the network is down"
     assert state_text(OutletState("rig", Health.STARTING, "", *values)) == "starting"
+
+
+def choose(page, kind, text=""):
+    page.kind.setCurrentIndex(page.kind.findData(kind))
+    page.address.setText(text)
+
+
+def test_any_kind_takes_the_settings_that_it_has(window, page):
+    choose(page, "gamepad")
+    assert not page.address.isEnabled()
+    choose(page, "shaker", "pulse,channels=3+9")
+    assert not page.gain.isEnabled()  # its gain is among its settings
+    page.add()
+    assert "shaker option 'channels=3+9': channel must be" in page.problem.text()
+    choose(page, "tcode", "127.0.0.1:1")
+    page.add()
+    assert list(playing_on(window)) == ["tcode:127.0.0.1:1"]
+    assert page.figures["tcode:127.0.0.1:1"].text() == "0 ms, \u00d7\u20091.00"
+    choose(page, "falcon", "1\u200b2")
+    page.add()
+    assert page.problem.text() == "Settings are letters, digits and signs"
+
+
+@pytest.mark.realtime
+@pytest.mark.parametrize("way", ["escape", "stop"])
+def test_escape_and_stop_bring_device_and_outlet_to_rest(
+    make_window, source, ears, wait_for, way
+):
+    window = make_window("simulated")
+    window.commands.outlets.trigger()
+    page, player = window.findChild(OutletsPage), window.player
+    name = add_rig(page, ears)
+    window.session.show_source(source)
+    player.set_loop((0.0, 1.5))
+    player.play()
+
+    def modes():
+        return {player.snapshot().mode, playing_on(window)[name].mode}
+
+    wait_for(lambda: modes() == {Mode.FOLLOWING})
+    if way == "escape":
+        page.activateWindow()
+        wait_for(page.isActiveWindow)
+        QTest.keyClick(page.windowHandle(), Qt.Key.Key_Escape)
+    else:
+        window.transport.stop_clicked.emit()
+    wait_for(lambda: modes() == {Mode.TRIPPED})
+    assert player.snapshot().phase is Phase.PAUSED
+
+
+# --- what is remembered --------------------------------------------------------
+
+
+def test_what_is_chosen_is_kept_and_a_test_mutes_nothing(
+    window, page, ears, settings, wait_for
+):
+    name = add_rig(page, ears)
+    assert outlets_of(settings) == {name: False}
+    wait_for(lambda: playing_on(window)[name].health is Health.READY)
+    page.look()
+    page.test(name)
+    assert playing_on(window)[name].is_muted
+    assert page.chosen() == {name: False}
+    page.end_test()
+    wait_for(lambda: not playing_on(window)[name].is_muted)
+    page.look()
+    page.mutes[name].click()
+    assert Settings(settings._path).table(OUTLETS) == {name: True}
+    page.remove(name)
+    assert Settings(settings._path).table(OUTLETS) == {}
+
+
+def test_an_outlet_that_becomes_the_device_is_none_any_more(window, page, settings):
+    choose(page, "simulated")
+    page.add()
+    assert outlets_of(settings) == {"simulated": False}
+    window.transport.device_chosen.emit("simulated")
+    assert window.player.snapshot().device == "simulated"
+    assert playing_on(window) == {}
+    assert outlets_of(settings) == {}
+
+
+def test_only_what_this_version_knows_is_taken_from_settings(settings):
+    kept = {"rig:outsim": True, "teleporter": False, "rig:x": False, "rumble": 1}
+    settings.keep(OUTLETS, {**kept, "falcon:\0": False, "gamepad": "yes"})
+    assert outlets_of(settings) == {
+        "rig:outsim": True,
+        "rumble": False,
+        "gamepad": False,
+    }
+
+
+def test_addresses_neither_leave_nor_come_with_settings(settings, tmp_path):
+    keep_outlets(settings, {"rig:outsim,192.0.2.1:4123": False})
+    settings.export(tmp_path / "out.json")
+    assert "192.0.2.1" not in (tmp_path / "out.json").read_text()
+    other = Settings(tmp_path / "other.json")
+    (tmp_path / "in.json").write_text(
+        '{"version": 1, "volume": 7, "outlets": {"rig:outsim,192.0.2.1:4123": false}}'
+    )
+    other.take(tmp_path / "in.json")
+    assert other.number("volume", 0) == 7
+    assert outlets_of(other) == {}
+
+
+def test_the_window_begins_with_what_was_chosen(
+    application, sequence, monkeypatch, tmp_path
+):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    shutil.copytree(sequence, files.cache_home() / f"demo-{__version__}")
+    kept = Settings(default_path())
+    kept.keep(DEVICE, "none")
+    keep_outlets(kept, {"simulated": True})
+    seen = []
+
+    def look() -> None:
+        for window in QApplication.topLevelWidgets():
+            if isinstance(window, PlayerWindow) and not window.is_over:
+                seen.extend(window.player.snapshot().outlets)
+                window.close()
+
+    timer = QTimer()
+    timer.timeout.connect(look)
+    timer.start(50)
+    assert cli.main([], program.run) == 0
+    timer.stop()
+    assert [(one.name, one.is_muted) for one in seen] == [("simulated", True)]
+
+
+def test_kept_outlets_that_clash_are_said_and_the_window_opens(window, settings):
+    alike = {"rig:outsim": False, "rig:outsim,gain=0.5": False}
+    keep_outlets(settings, alike)
+    program._restore_outlets(window, "none")
+    assert "two outlets send outsim to 127.0.0.1:4123" in window.messages.text()
+    assert playing_on(window) == {}
+    keep_outlets(settings, {"simulated": False})
+    program._restore_outlets(window, "simulated")  # it leads
+    assert playing_on(window) == {}

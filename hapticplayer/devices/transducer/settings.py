@@ -96,7 +96,7 @@ def shaker_settings(text: str) -> ShakerSettings:
             found[field] = parse(value)
         except (HapticPlayerError, ValueError) as problem:
             raise DeviceError(
-                "shaker option {part!r}: {reason}", part=part, reason=str(problem)
+                "shaker option {part!r}: {reason}", part=part, reason=problem
             ) from problem
     channels = found.setdefault("channels", (1, 2))
     bands = found.get("bands", (Band(),))
