@@ -39,7 +39,7 @@ _SPREAD_S = 0.006
 
 _READ_OUT_S, _READ_OUT_SD_S = 0.012, 0.010  # of rolling shutters, global ones included
 _READ_OUT_ERROR_S = 0.005  # of what frames tell of it
-_FLOOR_S = 0.0015
+_FLOOR_S = 0.003  # what simulated rides are wrong by beyond the fit
 
 
 def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:

@@ -24,7 +24,7 @@ _FINE_PX = (2.0, 1.0, 0.5, 0.3, 0.3, 0.3)
 """Scales of the robust weight, from coarse to fine."""
 
 _NOISE_PX = 0.15  # of a match
-_CHANGE_RAD = 0.03  # of the direction of travel, from its recent mean
+_CHANGE_RAD = 0.01  # of the direction of travel, from its recent mean
 _SLOWEST = 0.05  # distance from the focus of expansion at which its lines lose meaning
 _INLIER = 0.25  # least weight
 _MOST_STEP_RAD = 0.3

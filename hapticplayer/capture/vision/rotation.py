@@ -28,7 +28,7 @@ _FEWEST = 12
 _MANY_SHARE = 0.3  # of the cells, from which on quality does not suffer
 _LEAST_AGREEMENT = 0.3
 _VALUES = 12  # of each interval, in `_table`
-_MEMORY = 0.05  # share of the newest in the mean direction of travel
+_MEMORY = 0.15  # share of the newest in the mean direction of travel
 _TO_FRAME_A = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 
 Progress = Callable[[float, str], None]
