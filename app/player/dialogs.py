@@ -96,6 +96,7 @@ LATER = (
     "app.player.fault_panel",
     "app.player.keys_dialog",
     "app.player.latency_page",
+    "app.player.outlets_page",
     "app.player.rig_panel",
     "app.player.setup_page",
     "app.player.share_page",

@@ -4,12 +4,14 @@ import contextlib
 import shutil
 import threading
 
+import faces
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from app.bridge.languages import translated
 from app.bridge.settings import (
     OUTLETS,
     Settings,
@@ -153,6 +155,23 @@ def test_any_kind_takes_the_settings_that_it_has(window, page):
     choose(page, "falcon", "1\u200b2")
     page.add()
     assert page.problem.text() == "Settings are letters, digits and signs"
+
+
+def test_what_is_wrong_with_an_outlet_is_read_whole(
+    dressed, make_window, wait_for, qtbot
+):
+    dressed(language="de")
+    window = make_window()
+    window.commands.outlets.trigger()
+    page, names = window.findChild(OutletsPage), ["wheel:event99,full=3", "rumble"]
+    window.player.set_outlets([*names, "rig:outsim,rate=500,invert=sway+yaw+roll"])
+    wait_for(lambda: all(playing_on(window)[name].problem for name in names))
+    page.look()
+    qtbot.wait(50)
+    assert page.states[names[0]].text() == translated(
+        playing_on(window)[names[0]].problem
+    )
+    assert list(faces.cut_off(page)) == []
 
 
 @pytest.mark.realtime
