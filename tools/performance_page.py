@@ -56,6 +56,12 @@ force - sound within 2 (4). Other speeds are reported only.
 
 {pats}
 
+## Synchronisation of a log with its clip by the frames
+
+Clips of 28 s, log at 200 and 30 Hz; errors of confident results in the middle of the clip, ms.
+
+{pictures}
+
 ## What skips save
 
 {skips}
@@ -128,6 +134,7 @@ TABLES: dict[str, Callable[[dict[str, Any]], Table]] = {
     "faults": faults,
     "outside": outside,
     "pats": pats,
+    "pictures": columns,
     "loop": loop,
     "kinematics": kinematics,
     "skips": columns,
