@@ -42,6 +42,7 @@ class RigPanel(QDialog):
         except InputError as problem:
             self.hint.setText(translated(message_of(problem)))
         else:
+            self.destroyed.connect(self.ears.close)  # also with its window
             self.hint.setText(
                 self.tr(
                     "Listening on this computer at the ports {ports}. Play with "

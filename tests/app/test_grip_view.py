@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -138,7 +137,7 @@ def test_without_a_position_it_says_why_and_shows_no_grip(made, said):
 def test_only_a_simulated_grip_is_called_simulated(monkeypatch):
     assert grip(ticks(9)).title == "Simulated grip"
     large = DeviceCapabilities(3, 20.0, 8.0, 0.080, 1000.0, 0.001)
-    entry = SimpleNamespace(capabilities=large)
+    entry = replace(DEVICES["simulated"], name="other", capabilities=large)
     monkeypatch.setitem(DEVICES, "other", entry)
     made = grip(ticks(9), device="other")
     assert made.title == "Grip"
