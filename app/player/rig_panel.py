@@ -1,5 +1,7 @@
 """What a motion rig would do: listens on this machine, and shows the platform."""
 
+from functools import partial
+
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QDialog, QLabel, QWidget
 
@@ -42,7 +44,8 @@ class RigPanel(QDialog):
         except InputError as problem:
             self.hint.setText(translated(message_of(problem)))
         else:
-            self.destroyed.connect(self.ears.close)  # also with its window
+            # also with its window; a partial holds the ears, a bound method would not
+            self.destroyed.connect(partial(Ears.close, self.ears))
             self.hint.setText(
                 self.tr(
                     "Listening on this computer at the ports {ports}. Play with "

@@ -46,6 +46,8 @@ class Bench(FeedingPlayer):
             found = outcome_of(self.ticks, at_s)
             if found and found.zero_s is not None and found.cause is wanted:
                 return True
+            if found and fault in TRIPS and not found.is_trip and self.pushes():
+                at_s = np.inf  # a slow machine met the milder rule; the force is back
             if self.has_tripped_by_a_stall():  # of the machine, before or after
                 at_s = np.inf
                 self.process.rearm()
