@@ -152,7 +152,7 @@ def invalid_spans(
 ) -> list[tuple[float, float]]:
     """Return start and end of the spans that are not valid, s; neighbours are joined.
 
-    On a long recording, spans too close to be told apart are joined.
+    On a long recording, spans too close to be distinguished are joined.
     """
     edges = np.flatnonzero(np.diff(~valid, prepend=False, append=False))
     if not len(edges):

@@ -244,7 +244,7 @@ def sync_text(found: Mapping[str, Any]) -> str:
 
 
 def _pictures_text(found: Mapping[str, Any]) -> list[str]:
-    """Return what the frames told, and what a second method found."""
+    """Return the result of the frames, and that of a second method."""
     lines, evidence, second = [], found.get("pictures"), found.get("second")
     if evidence:
         lines.append(

@@ -1,7 +1,7 @@
 """Vibrating toys through Intiface, by the Buttplug protocol (versions 4 and 3).
 
 Source: docs.buttplug.io. Every message is a list of objects with one key. The newest
-strength counts; a device is told no faster than it can take. The server stops all
+strength counts; a device is commanded no faster than it accepts. The server stops all
 devices when its client is gone, or does not ping in time: pings come from the loop, and
 the guard shuts the connection down.
 """
@@ -112,7 +112,7 @@ class ButtplugPort:
         return since_s is None or self._clock.now_s() - since_s < self._overdue_s
 
     def write(self, command: bytes) -> None:
-        """Send messages, and wait until the devices may be told the next ones."""
+        """Send messages, and wait for the timing gap of the devices."""
         if self._owed_since_s is None:
             self._owed_since_s = self._clock.now_s()
         self._socket.send(command.decode())

@@ -1,4 +1,4 @@
-"""Devices without a place that are told a few hundred times a second: one driver.
+"""One driver for devices without a position, commanded up to a few hundred times a second.
 
 Game pads, wheels and vibrating toys differ in their bytes (`Translator`) and in how they
 are reached (`Port`). Pace, refreshing, the thread that writes, and the zero on every way
@@ -25,7 +25,7 @@ class Port(Protocol):
     Attributes:
         translator: of forces and reports, for as long as the port is open.
         is_quiet: whether its silence means nothing: it says nothing by itself, and owes
-            no answer; then taking what it is told is the sign of life.
+            no answer; then accepting a command is the sign of life.
     """
 
     @property
@@ -128,7 +128,7 @@ class PacedDriver:
         name: of the device.
         capabilities: its record; commands go out at its `rate_hz` at most.
         open_port: finds and opens it; raises DeviceError with what to do.
-        refresh_s: a command that stays the same is told again after so long, unless it
+        refresh_s: an unchanged command is sent again after so long, unless it
             is `off`.
         make_writer: `NewestWriter`; tests write in their own thread.
     """
@@ -158,7 +158,7 @@ class PacedDriver:
         atexit.register(self.close)
 
     def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
-        """Tell a force, return what is pressed; raises DeviceError when it is gone."""
+        """Command a force, return pressed buttons; raises DeviceError when it is gone."""
         port = self._port
         if port is None:
             raise DeviceError("the device is not open; choose the device again")

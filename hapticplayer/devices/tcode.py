@@ -57,7 +57,7 @@ class TCodePort:
         os.set_blocking(descriptor, False)
 
     def write(self, command: bytes) -> None:
-        """Send lines; what a full buffer does not take is told again later."""
+        """Send lines; what a full buffer refuses is sent again later."""
         with self._told(), contextlib.suppress(BlockingIOError):
             os.write(self._open(), command)
 
@@ -83,7 +83,7 @@ class TCodePort:
         try:
             yield
         except OSError as problem:
-            self.close()  # a datagram's failure is told once
+            self.close()  # a datagram's failure is reported once
             raise self._gone() from problem
 
     def _gone(self) -> DeviceError:

@@ -8,7 +8,7 @@ Vector = tuple[float, float, float]
 
 
 class Signal(enum.StrEnum):
-    """What a device is told."""
+    """The kind of signal that a device takes."""
 
     FORCE = "force"
     MOTION = "motion"

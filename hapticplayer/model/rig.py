@@ -1,4 +1,4 @@
-"""What a motion rig is told: one moment of the motion, as fifteen numbers.
+"""One sample of the signal for a motion rig: fifteen numbers.
 
 Without numpy: the outlet's loop loads this.
 """

@@ -137,7 +137,7 @@ def _forgetful_integral(time_s: Floats, values: Floats, forget_s: float) -> Floa
     """Return y with y' = values - y / forget_s, from 0; values as lines between.
 
     Each step forgets a share and adds the mean of its ends, so that
-    y[k] exp(t[k] / forget_s) is a running sum; taken anew every ten time constants,
+    y[k] exp(t[k] / forget_s) is a running sum; restarted every ten time constants,
     before it becomes too large a number.
     """
     out = np.zeros_like(values)

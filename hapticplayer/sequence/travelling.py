@@ -1,4 +1,4 @@
-"""What of a sequence travels with its video, and what a person is told of it."""
+"""What of a sequence travels with its video, and its description for people."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass

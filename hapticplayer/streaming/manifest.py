@@ -1,4 +1,4 @@
-"""What a stream consists of: all that a client is told before it asks for anything."""
+"""The manifest of a stream: what a client reads before it requests anything."""
 
 import json
 from dataclasses import dataclass

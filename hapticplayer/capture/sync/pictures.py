@@ -55,7 +55,7 @@ def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
 
     Args:
         imu: the log, with a gyro; its axes may be any.
-        frames: what `capture.vision.rotation` told of the clip.
+        frames: rotation of the clip, from `capture.vision.rotation`.
 
     Raises:
         InputError: when the frames or the log tell of no rotation at all.

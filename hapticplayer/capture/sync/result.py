@@ -40,7 +40,7 @@ class Rival:
 
 @dataclass(frozen=True, slots=True)
 class PictureEvidence:
-    """How well the rotation told by frames fits that of the gyro.
+    """How well the rotation from frames fits that of the gyro.
 
     Attributes:
         middle_s: media time of the middle of what was compared.
@@ -109,7 +109,7 @@ class Synchronisation:
             sound comes.
         offset_sigma_s: SD of the error at the middle of what was compared; 0 if unknown.
         drift_sigma_ppm: SD of the error of the clock rate; 0 if unknown.
-        pictures: what the frames told.
+        pictures: result of the frames.
         mounting: which mounting they tell.
         second: what another method found, which agrees, or does not.
     """

@@ -63,7 +63,7 @@ def fit_line(watched: Watched, gyro: Gyro, start: Fit) -> Line:
     """Fit shift and drift to windows of 4 s.
 
     Args:
-        watched: what the frames told.
+        watched: rotation from the frames.
         gyro: the log.
         start: the fit to begin from; its mounting and gains are kept.
     """

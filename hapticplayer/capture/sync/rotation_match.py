@@ -1,4 +1,4 @@
-"""Compares the rotation of a camera, told by its frames, with a gyro's.
+"""Compares a camera's rotation, estimated from its frames, with a gyro's.
 
 Both are rotations over the intervals between frames: the gyro's is the difference of its
 integral at both ends, so that no sampling rate and no averaging needs to be undone. Both
@@ -74,12 +74,12 @@ class Gyro:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Watched:
-    """What frames told, ready to be compared: N intervals of one or more spans.
+    """Rotation from frames, ready to be compared: N intervals of one or more spans.
 
     Attributes:
         begin_s: (N,) media time.
         end_s: (N,) media time.
-        rotation_rad: (N, 3) as told.
+        rotation_rad: (N, 3) as estimated.
         weight: (N,) 0 to 1.
         row: (N, 3) as in `FrameRotation`.
         skew_rad: (N, 3) as in `FrameRotation`.

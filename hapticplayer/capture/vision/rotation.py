@@ -1,4 +1,4 @@
-"""How a camera rotated from frame to frame, told by its frames."""
+"""Rotation of a camera from frame to frame, estimated from its frames."""
 
 import importlib
 import importlib.util
@@ -47,7 +47,7 @@ class FrameRotation:
         begin_s: (N,) media time of the first frame of each interval.
         end_s: (N,) that of the second one.
         rotation_rad: (N, 3) rotation vectors.
-        quality: (N,) 0 (nothing can be told, as at a cut) to 1.
+        quality: (N,) 0 (not observable, as at a cut) to 1.
         row: (N, 3) mean row of what was followed, by its share in each axis: -0.5 top,
             0.5 bottom. A sensor that reads its rows one after the other tells the
             rotation of the time at which it reads this row.

@@ -1,8 +1,8 @@
 """Effects and events of Linux's force feedback as bytes.
 
 Source: <linux/input.h>, struct ff_effect (48 bytes) and struct input_event. An effect
-lasts `LENGTH_MS` and is told again while it is felt: what a program leaves behind that
-stands still ends by itself.
+lasts `LENGTH_MS` and is refreshed while it is on: the effect of a stalled program ends
+by itself.
 """
 
 import struct
@@ -98,7 +98,7 @@ class _Buttons:
                 bit = 1 << (event.code & 0x0F)
                 self._pressed = self._pressed & ~bit | (bit if event.value else 0)
             elif event.kind == EV_SYN and event.code == SYN_DROPPED:
-                self._pressed = 0  # some were lost; a press is told again
+                self._pressed = 0  # some were lost; a press is reported again
         return self._pressed
 
 

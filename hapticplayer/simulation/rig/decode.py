@@ -1,6 +1,6 @@
 """Reads the packets of `devices.rig.packets` from their published layouts, not with them.
 
-OutSim is told by its 64 or 68 bytes, BeamNG by "BNG1" and 88 bytes, Codemasters by 264.
+OutSim is recognised by its 64 or 68 bytes, BeamNG by "BNG1" and 88 bytes, Codemasters by 264.
 """
 
 import math

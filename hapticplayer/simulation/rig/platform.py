@@ -2,7 +2,7 @@
 
 Frame A on the platform and in the room: x right, y front, z up. A leg of a pose is
 |T + R p - b| with R = Rz(yaw) Rx(pitch) Ry(roll), see `devices.rig.packets`; the pose is
-neutral where T is the home height. What no leg reaches is held back, and told.
+neutral where T is the home height. A pose out of reach is clamped, and reported.
 """
 
 import math
