@@ -2,6 +2,7 @@
 
 import math
 import os
+import socket
 from collections.abc import Callable
 from typing import Protocol
 
@@ -177,7 +178,8 @@ def silence(line: int, _where: str = "") -> Callable[[], bool]:
             held[:] = [newest]
         try:
             for descriptor, frame in held:
-                os.write(descriptor, frame)
+                with socket.socket(fileno=os.dup(descriptor)) as end:
+                    end.send(frame, socket.MSG_DONTWAIT)
         except BlockingIOError:
             return True  # it does not listen; the guard calls again
         except OSError:

@@ -75,6 +75,20 @@ def test_without_a_device_it_says_what_to_do():
     assert link.is_closed
 
 
+def test_the_guard_never_waits_for_a_service_that_stalls():
+    """A blocking connection whose other side reads nothing fills up."""
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    link, service = socket.socketpair()
+    with ours, theirs, link, service:
+        write_zero = silence(theirs.fileno())
+        frame = text_frame("x" * 900)
+        hand_over(ours.fileno(), link.fileno(), frame)
+        assert all(write_zero() for _ in range(5_000))
+        assert link.getblocking()
+        service.close()
+        assert not write_zero()
+
+
 @pytest.mark.parametrize("size", [1, 125, 126, 900])
 def test_the_guards_frame_is_one_of_the_protocol(size):
     """A server that is not ours (websockets) takes what the guard writes."""
