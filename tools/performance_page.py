@@ -10,19 +10,20 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
-RESULTS, PAGE = ROOT / "benchmarks" / "results", ROOT / "docs" / "performance.md"
+BENCHMARKS, PAGE = ROOT / "benchmarks", ROOT / "docs" / "performance.md"
+RESULTS = BENCHMARKS / "results"
 MOST_SHOWN = 12
 Table = tuple[list[str], list[list[Any]]]
 TEXT = """# Performance
 
 Written by `python -m tools.performance_page` from the results of the
-[benchmarks](../benchmarks/README.md). Each ran beside its reference in the same rounds; ratios are
-medians over the rounds. Error and run time of gravity removal are in [numerics.md](numerics.md).
-A row is of the code of its date; those before 2026-11-24 have not been measured again since.
+[benchmarks](../benchmarks/README.md). A peer ran in the same rounds; ratios are medians over the
+rounds. A row is of the code of its date. Gravity removal, error of the force and washout are in
+[numerics.md](numerics.md).
 
 ## All benchmarks
 
-In brackets the target; what missed it is bold.
+In brackets the target; a figure that missed it is bold.
 
 {summary}
 
@@ -38,12 +39,6 @@ Beside cyclictest in the same rounds; `stress` holds the window's interpreter fo
 
 {loop}
 
-## One tick of the Falcon's kinematics
-
-Beside the same with numpy.linalg, and libnifalcon's half Newton steps.
-
-{kinematics}
-
 ## Synchronisation of frame, sound and force, ms
 
 Measured from outside: median and, in brackets, 95 % of the magnitude; positive: the first named is
@@ -52,19 +47,16 @@ force - sound within 2 (4). Other speeds are reported only.
 
 {outside}
 
-## Synchronisation of a log with its clip by three taps
+## Synchronisation of a log with its clip
+
+By three taps:
 
 {pats}
 
-## Synchronisation of a log with its clip by the frames
-
-Clips of 28 s, log at 200 and 30 Hz; errors of confident results in the middle of the clip, ms.
+By the frames, beside three taps: clips of 28 s, log at 200 and 30 Hz; errors of confident results in
+the middle of the clip, ms: median, p95, largest (results that are confident, of all).
 
 {pictures}
-
-## What skips save
-
-{skips}
 """
 
 
@@ -93,17 +85,24 @@ def outside(found: dict[str, Any]) -> Table:
 def pats(found: dict[str, Any]) -> Table:
     """Return the shares of clips, in %, and the errors of long ones."""
     keys = ("within_half_frame", "variance_kindest", "wrong_unflagged", "right_flagged")
-    rows = [
-        [kind, *(f"{100 * one[key]:.1f}" for key in keys), one["run_ms"]]
-        for kind, one in found["60 s"].items()
-    ]
-    rows += [
-        [f"{kind}, 600 s: {one['end_rms_ms']:.1f} ms RMS at the end", "", "", "", "",
-         one["run_ms"]]
-        for kind, one in found["600 s"].items()
-    ]  # fmt: skip
+    rows = []
+    for kind, one in found["60 s"].items():
+        shares = (f"{100 * one[key]:.1f}" for key in keys)
+        long = found["600 s"].get(kind, {})
+        rows.append([kind, *shares, one["run_ms"], long.get("end_rms_ms", "")])
     header = ["clips", "half a frame %", "variance threshold %", "wrong, unflagged %"]
-    return [*header, "right, flagged %", "ms"], rows
+    return [*header, "right, flagged %", "ms", "600 s: RMS at the end, ms"], rows
+
+
+def pictures(found: dict[str, Any]) -> Table:
+    """Return the errors of each method side by side."""
+    by_clips: dict[str, dict[str, str]] = {}
+    for clips, method, logs, confident, *errors in found["rows"]:
+        text = f"{', '.join(map(_cell, errors))} ({confident} of {logs})"
+        by_clips.setdefault(clips, {})[method] = text
+    methods = list(next(iter(by_clips.values())))
+    rows = [[clips, *one.values()] for clips, one in by_clips.items()]
+    return ["clips", *methods], rows
 
 
 def loop(found: dict[str, Any]) -> Table:
@@ -118,26 +117,12 @@ def loop(found: dict[str, Any]) -> Table:
     return [*header, "p99 of cyclictest (1.2)", "p99.9 (1.5)"], rows
 
 
-def kinematics(found: dict[str, Any]) -> Table:
-    """Return time and error of one tick beside two other methods."""
-    named = ("ours", "numpy", "half steps")
-    keys = list(found["ours"])
-    return ["", *keys], [[name, *found[name].values()] for name in named]
-
-
-def columns(found: dict[str, Any]) -> Table:
-    """Return a table that the result holds as it is."""
-    return found["columns"], found["rows"]
-
-
 TABLES: dict[str, Callable[[dict[str, Any]], Table]] = {
     "faults": faults,
     "outside": outside,
     "pats": pats,
-    "pictures": columns,
+    "pictures": pictures,
     "loop": loop,
-    "kinematics": kinematics,
-    "skips": columns,
 }
 
 
@@ -146,34 +131,74 @@ def result(path: Path) -> dict[str, Any]:
     return dict(json.loads(path.read_text(encoding="utf-8")))
 
 
+def kinematics(found: dict[str, Any]) -> list[str]:
+    """Return time and error of one tick beside two other methods."""
+    return [
+        f"{name}: {_cell(found[name]['p50 us'])} us, p99 {_cell(found[name]['p99 us'])} "
+        f"us, RMS error {_cell(found[name]['error rms mm'])} mm"
+        for name in ("ours", "numpy", "half steps")
+    ]
+
+
+def skips(found: dict[str, Any]) -> list[str]:
+    """Return the time with each skip as a share of the time without it."""
+    ratios = [f"{what} {_cell(ratio)}" for what, _, _, _, ratio, *_ in found["rows"]]
+    return ["time with each skip over the time without it", *ratios]
+
+
+def memory(found: dict[str, Any]) -> list[str]:
+    """Return the growth of each player."""
+    return [f"{r[0]} {r[1]:+.1f} ± {r[2]:.1f} MB an hour" for r in found["rows"]]
+
+
+FIGURES: dict[str, Callable[[dict[str, Any]], list[str]]] = {
+    "kinematics": kinematics,
+    "skips": skips,
+    "memory": memory,
+}
+"""Of benchmarks without a target."""
+
+
+def peers() -> dict[str, str]:
+    """Return what each benchmark is compared with, by its command: its README's."""
+    lines = (BENCHMARKS / "README.md").read_text(encoding="utf-8").splitlines()
+    rows = [line.strip("| ").split(" | ") for line in lines if line.startswith("| `")]
+    return {" ".join(row[0].strip("`").split()[:2]): row[2] for row in rows}
+
+
 def summary() -> Table:
-    """Return a row for each benchmark: targets, command, date and machine."""
+    """Return a row for each benchmark: target, figure, peer, date and machine."""
     rows = []
-    results = [result(path) for path in RESULTS.glob("*.json")]
-    for found in sorted(results, key=lambda one: str(one["command"])):
-        asked = found["targets"]
-        missed = [one for one in asked if not one["met"]]
-        figures = [_asked(one) for one in asked]
-        if len(asked) > MOST_SHOWN:
-            figures = [f"{len(asked) - len(missed)} of {len(asked)} targets met"]
-            figures += [_asked(one) for one in missed]
-        if "MB an hour" in found.get("columns", ()):
-            figures = [
-                f"{r[0]} {r[1]:+.1f} ± {r[2]:.1f} MB an hour" for r in found["rows"]
-            ]
-        machine = found["machine"]
-        where = (
-            f"{machine.get('processor', 'virtual machine')}, {machine['cores']} cores"
-        )
-        command = f"`{found['command'].removeprefix('python -m ')}`"
-        text = "; ".join(figures) or "no target"
-        rows.append([command, text, found["date"], where])
-    return ["`python -m`", "measured (target)", "date", "machine"], rows
+    known = peers()
+    results = {path.stem: result(path) for path in RESULTS.glob("*.json")}
+    for name, found in sorted(results.items(), key=lambda one: one[1]["command"]):
+        command = found["command"].removeprefix("python -m benchmarks.")
+        where = found["machine"].get("processor", "virtual machine")
+        rows.append([
+            f"`{command}`",
+            "; ".join(_figures(name, found)) or "no target",
+            known[" ".join(command.split()[:2])],
+            found["date"],
+            f"{where}, {found['machine']['cores']} cores",
+        ])  # fmt: skip
+    header = ["`python -m benchmarks.`", "measured (target)", "peer or limit"]
+    return [*header, "date", "machine"], rows
+
+
+def _figures(name: str, found: dict[str, Any]) -> list[str]:
+    """Return what is shown of a benchmark: of many targets only those missed."""
+    if name in FIGURES:
+        return FIGURES[name](found)
+    asked = found["targets"]
+    if len(asked) <= MOST_SHOWN:
+        return [_asked(one) for one in asked]
+    missed = [_asked(one) for one in asked if not one["met"]]
+    return [f"{len(asked) - len(missed)} of {len(asked)} targets met", *missed]
 
 
 def _asked(one: dict[str, Any]) -> str:
     bound = one["target"].replace("<=", "≤").replace(">=", "≥")
-    text = f"{one['what']} {_cell(one['measured'])} ({bound})"
+    text = f"{one['what']}: {_cell(one['measured'])} ({bound})"
     return text if one["met"] else f"**{text}**"
 
 

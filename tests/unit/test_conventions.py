@@ -8,6 +8,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 LONG_NAME = re.compile(r"^ *def (test_\w{56,})", re.MULTILINE)
 IMPORTED = re.compile(r"^ *(?:from|import) (\w+)", re.MULTILINE)
+LINK = re.compile(r"\]\((?!https?:|mailto:|#)([^)#\s]+)")
 
 
 def found(folder, pattern):
@@ -30,3 +31,22 @@ def test_tests_import_no_benchmark():
 @pytest.mark.parametrize("folder", ["benchmarks", "tools"])
 def test_benchmarks_and_tools_import_no_test(folder):
     assert not [name for name, x in found(folder, IMPORTED) if x == "tests"]
+
+
+@pytest.mark.parametrize(
+    ("name", "most"),
+    [("README.md", 100), ("docs/performance.md", 150), ("docs/numerics.md", 150)],
+)
+def test_documents_of_results_and_readme_stay_short(name, most):
+    assert len((ROOT / name).read_text(encoding="utf-8").splitlines()) <= most
+
+
+def test_every_file_that_a_document_links_to_exists():
+    pages = [*ROOT.glob("*.md"), *ROOT.glob("*/*.md")]
+    links = [
+        (page.name, link)
+        for page in pages
+        for link in LINK.findall(page.read_text(encoding="utf-8"))
+        if not (page.parent / link).exists()
+    ]
+    assert not links

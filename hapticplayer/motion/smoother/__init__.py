@@ -1,6 +1,6 @@
 """The non-causal smoother: orientation from the whole recording.
 
-Method and equations: docs/numerics.md. Constants were chosen by the errors of
+Method and equations: docs/methods.md. Constants were chosen by the errors of
 `python -m benchmarks.motion accuracy`; what half and twice of each does is measured by
 `python -m benchmarks.motion sensitivity`, and said beside it where the mean error
 changes by 1 % or more.
