@@ -19,9 +19,12 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.widgets import theme
 from hapticplayer.clock import SystemClock
+from hapticplayer.haptics.contract import Mode
+from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
+from hapticplayer.model import ForceTrack
 from hapticplayer.playback.player import Player
-from hapticplayer.playback.source import open_source
+from hapticplayer.playback.source import Source, open_source
 from hapticplayer.simulation.rides.shaken import write_shaken_sequence
 
 sys.path.insert(0, str(Path(__file__).parent))  # helpers beside these tests
@@ -29,6 +32,7 @@ from private_bus import address, bus, bus_daemon  # noqa: F401 - fixtures
 from sitting import make_study, sit  # noqa: F401 - fixtures
 
 RATE_HZ, CLIP_S, WIDTH, HEIGHT = 25, 2, 160, 90
+LONG_S = 120
 LONG_TITLE = "A ride whose title is as long as titles can be. " * 8
 PATIENCE_MS = 60_000  # for a busy machine; nothing waits that long where all is well
 
@@ -55,6 +59,26 @@ def sequence(clip, tmp_path_factory) -> Path:
 @pytest.fixture
 def source(sequence):
     return open_source(sequence)
+
+
+@pytest.fixture(scope="session")
+def long_clip(tmp_path_factory) -> Path:
+    """Two minutes, which nothing here comes to the end of."""
+    path = tmp_path_factory.mktemp("clip") / "long.mp4"
+    pictures = (np.full((36, 64, 3), 90, np.uint8) for _ in range(10 * LONG_S))
+    write_clip(path, pictures, frame_rate_hz=10, is_quick=True)
+    return path
+
+
+@pytest.fixture
+def long_source(long_clip) -> Source:
+    """The long clip with a small force: a device is ready before it ends."""
+    push_n = {"realistic": 0.2, "none": 0.0}
+    tracks = {
+        name: ForceTrack([0.0, LONG_S], [[0.0, up_n, 0.0]] * 2)
+        for name, up_n in push_n.items()
+    }
+    return Source("long", long_clip, probe(long_clip), tracks, None, "realistic")
 
 
 @pytest.fixture(scope="session")
@@ -148,6 +172,27 @@ def window(make_window) -> PlayerWindow:
 def wait_for(qtbot) -> Callable[[Callable[[], bool]], None]:
     """Let the event loop run until something is true."""
     return lambda condition: qtbot.waitUntil(condition, timeout=PATIENCE_MS)
+
+
+@pytest.fixture
+def feel(wait_for) -> Callable[..., None]:
+    """Let a window's clip play until its force is there, also on a busy machine."""
+
+    def until_felt(window: PlayerWindow, look: Callable[[], None] | None = None):
+        player = window.player
+
+        def is_felt() -> bool:
+            if look is not None:
+                look()
+            if window.session.is_stopped:  # a busy machine has tripped it
+                window.session.rearm()
+            if not player.snapshot().is_playing:
+                player.play()
+            return player.snapshot().mode is Mode.FOLLOWING
+
+        wait_for(is_felt)
+
+    return until_felt
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from scipy.signal import resample_poly
 
+from app.experimenter import import_wizard
 from app.experimenter.import_mounting import Triad
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
@@ -213,16 +214,30 @@ def test_the_pats_are_heard_left_and_ticked_right(wizard, ride, wait_for, monkey
     assert played[-1] is None
 
 
-def test_stopping_in_the_middle_leaves_nothing(wizard, ride, wait_for, tmp_path):
+def test_stopping_in_the_middle_leaves_nothing(
+    wizard, ride, wait_for, tmp_path, monkeypatch
+):
     folder, _ = ride
     wizard.take([folder / "ride.mp4", folder / "log.csv"])
     wait_for(wizard.next.isEnabled)
+    is_writing, may_go_on = threading.Event(), threading.Event()
+
+    def held(work, *arguments, progress, **options):
+        def report(fraction, step):
+            if fraction > 0.0:
+                is_writing.set()
+                may_go_on.wait(60.0)
+            progress(fraction, step)
+
+        return work(*arguments, progress=report, **options)
+
+    monkeypatch.setattr(import_wizard, "in_child", held)
     wizard.next.click()
     wizard.next.click()
     wizard.next.click()
-    assert wizard.jobs.is_busy
-    wait_for(lambda: wizard.jobs.state().fraction > 0.0)
+    wait_for(is_writing.is_set)
     wizard.progress.stop.click()
+    may_go_on.set()
     wait_for(lambda: not wizard.jobs.is_busy)
     assert wizard.stack.currentIndex() == MOUNTING
     assert not list(tmp_path.rglob("sequence.json"))

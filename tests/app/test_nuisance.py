@@ -12,35 +12,20 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QSplitter
 
-from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.media.clip_info import probe
-from hapticplayer.media.encode import write_clip
-from hapticplayer.model import ForceTrack
-from hapticplayer.playback.source import Source
+from hapticplayer.haptics.contract import Cause
 from tools.reactions import OF_LOAD
 
-CLIP_S, RATE_HZ = 120, 10
 LEFT, NO_KEY = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 CONTROL = Qt.KeyboardModifier.ControlModifier
 # while the decoder does not keep up there is no track
 MAY_BE_LOAD = OF_LOAD | {Cause.NO_TRACK}
 
 
-@pytest.fixture
-def long_source(tmp_path) -> Source:
-    """Two minutes with a small force, which nothing here comes to the end of."""
-    frames = (np.full((36, 64, 3), 90, np.uint8) for _ in range(CLIP_S * RATE_HZ))
-    path = tmp_path / "long.mp4"
-    write_clip(path, frames, frame_rate_hz=RATE_HZ, is_quick=True)
-    track = ForceTrack([0.0, CLIP_S], [[0.0, 0.2, 0.0]] * 2)
-    return Source("long", path, probe(path), {"realistic": track}, None, "realistic")
-
-
 class Use:
     """A person with mouse and keyboard, and what the loop does meanwhile."""
 
-    def __init__(self, window, qtbot, wait_for):
-        self.window, self.qtbot, self.wait_for = window, qtbot, wait_for
+    def __init__(self, window, qtbot):
+        self.window, self.qtbot = window, qtbot
         self.seen_s = window.player.snapshot().tick["monotonic_s"]
         self.causes: set[Cause] = set()
 
@@ -60,20 +45,6 @@ class Use:
 
     def key(self, key, modifier=NO_KEY):
         QTest.keyClick(self.window.windowHandle(), key, modifier)
-
-    def feel(self):
-        """Let the clip play until its force is there."""
-        player = self.window.player
-
-        def is_felt():
-            self.look()
-            if self.window.session.is_stopped:  # a busy machine has tripped it
-                self.window.session.rearm()
-            if not player.snapshot().is_playing:
-                player.play()
-            return player.snapshot().mode is Mode.FOLLOWING
-
-        self.wait_for(is_felt)
 
     def close_dialogs(self):
         for dialog in self.window.findChildren(QDialog):
@@ -135,18 +106,18 @@ class Use:
 
 @pytest.mark.realtime
 def test_using_the_window_causes_no_unintended_reaction(
-    make_window, long_source, qtbot, wait_for
+    make_window, long_source, qtbot, wait_for, feel
 ):
     window = make_window("simulated")
     window.session.show_source(long_source)
     wait_for(lambda: window.player.snapshot().tick is not None)
-    person = Use(window, qtbot, wait_for)
-    person.feel()
+    person = Use(window, qtbot)
+    feel(window, person.look)
     person.causes.clear()
     person.do(person.open_menus, person.open_dialogs, person.resize)
     person.do(person.show_and_hide, person.drag_splitter)
     assert person.causes <= MAY_BE_LOAD | {Cause.NONE}
     person.do(person.seek)
-    person.feel()
+    feel(window, person.look)
     assert person.causes <= MAY_BE_LOAD | {Cause.NONE, Cause.SEEK, Cause.PAUSED}
     assert Cause.SEEK in person.causes

@@ -99,13 +99,20 @@ def test_every_preset_has_its_sentence(page):
     assert any("every participant" in text for text in texts)
 
 
-def test_a_choice_is_predicted_beside_what_is_there(page, ride, wait_for):
-    before = open_sequence(ride)
+def test_a_choice_is_predicted_beside_what_is_there(page, ride, wait_for, monkeypatch):
+    before, may_go_on = open_sequence(ride), threading.Event()
     before_px = page.picture.geometry()
+
+    def held(work, *arguments, **options):
+        may_go_on.wait(60.0)
+        return here(work, *arguments, **options)
+
+    monkeypatch.setattr(rendering_page, "in_child", held)
     page.fields.gain.setValue(0.2)
     assert shown(page, "peak")[1] == "\u2013"
     wait_for(page.progress.isVisible)
     assert page.picture.geometry() == before_px  # nothing jumps
+    may_go_on.set()
     wait_for(lambda: page.after is not None)
     peak_n = before.tracks["realistic"].peak_n()
     assert shown(page, "peak") == [f"{peak_n:.2f} N", f"{peak_n / 2:.2f} N"]

@@ -19,6 +19,7 @@ from hapticplayer.devices.falcon.homing import WAY_COUNTS, Advice, Guidance
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.setting_up import Progress, Step
 from hapticplayer.devices.falcon.transport import open_falcon
+from hapticplayer.simulation.usb import mechanics
 from hapticplayer.simulation.usb.board import Stage, synthetic_image
 from hapticplayer.simulation.usb.driver import make_set
 from hapticplayer.simulation.usb.mechanics import Homing
@@ -28,6 +29,12 @@ from hapticplayer.simulation.usb.mechanics import Homing
 def falcon():
     """A simulated one, just plugged in, with an owner who homes it."""
     return make_set(stage=Stage.DARK, homing=Homing())
+
+
+@pytest.fixture
+def _undecided(monkeypatch):
+    """The owner holds the grip, and does not pull it yet."""
+    monkeypatch.setattr(mechanics, "_DECIDING_S", 1e9)
 
 
 @pytest.fixture
@@ -79,6 +86,7 @@ def test_from_power_up_to_a_grip_that_is_followed(make_page, wait_for):
     wait_for(lambda: page.use.isEnabled() and page.forces.isEnabled())
 
 
+@pytest.mark.usefixtures("_undecided")
 def test_it_cannot_be_used_before_it_is_homed(make_page, wait_for):
     page = make_page()
     wait_for(lambda: page.drawing.view.arrow == 1)
@@ -86,6 +94,7 @@ def test_it_cannot_be_used_before_it_is_homed(make_page, wait_for):
     assert not page.forces.isEnabled()
 
 
+@pytest.mark.usefixtures("_undecided")
 @pytest.mark.parametrize(
     ("code", "title", "remedy"),
     [
@@ -108,6 +117,7 @@ def test_each_trouble_is_said_and_goes_away_by_itself(
     wait_for(lambda: page.drawing.view.arrow == 1)
 
 
+@pytest.mark.usefixtures("_undecided")
 def test_pulling_the_cable_while_homing_is_said(make_page, falcon, wait_for):
     page = make_page()
     wait_for(lambda: page.drawing.view.arrow == 1)
@@ -123,6 +133,7 @@ def answer(page, wait_for, yes=True):
     return text
 
 
+@pytest.mark.usefixtures("_undecided")
 def test_missing_firmware_is_given_in_the_window(make_page, wait_for, tmp_path):
     page = make_page(image=find_image)
     wait_for(lambda: "needs its firmware" in page.title.text())

@@ -16,7 +16,6 @@ from app.experimenter.import_wizard import ImportWizard
 from app.player.empty_page import EmptyPage
 from app.player.remake import apply_appearance
 from app.player.window import LEAST_VIDEO_PX
-from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.playback.phases import Phase
 
@@ -272,11 +271,12 @@ def test_a_missing_falcon_leaves_the_window_without_a_device(window, wait_for):
 
 
 @pytest.mark.realtime
-def test_stop_trips_and_rearm_lets_the_force_back(make_window, source, wait_for):
+def test_stop_trips_and_rearm_lets_the_force_back(
+    make_window, long_source, wait_for, feel
+):
     window = make_window("simulated")
-    window.session.show_source(source)
-    window.player.play()
-    wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
+    window.session.show_source(long_source)
+    feel(window)
     window.transport.stop.click()
     wait_for(lambda: window.session.is_stopped)
     wait_for(lambda: window.transport.stop.text() == "Re-arm")
@@ -286,9 +286,7 @@ def test_stop_trips_and_rearm_lets_the_force_back(make_window, source, wait_for)
     window.transport.stop.click()
     wait_for(lambda: not window.session.is_stopped)
     wait_for(lambda: window.transport.stop.text() == "STOP")
-    window.player.seek(0.0)
-    window.player.play()
-    wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
+    feel(window)
 
 
 def test_escape_stops_also_while_a_dialog_is_open(make_window, source, wait_for):
@@ -302,11 +300,12 @@ def test_escape_stops_also_while_a_dialog_is_open(make_window, source, wait_for)
     assert not any(w.isVisible() for w in window.findChildren(ImportWizard))
 
 
-def test_changing_feedback_and_device_while_it_plays(make_window, source, wait_for):
+def test_changing_feedback_and_device_while_it_plays(
+    make_window, long_source, wait_for, feel
+):
     window = make_window("simulated")
-    window.session.show_source(source)
-    window.player.play()
-    wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
+    window.session.show_source(long_source)
+    feel(window)
     window.transport.feedback_chosen.emit("none")
     assert window.player.snapshot().feedback == "none"
     first = window.player.snapshot().loop_pid
@@ -411,13 +410,11 @@ def programs_we_started() -> set[str]:
 
 
 @pytest.mark.realtime
-def test_closing_leaves_nothing_running(make_window, source, wait_for):
+def test_closing_leaves_nothing_running(make_window, long_source, feel):
     before = programs_we_started()
     window = make_window("simulated")
-    window.session.show_source(source)
-    wait_for(lambda: window.player.snapshot().device_health == "ready")
-    window.player.play()
-    wait_for(lambda: window.player.snapshot().mode is Mode.FOLLOWING)
+    window.session.show_source(long_source)
+    feel(window)
     process = window.player.snapshot().loop_pid
     assert len(programs_we_started() - before) >= 3  # loop, guard, simulated device
     window.close()
