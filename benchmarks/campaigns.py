@@ -298,10 +298,10 @@ def commands(options: argparse.Namespace, report: Report) -> dict[str, Any]:
                 command, capture_output=True, text=True, check=True, cwd=ROOT
             )
             output, usage = done.stdout.splitlines()[-2:]
-            told, found = json.loads(output), json.loads(usage)
+            printed, found = json.loads(output), json.loads(usage)
             report.target(f"{what}: peak MB", found["peak_mb"], ("<=", most_mb))
-            if "missed" in told:
-                found["missed"] = told["missed"]
+            if "missed" in printed:
+                found["missed"] = printed["missed"]
             figures[what] = found
     rows = [[name, *(f.get(k, "-") for k in _PEAKS)] for name, f in figures.items()]
     report.table("Commands on long files", ["command", *_PEAKS], rows)

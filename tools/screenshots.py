@@ -31,7 +31,7 @@ DOCS = {
     "rendering-equal": "rendering.png",
     "operator-playing": "operator.png",
     "study-trial-03-questions": "questions.png",
-    "faults-told": "faults.png",
+    "faults-shown": "faults.png",
 }
 IN_DOCS, DOCS_PX, DOCS_COLOURS = "en-light-100", 960, 255
 SHEET_PX, WIDEST_PX, HIGHEST_PX = 1560, 776, 740  # of contact sheets

@@ -253,11 +253,11 @@ class MountingPage(QWidget):
         row_of((scrolling(form), 3), (beside, 2), spacing=18, of=self)
 
     def show_found(self, found: Recognised) -> None:
-        """Propose the mounting that the frames tell, or in which up is up, and a title."""
+        """Propose the mounting that the frames show, or in which up is up, and a title."""
         self._up = found.up
-        told = found.found.mounting if found.found else None
-        is_told = told is not None and told.is_clear
-        axes = told.axes if told and is_told else proposed_mounting(found.up)
+        mounting = found.found.mounting if found.found else None
+        is_clear = mounting is not None and mounting.is_clear
+        axes = mounting.axes if mounting and is_clear else proposed_mounting(found.up)
         at = self.mounting.findData(axes)
         self.mounting.setCurrentIndex(at)
         self._on_mounting()

@@ -85,7 +85,7 @@ class StudySession:
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
         self.undisturbed = IdleInhibitor(services=EVERYTHING)
         self._watch_cadence, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
-        self._told_s = clock.now_s()
+        self._reported_s = clock.now_s()
         self._is_over = False
         self.pump = Pump(self.player.poll, clock, self._on_gap)
         self.start_panel.started.connect(self.begin)
@@ -209,10 +209,10 @@ class StudySession:
         """Hand the forces since the last call to the observer."""
         if self._observer is None:
             return
-        ticks = self.player.ticks_since(self._told_s)
-        ticks = ticks[ticks["monotonic_s"] > self._told_s]
+        ticks = self.player.ticks_since(self._reported_s)
+        ticks = ticks[ticks["monotonic_s"] > self._reported_s]
         if len(ticks):
-            self._told_s = float(ticks["monotonic_s"][-1])
+            self._reported_s = float(ticks["monotonic_s"][-1])
             self._observer.force(ticks["monotonic_s"], ticks["force_n"])
 
     def _halt(self) -> None:

@@ -54,7 +54,7 @@ class Session(QObject):
         self.jobs = Jobs(self.gateway.report)
         self.last_problem = ""
         self._state: tuple[object, ...] = ()
-        self._told_of: VideoCheck | None = None
+        self._warned_of: VideoCheck | None = None
 
     # --- opening -------------------------------------------------------------
 
@@ -231,8 +231,8 @@ class Session(QObject):
     def _watch_video(self, now: Snapshot) -> None:
         """Tell once that a clip is not the one that its force was made for."""
         check = now.source.check if now.source else None
-        if check is not self._told_of and check and check.verdict is Verdict.ANOTHER:
-            self._told_of = check
+        if check is not self._warned_of and check and check.verdict is Verdict.ANOTHER:
+            self._warned_of = check
             self.another_video.emit(now.source)
 
     def _report_problem(self, now: Snapshot) -> None:

@@ -91,8 +91,8 @@ def outcome(
         fit_s,
         [synchronize_pictures(log, frames).clock_map.confidence for log in strangers],
         *(
-            (told.ratio, told.axes == clip.axes)
-            if (told := pictures.mounting) is not None
+            (mounting.ratio, mounting.axes == clip.axes)
+            if (mounting := pictures.mounting) is not None
             else ()
         ),
     )

@@ -123,11 +123,11 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
 
 
 def _play(player: ForcePlayer, clock: SystemClock, ticks: list[NDArray[Any]]) -> None:
-    limit_s, was_told = clock.now_s() + HOMING_S, False
+    limit_s, is_shown = clock.now_s() + HOMING_S, False
     while not player.is_over:
         ticks.append(player.poll())
-        if player.cause is Cause.NOT_HOMED and not was_told:
-            was_told = True
+        if player.cause is Cause.NOT_HOMED and not is_shown:
+            is_shown = True
             sys.stderr.write(_WAIT_FOR_HOMING + "\n")
         if player.media_s == 0.0 and clock.now_s() > limit_s:
             raise DeviceError(

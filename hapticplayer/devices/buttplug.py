@@ -139,7 +139,7 @@ class ButtplugPort:
         newer = {"ProtocolVersionMajor": 4, "ProtocolVersionMinor": 0}
         wanted = newer if version >= 4 else {"MessageVersion": 3}
         try:
-            told = self._asked(
+            info = self._asked(
                 opened,
                 "RequestServerInfo",
                 {"ClientName": "hapticplayer", **wanted},
@@ -150,8 +150,8 @@ class ButtplugPort:
             if version >= 4:
                 raise _OlderServerError(str(problem)) from problem
             raise
-        speaks = int(told.get("ProtocolVersionMajor", told.get("MessageVersion", 3)))
-        return opened, min(version, speaks), float(told.get("MaxPingTime", 0)) / 1000.0
+        speaks = int(info.get("ProtocolVersionMajor", info.get("MessageVersion", 3)))
+        return opened, min(version, speaks), float(info.get("MaxPingTime", 0)) / 1000.0
 
     def _asked(
         self, opened: Connection, name: str, more: dict[str, Any], answer: str

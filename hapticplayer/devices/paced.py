@@ -147,14 +147,14 @@ class PacedDriver:
         self._port: Port | None = None
         self._writer: Writer | None = None
         self._reading: DeviceReading | None = None
-        self._told, self._told_s = b"", 0.0
+        self._sent, self._sent_s = b"", 0.0
 
     def open(self) -> None:
         """Find the device; raises DeviceError with what to do."""
         self.close()
         self._port = self._open_port()
         self._reading = None
-        self._told, self._told_s = self._port.translator.off, 0.0
+        self._sent, self._sent_s = self._port.translator.off, 0.0
         atexit.register(self.close)
 
     def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
@@ -167,11 +167,11 @@ class PacedDriver:
             writer = self._writer = self._make_writer(port)
         reading = self._listen(port, writer, now_s)
         command = port.translator.command(force_n, now_s)
-        age_s = now_s - self._told_s
+        age_s = now_s - self._sent_s
         is_refreshing = command != port.translator.off and age_s >= self._refresh_s
-        if (command != self._told or is_refreshing) and age_s >= self._period_s:
+        if (command != self._sent or is_refreshing) and age_s >= self._period_s:
             writer.post(command)
-            self._told, self._told_s = command, now_s
+            self._sent, self._sent_s = command, now_s
         return reading
 
     def close(self) -> None:

@@ -58,12 +58,12 @@ class TCodePort:
 
     def write(self, command: bytes) -> None:
         """Send lines; what a full buffer refuses is sent again later."""
-        with self._told(), contextlib.suppress(BlockingIOError):
+        with self._failing_at_once(), contextlib.suppress(BlockingIOError):
             os.write(self._open(), command)
 
     def read(self) -> bytes:
         """Return what it says."""
-        with self._told(), contextlib.suppress(BlockingIOError):
+        with self._failing_at_once(), contextlib.suppress(BlockingIOError):
             return os.read(self._open(), _MOST_READ)
         return b""
 
@@ -79,7 +79,7 @@ class TCodePort:
         return self._descriptor
 
     @contextlib.contextmanager
-    def _told(self) -> Iterator[None]:
+    def _failing_at_once(self) -> Iterator[None]:
         try:
             yield
         except OSError as problem:

@@ -94,9 +94,9 @@ def test_a_clip_with_other_bytes_in_its_name_plays_in_the_window(qapp, clip, tmp
 
 def test_a_missing_source_is_one_sentence_and_no_window(qapp, tmp_path, capsys):
     assert run("play", tmp_path / "missing.mp4") == 1
-    told = capsys.readouterr().err
-    assert told.startswith("hapticplayer: ")
-    assert told.count("\n") == 1
+    errors = capsys.readouterr().err
+    assert errors.startswith("hapticplayer: ")
+    assert errors.count("\n") == 1
     assert not [w for w in open_windows() if w.isVisible()]
 
 

@@ -179,23 +179,23 @@ def test_closing_waits_for_the_thread(wait_for):
 
 
 @pytest.fixture
-def told() -> list:
+def calls() -> list:
     return []
 
 
 @pytest.fixture
-def gateway(told) -> ErrorGateway:
+def gateway(calls) -> ErrorGateway:
     return ErrorGateway(
-        lambda text: told.append(("show", text)), lambda: told.append(("halt", ""))
+        lambda text: calls.append(("show", text)), lambda: calls.append(("halt", ""))
     )
 
 
-def test_what_the_engine_refuses_is_shown_as_it_is(gateway, told):
+def test_what_the_engine_refuses_is_shown_as_it_is(gateway, calls):
     gateway.report(InputError("is broken", where="clip.mp4", remedy="copy it again"))
-    assert told == [("show", "clip.mp4: is broken; copy it again")]
+    assert calls == [("show", "clip.mp4: is broken; copy it again")]
 
 
-def test_a_fault_halts_first_and_is_told_once(gateway, told, capsys):
+def test_a_fault_halts_first_and_is_told_once(gateway, calls, capsys):
     def fail():
         raise KeyError("inside")
 
@@ -204,23 +204,23 @@ def test_a_fault_halts_first_and_is_told_once(gateway, told, capsys):
             fail()
         except KeyError as problem:
             gateway.report(problem)
-    assert [kind for kind, _ in told] == ["halt", "show", "halt", "halt"]
-    assert "inside" in told[1][1]
+    assert [kind for kind, _ in calls] == ["halt", "show", "halt", "halt"]
+    assert "inside" in calls[1][1]
     assert capsys.readouterr().err.count("Traceback") == 1
 
 
-def test_faults_of_threads_wait_for_the_window(gateway, told, capsys):
+def test_faults_of_threads_wait_for_the_window(gateway, calls, capsys):
     before = (sys.excepthook, threading.excepthook)
     gateway.install()
     try:
         thread = threading.Thread(target=lambda: {}["inside"])
         thread.start()
         thread.join()
-        assert not told
+        assert not calls
         gateway.poll()
     finally:
         gateway.uninstall()
-    assert [kind for kind, _ in told] == ["halt", "show"]
+    assert [kind for kind, _ in calls] == ["halt", "show"]
     assert (sys.excepthook, threading.excepthook) == before
     assert "KeyError" in capsys.readouterr().err
 

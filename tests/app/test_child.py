@@ -12,7 +12,7 @@ from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
 from hapticplayer.sequence import files
 
 
-def told(words, *, progress, times=1):
+def repeated(words, *, progress, times=1):
     progress(0.5, "half")
     return words * times, os.getpid()
 
@@ -40,7 +40,9 @@ def writing(target, *, progress):
 
 def test_the_result_comes_from_a_process_of_lower_priority(idle_processes):
     steps = []
-    words, pid = in_child(told, "a", progress=lambda *step: steps.append(step), times=3)
+    words, pid = in_child(
+        repeated, "a", progress=lambda *step: steps.append(step), times=3
+    )
     assert words == "aaa"
     assert pid != os.getpid()
     assert idle_processes == [pid]

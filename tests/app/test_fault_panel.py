@@ -32,7 +32,7 @@ def is_acting(window):
     return latest is not None and latest["mode"] in (Mode.ENTERING, Mode.FOLLOWING)
 
 
-def told(panel, row=0):
+def cells(panel, row=0):
     return [panel.table.item(row, column).text() for column in range(4)]
 
 
@@ -48,13 +48,13 @@ def told(panel, row=0):
 )
 def test_a_fault_is_answered_by_its_rule_and_told(panel, window, wait_for, fault, rule):
     panel.buttons[fault].click()
-    wait_for(lambda: told(panel)[1] == rule)
-    wait_for(lambda: told(panel)[3] != "\u2013")
-    assert told(panel)[0] == fault_text(fault)
+    wait_for(lambda: cells(panel)[1] == rule)
+    wait_for(lambda: cells(panel)[3] != "\u2013")
+    assert cells(panel)[0] == fault_text(fault)
     assert rule in expected(fault)
-    _, _, reaction_ms, zero_ms = told(panel)
+    _, _, reaction_ms, zero_ms = cells(panel)
     assert 0 <= int(reaction_ms) <= int(zero_ms)
-    # a device that is gone can only be started anew
+    # a device that is gone can only be restarted
     wait_for(lambda: panel.rearm.isEnabled() is (fault != "unplug"))
     assert "STOPPED" in panel.state.text() or fault == "unplug"
 
@@ -66,8 +66,8 @@ def test_the_force_comes_back_after_re_arming(panel, window, wait_for):
     panel.rearm.click()
     wait_for(lambda: is_acting(window))
     panel.buttons["short-stall"].click()
-    wait_for(lambda: told(panel)[1] == "REPLY_LATE (RAMP)")
-    assert told(panel, 1)[1] == "NOT_FINITE (TRIP)"  # the one before is kept
+    wait_for(lambda: cells(panel)[1] == "REPLY_LATE (RAMP)")
+    assert cells(panel, 1)[1] == "NOT_FINITE (TRIP)"  # the one before is kept
 
 
 def test_an_unplugged_device_is_started_anew(panel, window, wait_for):

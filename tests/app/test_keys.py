@@ -137,15 +137,15 @@ def test_an_export_tells_nothing_of_what_was_watched(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("content", "told"),
+    ("content", "message"),
     [("{}", "no settings"), ("nothing", "no settings"), ('{"version": 2}', "newer")],
 )
-def test_a_file_that_is_none_is_refused_and_changes_nothing(tmp_path, content, told):
+def test_a_file_that_is_none_is_refused_and_changes_nothing(tmp_path, content, message):
     path = tmp_path / "in.json"
     path.write_text(content)
     settings = Settings(tmp_path / "a.json")
     settings.keep("volume", 40)
-    with pytest.raises(Exception, match=told):
+    with pytest.raises(Exception, match=message):
         settings.take(path)
     assert settings.number("volume", 0) == 40
 

@@ -204,7 +204,7 @@ def test_each_output_has_its_latency_and_bad_files_are_ignored(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "reported_s", "is_told"),
+    ("name", "reported_s", "is_reported"),
     [
         ("pulse (bluez_output.AC)", 0.10, True),
         ("speakers", 0.21, True),
@@ -213,14 +213,16 @@ def test_each_output_has_its_latency_and_bad_files_are_ignored(tmp_path):
     ],
 )
 def test_a_late_output_is_warned_of_once(
-    window, settings, monkeypatch, name, reported_s, is_told
+    window, settings, monkeypatch, name, reported_s, is_reported
 ):
-    watch, told = window.extras.latency_monitor, []
-    monkeypatch.setattr(window.session.gateway, "report", told.append)
+    watch, reported = window.extras.latency_monitor, []
+    monkeypatch.setattr(window.session.gateway, "report", reported.append)
     window.pump.stop()
     late = Snapshot(sound_output=name, reported_latency_s=reported_s)
     monkeypatch.setattr(window.player, "snapshot", lambda: late)
     for now_s in (1e6, 1e6 + 10.0):
         watch.look(now_s)
-    assert [str(problem) for problem in told] == [warning(name, reported_s)] * is_told
-    assert all("Measure latencies" in str(problem) for problem in told)
+    assert [str(problem) for problem in reported] == [
+        warning(name, reported_s)
+    ] * is_reported
+    assert all("Measure latencies" in str(problem) for problem in reported)

@@ -1,4 +1,4 @@
-"""Looks and languages: the window is made anew around the same player."""
+"""Themes and languages: the window is rebuilt around the same player."""
 
 import itertools
 import os
@@ -63,18 +63,18 @@ def test_a_session_is_watched_by_the_window_that_takes_the_place(
     program.write_text(f"#!/bin/sh\ncat {gate} >&2\nexit 1\n")
     program.chmod(0o700)
     monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
-    before, told = shown.window, []
+    before, reported = shown.window, []
     before.study_menu.process.start([])
     shown.window.settings.keep("look", theme.LIGHT)
     before.themes.changed.emit()
     wait_for(lambda: not shown.is_remaking)
     after = shown.window
-    monkeypatch.setattr(after.study_menu, "report", told.append)
+    monkeypatch.setattr(after.study_menu, "report", reported.append)
     assert after is not before
     assert after.study_menu.process.is_running
     gate.write_text("hapticplayer: it was the cable\n")
     wait_for(lambda: not after.study_menu.process.is_running)
-    assert [str(problem) for problem in told] == ["it was the cable"]
+    assert [str(problem) for problem in reported] == ["it was the cable"]
 
 
 @pytest.mark.parametrize("look", list(theme.THEMES))

@@ -209,8 +209,8 @@ def test_a_blind_operator_is_told_neither_condition_nor_force(
     session = sit(make_study())
     Person(session, wait_for).to_trials()
     wait_for(lambda: "trial 1" in session.control.where.text())
-    told = " ".join(label.text() for label in session.control.findChildren(QLabel))
-    assert not any(key in told for key in (*KEYS, "realistic", "random"))
+    texts = " ".join(label.text() for label in session.control.findChildren(QLabel))
+    assert not any(key in texts for key in (*KEYS, "realistic", "random"))
     assert not session.control.plots.isVisible()
 
 
@@ -338,9 +338,9 @@ def test_pages_hold_no_secret_in_any_widget(make_study, sit, wait_for):
     ):
         window.show_page(session.runner.maker.page(kind, step, 99))
         assert isinstance(window.content, TextPage | QuestionsPage)
-        told = [window.windowTitle(), window.surface.accessibleName()]
+        texts = [window.windowTitle(), window.surface.accessibleName()]
         for kind_of_widget in (QLabel, QPushButton):
             for widget in window.content.findChildren(kind_of_widget):
-                told += [widget.text(), widget.toolTip(), widget.accessibleName()]
+                texts += [widget.text(), widget.toolTip(), widget.accessibleName()]
         for secret in ("realistic", "random", "bike", "horse", "car", "clip.mp4"):
-            assert not any(secret in text for text in told), secret
+            assert not any(secret in text for text in texts), secret

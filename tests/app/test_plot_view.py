@@ -69,14 +69,14 @@ def test_the_wheel_zooms_both_plots_within_limits(panel):
 
 def test_a_click_jumps_to_its_time(panel, qtbot):
     plot = panel.acceleration
-    with qtbot.waitSignal(panel.sought) as told:
+    with qtbot.waitSignal(panel.sought) as signal:
         qtbot.mouseClick(
             plot.viewport(),
             Qt.MouseButton.LeftButton,
             pos=QPoint(x_at(plot, 1.8), 40),
         )
     pixel_s = 8.0 / plot.view_box.sceneBoundingRect().width()
-    assert told.args[0] == pytest.approx(1.8, abs=1.5 * pixel_s)
+    assert signal.args[0] == pytest.approx(1.8, abs=1.5 * pixel_s)
 
 
 def test_a_drag_pans_and_does_not_jump(panel, qtbot):

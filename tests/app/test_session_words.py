@@ -45,9 +45,9 @@ def spoken(application, settings):
 @pytest.mark.parametrize("language", list(languages.NAMES))
 def test_every_reason_is_told_in_words(spoken, language):
     spoken(language)
-    told = [reason_text(reason) for reason in REASONS]
-    assert not [text for text in told if "_" in text or "sync:" in text]
-    assert len(set(told)) == len(REASONS)
+    texts = [reason_text(reason) for reason in REASONS]
+    assert not [text for text in texts if "_" in text or "sync:" in text]
+    assert len(set(texts)) == len(REASONS)
     assert reason_text("new_reason") == "new_reason"
 
 
@@ -56,7 +56,7 @@ def test_every_fault_is_told_in_words(spoken, language):
     spoken(language)
     harmless = {Cause.NONE, Cause.PAUSED, Cause.SEEK, Cause.TRACK_ENDED, Cause.CLOSING}
     codes = [cause.name.lower() for cause in set(Cause) - harmless]
-    told = {code: reason_text(f"fault:{code}") for code in codes}
-    assert [code for code, text in told.items() if f"({code})" in text] == (
+    texts = {code: reason_text(f"fault:{code}") for code in codes}
+    assert [code for code, text in texts.items() if f"({code})" in text] == (
         ["stopped", "unplugged"] if language == "en" else []
     )

@@ -75,8 +75,8 @@ def test_media_keys_find_no_player_while_a_session_runs(
     program.write_text(f"#!/bin/sh\ncat {gate} >&2\nexit 1\n")
     program.chmod(0o700)
     monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
-    told = []
-    monkeypatch.setattr(window.study_menu, "report", told.append)
+    texts = []
+    monkeypatch.setattr(window.study_menu, "report", texts.append)
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.study_menu.run()
     assert window.study_menu.process.is_running
@@ -85,7 +85,7 @@ def test_media_keys_find_no_player_while_a_session_runs(
     gate.write_text("starting\nhapticplayer: the Falcon is not plugged in\n")
     wait_for(lambda: not window.study_menu.process.is_running)
     assert is_there(NAME).value()
-    assert [str(problem) for problem in told] == ["the Falcon is not plugged in"]
+    assert [str(problem) for problem in texts] == ["the Falcon is not plugged in"]
 
 
 def test_a_session_takes_the_device_of_the_window(
@@ -110,14 +110,14 @@ def test_the_real_program_is_started_and_its_complaint_is_heard(
     application, qtbot, tmp_path
 ):
     process = StudyProcess(application)
-    for arguments, told in (
+    for arguments, texts in (
         (["study", "run", str(tmp_path / "gone")], "gone/study.json"),
         (["study", "simulate", str(tmp_path / "s"), "--participants", "1"], ""),
     ):
         with qtbot.waitSignal(process.ended, timeout=60_000) as ended:
             process.start(arguments)
-        assert told in ended.args[0]
-        assert bool(told) == bool(ended.args[0])
+        assert texts in ended.args[0]
+        assert bool(texts) == bool(ended.args[0])
         assert not process.is_running
     assert (tmp_path / "s" / "study.json").is_file()
 
@@ -125,12 +125,12 @@ def test_the_real_program_is_started_and_its_complaint_is_heard(
 def test_a_study_without_clips_is_refused_before_any_change(
     window, tmp_path, monkeypatch
 ):
-    study, told = create_study(tmp_path / "empty"), []
-    monkeypatch.setattr(window.study_menu, "report", told.append)
+    study, texts = create_study(tmp_path / "empty"), []
+    monkeypatch.setattr(window.study_menu, "report", texts.append)
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.session.choose_device("simulated")
     window.study_menu.run()
-    assert "'bike' has no folder with a sequence" in str(told[0])
+    assert "'bike' has no folder with a sequence" in str(texts[0])
     assert window.player.snapshot().device == "simulated"
     assert not window.study_menu.process.is_running
 
@@ -161,16 +161,16 @@ def test_another_program_in_front_takes_the_force_away(
     application.applicationStateChanged.emit(Qt.ApplicationState.ApplicationActive)
 
 
-def everything_told(window: QWidget) -> list[str]:
+def every_text(window: QWidget) -> list[str]:
     """Return each text that a widget of a window could show or speak."""
-    told = [window.windowTitle(), window.windowFilePath(), window.windowIconText()]
+    texts = [window.windowTitle(), window.windowFilePath(), window.windowIconText()]
     for widget in [window, *window.findChildren(QWidget)]:
-        told += [widget.toolTip(), widget.statusTip(), widget.whatsThis()]
-        told += [widget.accessibleName(), widget.accessibleDescription()]
+        texts += [widget.toolTip(), widget.statusTip(), widget.whatsThis()]
+        texts += [widget.accessibleName(), widget.accessibleDescription()]
         for name in ("text", "toPlainText", "placeholderText", "title", "prefix"):
             found = getattr(widget, name, "")
-            told.append(str(found() if isinstance(found, BuiltinMethodType) else ""))
-    return told
+            texts.append(str(found() if isinstance(found, BuiltinMethodType) else ""))
+    return texts
 
 
 class Onlooker(Person):
@@ -182,8 +182,8 @@ class Onlooker(Person):
 
     def wait_page(self, kind, step=None):
         super().wait_page(kind, step)
-        page, told = self.runner.page, everything_told(self.session.participant)
-        self.seen.setdefault((page.kind, page.step), []).extend(told)
+        page, texts = self.runner.page, every_text(self.session.participant)
+        self.seen.setdefault((page.kind, page.step), []).extend(texts)
 
 
 @pytest.mark.parametrize("language", ["en", "fr", "de"])
@@ -211,6 +211,9 @@ def test_no_page_of_a_session_tells_a_condition_or_a_file(
     question = session.runner.definition.factors[0].text[language]
     assert question in person.seen[PageKind.QUESTIONS, "trial-01"]
     secrets = (*SECRETS, str(study.folder), session.runner.plan.code)
-    for where, told in person.seen.items():
+    for where, texts in person.seen.items():
         for secret in secrets:
-            assert not [t for t in told if secret.lower() in t.lower()], (where, secret)
+            assert not [t for t in texts if secret.lower() in t.lower()], (
+                where,
+                secret,
+            )

@@ -173,7 +173,7 @@ def test_what_lies_upon_the_frame_stays_there(inner, qtbot):
     qtbot.waitUntil(lambda: in_window(inner)[15, 20].tolist() == [1, 2, 3])
     frame, rgb = noise(160, 90)
     inner.present(frame)
-    inner.repaint(50, 40, 5, 5)  # a part, while the note is not painted anew
+    inner.repaint(50, 40, 5, 5)  # a part, while the note is not painted again
     shown = in_window(inner)
     assert (shown[10:30, 10:40] == [1, 2, 3]).all()
     shown[10:30, 10:40] = rgb[10:30, 10:40]

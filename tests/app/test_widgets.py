@@ -42,9 +42,9 @@ def test_following_the_clip_seeks_nothing(slider, qtbot):
 
 def test_the_keys_step(slider, qtbot):
     slider.follow(20.0)
-    with qtbot.waitSignal(slider.sought) as told:
+    with qtbot.waitSignal(slider.sought) as signal:
         qtbot.keyClick(slider, Qt.Key.Key_PageUp)
-    assert told.args == [30.0]
+    assert signal.args == [30.0]
 
 
 def test_a_slider_without_a_clip_does_nothing(slider, qtbot):

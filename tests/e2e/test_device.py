@@ -42,9 +42,9 @@ def test_info_looks_and_loads_nothing(device):
 @pytest.mark.realtime
 def test_homing_guides_out_then_in_and_ends_homed(device):
     done = device("home", *FALCON)
-    told = [line.split(" (")[0] for line in done.stderr.splitlines()]
+    lines = [line.split(" (")[0] for line in done.stderr.splitlines()]
     wanted = ["pull the grip out as far as it goes", "push the grip in until it locks"]
-    assert [line for line in told if line in wanted] == wanted
+    assert [line for line in lines if line in wanted] == wanted
     assert "homed" in done.stdout
     assert device("home", "--device", "simulated", status=2)
 

@@ -63,9 +63,9 @@ def test_the_latencies_that_were_measured_are_used_and_told(clip, home, tmp_path
         least_s = min(early_s(lines), default=0.0)
         if least_s == pytest.approx(0.04, abs=0.005):
             break
-    told = [line for line in lines if line.get("name") == "latency"]
-    assert told[-1]["device_s"] == pytest.approx(1e-3 * DEVICE_MS)
-    assert told[-1]["display_s"] == 0.0  # there is no screen
+    latencies = [line for line in lines if line.get("name") == "latency"]
+    assert latencies[-1]["device_s"] == pytest.approx(1e-3 * DEVICE_MS)
+    assert latencies[-1]["display_s"] == 0.0  # there is no screen
     # the force is sent so much earlier that it is felt with its frame
     assert least_s == pytest.approx(0.04, abs=0.005)
 

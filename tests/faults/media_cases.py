@@ -52,7 +52,7 @@ class Outcome:
         kind: "played", "refused" (with a sentence), "crashed" or "hung".
         text: the sentence, or how it crashed.
         pictures: how many were decoded.
-        is_marked: whether a person is told that the file is damaged.
+        is_marked: whether a notice says that the file is damaged.
         extra_bytes: memory beyond that of the parent.
         seconds: how long it took.
     """

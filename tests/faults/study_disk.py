@@ -64,7 +64,7 @@ def full(disk: Path) -> dict:
     running.trial()
     filler = fill(disk)
     accepted = 1 + answer_until_stopped(running)
-    told = {
+    found = {
         "kind": running.kind.value,
         "problem": running.runner.problem,
         "accepted": accepted,
@@ -73,11 +73,11 @@ def full(disk: Path) -> dict:
     }
     filler.unlink()
     running.runner.retry()
-    told["after"] = running.kind.value
+    found["after"] = running.kind.value
     running.runner.stage.rearm()
     while running.kind is not PageKind.THANKS:
         finish(running)
-    return {**told, "kept_in_the_end": count(running)}
+    return {**found, "kept_in_the_end": count(running)}
 
 
 def finish(running: RunningSession) -> None:
@@ -94,7 +94,7 @@ def finish(running: RunningSession) -> None:
 
 
 def count(running: RunningSession) -> int:
-    """Return for how many trials answers are on the disk, read anew."""
+    """Return for how many trials answers are on the disk, read again."""
     intact = running.records().intact
     steps = {r.content["step"] for r in intact if r.kind == "answers"}
     return sum(step.startswith("trial-") for step in steps)
@@ -114,13 +114,13 @@ def read_only(disk: Path) -> dict:
         "begin": lambda: begin_session(study, "en", {}, ManualClock()),
         "resume": lambda: RunningSession(study, ManualClock(), running.code),
     }
-    told = {}
+    found = {}
     for name, attempt in attempts.items():
         try:
             attempt()
         except StudyError as problem:
-            told[name] = str(problem)
-    return {**told, "kept": count(running), "sessions": len(study.codes())}
+            found[name] = str(problem)
+    return {**found, "kept": count(running), "sessions": len(study.codes())}
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ def test_faults_of_the_samples_do_no_harm(key, fault, tmp_path):
     """`judge` checks what holds always; here no fault is passed over as well."""
     verdict = with_one(key, fault, tmp_path / "in")
     if fault == "wrong rate unit" and verdict.outcome == READ:
-        # who gives a unit is told
+        # a given unit is reported
         assert any("rate-unit" in word for word in FORMATS[key].choices)
         assert any("agree with the unit" in note for note in verdict.recording.notes)
     elif fault in {"zero rows", "wrong force unit", "wrong rate unit"}:

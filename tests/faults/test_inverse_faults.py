@@ -83,7 +83,7 @@ def test_each_command_waits_for_its_answer_but_zero_does_not(rig):
     link.answers = False
     count = len(link.sent)
     rig.tick(15)
-    assert len(link.sent) - count <= 1  # the newest force of many is told later
+    assert len(link.sent) - count <= 1  # the newest force of many is sent later
     rig.tick(200)
     assert 1 <= len(link.sent) - count <= 4
     assert '"x":0.0,"y":-0.0,"z":0.0' in link.sent[-1]
@@ -99,5 +99,5 @@ def test_the_axes_are_turned_between_the_frames(rig):
     reading = rig.device.exchange((1.0, 2.0, 3.0), 1.001)
     assert reading.position_m == pytest.approx((0.01, 0.02, 0.03), abs=1e-6)
     assert applied_n(rig) == (1.0, 2.0, 3.0)
-    told = rig.device.link.sent[-1]
-    assert '{"x":1.0,"y":-3.0,"z":2.0}' in told
+    sent = rig.device.link.sent[-1]
+    assert '{"x":1.0,"y":-3.0,"z":2.0}' in sent

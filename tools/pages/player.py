@@ -37,7 +37,7 @@ def pictures(stage: Stage) -> Pictures:
         yield from _with_clip(stage, window)
         yield from _menus(stage, window)
         yield from _faults(stage, window)
-        yield from _told(stage, window)
+        yield from _dialogs(stage, window)
     finally:
         window.close()
         window.deleteLater()  # before Python does so, item by item of its plots
@@ -159,7 +159,7 @@ def _faults(stage: Stage, window: PlayerWindow) -> Pictures:
         stage.wait(900)
         panel.inject(fault.value)
     stage.wait(700)
-    yield "faults-told", panel.grab()
+    yield "faults-shown", panel.grab()
     yield "player-unplugged", window.grab()
     panel.close()
     stage.wait()
@@ -167,7 +167,7 @@ def _faults(stage: Stage, window: PlayerWindow) -> Pictures:
     window.messages.hide()
 
 
-def _told(stage: Stage, window: PlayerWindow) -> Pictures:
+def _dialogs(stage: Stage, window: PlayerWindow) -> Pictures:
     for name, make in (
         ("keyboard", lambda: KeysDialog(stage.settings, window)),
         ("about", lambda: about_dialog(window)),

@@ -137,10 +137,10 @@ def _result(fits: list[Fit], line: Line) -> Synchronisation:
 
 def read_out(line: Line) -> tuple[float, float]:
     """Return the read-out time and its sigma: what frames tell, and what is usual."""
-    told = 1.0 / (line.read_out_sigma_s**2 + _READ_OUT_ERROR_S**2)
+    found = 1.0 / (line.read_out_sigma_s**2 + _READ_OUT_ERROR_S**2)
     usual = 1.0 / _READ_OUT_SD_S**2
-    mean_s = (told * line.read_out_s + usual * _READ_OUT_S) / (told + usual)
-    return mean_s, 1.0 / math.sqrt(told + usual)
+    mean_s = (found * line.read_out_s + usual * _READ_OUT_S) / (found + usual)
+    return mean_s, 1.0 / math.sqrt(found + usual)
 
 
 def _evidence(

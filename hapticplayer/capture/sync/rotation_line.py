@@ -129,10 +129,12 @@ class _Steps(NamedTuple):
     def of(cls, watched: Watched, gyro: Gyro, fit: Fit, shifts_s: Floats) -> "_Steps":
         begin_s, end_s = watched.begin_s + shifts_s, watched.end_s + shifts_s
         used = gyro.knows(begin_s, end_s) & (watched.weight > 0.0)
-        told = watched.high_passed(watched.rotation_rad, used)
-        felt = watched.high_passed(fit.told(gyro.rotation(begin_s, end_s)), used)
-        slope = watched.high_passed(fit.told(gyro.change(begin_s, end_s)), used)
-        error = told - felt
+        camera_rad = watched.high_passed(watched.rotation_rad, used)
+        gyro_rad = watched.high_passed(
+            fit.in_frames(gyro.rotation(begin_s, end_s)), used
+        )
+        slope = watched.high_passed(fit.in_frames(gyro.change(begin_s, end_s)), used)
+        error = camera_rad - gyro_rad
         noise = np.full(3, QUIET_RADPS * watched.step_s)
         if used.any():
             noise = np.maximum(noise, 1.4826 * np.median(np.abs(error[used]), axis=0))
@@ -162,14 +164,14 @@ class _Steps(NamedTuple):
         power = self.power / (float(self.power.sum()) or 1.0)
         row = float((power * watched.row).sum())
         skew = watched.high_passed(watched.skew_rad, watched.weight > 0.0)
-        told_s, whole = 0.0, 1.0
+        read_out_s, whole = 0.0, 1.0
         error, trust = skew, watched.weight
         for _ in range(_ROUNDS):
             size = np.sqrt((error**2).sum(axis=1))
             scale = 2.0 * float(np.median(size[watched.weight > 0.0])) + 1e-9
             trust = watched.weight / (1.0 + (size / scale) ** 2) ** 2
             whole = float((trust[:, None] * self.slope**2).sum()) + 1e-12
-            told_s = float((trust[:, None] * self.slope * skew).sum()) / whole
-            error = skew - told_s * self.slope
+            read_out_s = float((trust[:, None] * self.slope * skew).sum()) / whole
+            error = skew - read_out_s * self.slope
         noise = float((trust[:, None] * error**2).sum() / (3.0 * trust.sum() + 1e-9))
-        return row, told_s, _CORRELATED * float(np.sqrt(noise / whole))
+        return row, read_out_s, _CORRELATED * float(np.sqrt(noise / whole))

@@ -150,8 +150,8 @@ class Fit(NamedTuple):
     error_rad: Floats
     used: NDArray[np.bool_]
 
-    def told(self, rotation_rad: Floats) -> Floats:
-        """Return what frames tell of rotation (N, 3) in the log's axes."""
+    def in_frames(self, rotation_rad: Floats) -> Floats:
+        """Return rotation (N, 3) in the log's axes as frames show it."""
         return np.asarray(rotation_rad @ self.mounting.T * self.gains)
 
 
@@ -164,22 +164,22 @@ def fit_at(
     """Fit gains and mounting (unless it is given) at one shift, or at one each (N,)."""
     begin_s, end_s = watched.begin_s + shift_s, watched.end_s + shift_s
     used = gyro.knows(begin_s, end_s) & (watched.weight > 0.0)
-    told = watched.high_passed(watched.rotation_rad, used)
-    felt = watched.high_passed(gyro.rotation(begin_s, end_s), used)
+    camera_rad = watched.high_passed(watched.rotation_rad, used)
+    gyro_rad = watched.high_passed(gyro.rotation(begin_s, end_s), used)
     weight = watched.weight
-    scale = _SCALE * _rms(told, weight * used)
+    scale = _SCALE * _rms(camera_rad, weight * used)
     robust = weight * used
     gains, rotation = np.ones(3), np.eye(3) if mounting is None else mounting
-    error = told
+    error = camera_rad
     for _ in range(5):
         if mounting is None:
-            rotation = _procrustes(told / gains, felt, robust)
-        turned = felt @ rotation.T
-        gains = _gains(told, turned, robust)
-        error = told - turned * gains
+            rotation = _procrustes(camera_rad / gains, gyro_rad, robust)
+        turned = gyro_rad @ rotation.T
+        gains = _gains(camera_rad, turned, robust)
+        error = camera_rad - turned * gains
         square = (error**2).sum(axis=1)
         robust = weight * used / (1.0 + square / scale**2) ** 2
-    size = (told**2).sum(axis=1)
+    size = (camera_rad**2).sum(axis=1)
     whole = float((weight * used) @ _loss(size, scale)) or 1.0
     left = float((weight * used) @ _loss((error**2).sum(axis=1), scale)) / whole
     shift_s = float(np.mean(shift_s))
@@ -195,18 +195,18 @@ def _rms(values: Floats, weight: Floats) -> float:
     return float(np.sqrt(weight @ (values**2).sum(axis=1) / total)) + 1e-9
 
 
-def _procrustes(told: Floats, felt: Floats, weight: Floats) -> Floats:
-    """Return the rotation (3, 3) that takes felt to told best."""
-    u, _, vt = np.linalg.svd((told * weight[:, None]).T @ felt)
+def _procrustes(camera_rad: Floats, gyro_rad: Floats, weight: Floats) -> Floats:
+    """Return the rotation (3, 3) that best takes the gyro's to the camera's."""
+    u, _, vt = np.linalg.svd((camera_rad * weight[:, None]).T @ gyro_rad)
     if np.linalg.det(u @ vt) < 0.0:
         u[:, 2] = -u[:, 2]
     turned: Floats = u @ vt
     return turned
 
 
-def _gains(told: Floats, turned: Floats, weight: Floats) -> Floats:
+def _gains(camera_rad: Floats, turned: Floats, weight: Floats) -> Floats:
     """Return the gain of each axis, that of the focal length about x and z."""
-    agree = weight @ (told * turned)
+    agree = weight @ (camera_rad * turned)
     size = weight @ turned**2 + 1e-12
     shared = float((agree.sum() / size.sum()).clip(*_FOCAL_GAINS))
     # an axis about which nothing turns takes the gain of the others
@@ -244,49 +244,49 @@ def _coarse(watched: Watched, gyro: Gyro) -> list[float]:
     begin_s = float(watched.begin_s[0])
     cell = np.round((watched.begin_s - begin_s) / step_s).astype(np.intp)
     used = watched.weight > 0.0
-    told = np.zeros((int(cell[-1]) + 1, 4))
+    camera = np.zeros((int(cell[-1]) + 1, 4))
     high = watched.high_passed(watched.rotation_rad, used)
-    told[cell[used], :3], told[cell[used], 3] = high[used], 1.0
+    camera[cell[used], :3], camera[cell[used], 3] = high[used], 1.0
     parts = max(1, round(step_s / _COARSE_STEP_S))
     shifts_s, scores = [], []
     for part in range(parts):
         first_s = gyro.begin_s + part * step_s / parts
-        lags, score = _correlation(told, gyro, first_s, step_s)
+        lags, score = _correlation(camera, gyro, first_s, step_s)
         shifts_s.append(first_s + lags * step_s - begin_s)
         scores.append(score)
     return _peaks(np.concatenate(shifts_s), np.concatenate(scores))
 
 
 def _correlation(
-    told: Floats, gyro: Gyro, first_s: float, step_s: float
+    camera: Floats, gyro: Gyro, first_s: float, step_s: float
 ) -> tuple[NDArray[np.intp], Floats]:
     """Return lags in steps, and at each the best correlation over all mountings."""
     count = int((gyro.end_s - first_s) / step_s)
     grid_s = np.asarray(first_s + step_s * np.arange(count + 1), dtype=float)
-    felt = high_passed(gyro.rotation(grid_s[:-1], grid_s[1:]), 1.0 / step_s)
+    gyro_rad = high_passed(gyro.rotation(grid_s[:-1], grid_s[1:]), 1.0 / step_s)
     known = gyro.knows(grid_s[:-1], grid_s[1:])
-    felt = np.where(known[:, None], felt, 0.0)
-    length = next_fast_len(len(told) + count)
-    told_f = np.conj(rfft(told, length, axis=0))
-    felt_f = rfft(np.column_stack([felt, known]), length, axis=0)
+    gyro_rad = np.where(known[:, None], gyro_rad, 0.0)
+    length = next_fast_len(len(camera) + count)
+    camera_f = np.conj(rfft(camera, length, axis=0))
+    gyro_f = rfft(np.column_stack([gyro_rad, known]), length, axis=0)
 
     def correlated(one: Floats, other: Floats) -> Floats:
         return np.asarray(irfft(one * other, length, axis=0))
 
-    cross = correlated(told_f[:, :3, None], felt_f[:, None, :3])
-    sizes = np.sum(told[:, :3] ** 2, axis=1), np.sum(felt**2, axis=1)
+    cross = correlated(camera_f[:, :3, None], gyro_f[:, None, :3])
+    sizes = np.sum(camera[:, :3] ** 2, axis=1), np.sum(gyro_rad**2, axis=1)
     size_f = np.conj(rfft(sizes[0], length)), rfft(sizes[1], length)
-    told_size = correlated(size_f[0], felt_f[:, 3])
-    felt_size = correlated(told_f[:, 3], size_f[1])
-    common = correlated(told_f[:, 3], felt_f[:, 3])
+    camera_size = correlated(size_f[0], gyro_f[:, 3])
+    gyro_size = correlated(camera_f[:, 3], size_f[1])
+    common = correlated(camera_f[:, 3], gyro_f[:, 3])
     singular = np.linalg.svd(cross, compute_uv=False)
     sign = np.sign(np.linalg.det(cross))
     fit = singular[:, 0] + singular[:, 1] + sign * singular[:, 2]
     quiet = common * (QUIET_RADPS * step_s) ** 2
     score = fit / np.sqrt(
-        (told_size + quiet).clip(1e-18) * (felt_size + quiet).clip(1e-18)
+        (camera_size + quiet).clip(1e-18) * (gyro_size + quiet).clip(1e-18)
     )
-    least = min(LEAST_OVERLAP_S / step_s, 0.5 * float(told[:, 3].sum()))
+    least = min(LEAST_OVERLAP_S / step_s, 0.5 * float(camera[:, 3].sum()))
     score = np.where(common >= max(least, 1.0), score, 0.0)
     lags = np.arange(length)
     return np.where(lags < count, lags, lags - length), score

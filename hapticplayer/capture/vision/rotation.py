@@ -151,12 +151,12 @@ class _Watcher:
         begin_s, self._last_s = self._last_s, pts_s
         if matches is None:
             return None
-        told = np.zeros(_VALUES - 2)
+        values = np.zeros(_VALUES - 2)
         if len(matches.before) >= _FEWEST:
-            told = self._told(matches)
-        return np.concatenate([[begin_s, pts_s], told])
+            values = self._estimated(matches)
+        return np.concatenate([[begin_s, pts_s], values])
 
-    def _told(self, matches: Matches) -> Floats:
+    def _estimated(self, matches: Matches) -> Floats:
         """Return rotation, quality, row and skew."""
         before, after = (
             (px - self._middle_px) * self._px for px in (matches.before, matches.after)

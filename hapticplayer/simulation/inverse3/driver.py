@@ -28,10 +28,10 @@ class _Connecting:
         try:
             os.write(self._descriptor, pack_control(Control(Act.HELLO)))
             while select.select([self._descriptor], [], [], PATIENCE_S)[0]:
-                told = os.read(self._descriptor, _MOST_BYTES)
-                if told.isdigit():
-                    return Connection(f"ws://127.0.0.1:{int(told)}", TITLE)
-                if not told:
+                answer = os.read(self._descriptor, _MOST_BYTES)
+                if answer.isdigit():
+                    return Connection(f"ws://127.0.0.1:{int(answer)}", TITLE)
+                if not answer:
                     break
         except OSError as problem:
             raise _ended() from problem

@@ -88,12 +88,12 @@ class Service:
         try:
             commands = json.loads(text)["inverse3"][0].get("commands", {})
             field = "vector" if self.version >= "3.5" else "values"
-            told = commands["set_cursor_force"][field] if commands else None
+            force = commands["set_cursor_force"][field] if commands else None
         except (AttributeError, KeyError, IndexError, TypeError, ValueError):
             self.simulation.refused += 1
             return
-        if told is not None:
-            force_n = (float(told["x"]), float(told["z"]), -float(told["y"]))
+        if force is not None:
+            force_n = (float(force["x"]), float(force["z"]), -float(force["y"]))
             self.simulation.command(force_n, now_s)
 
     def _device(self, now_s: float) -> dict[str, Any]:

@@ -46,7 +46,7 @@ class Chip:
         self._dtr = False
         self._line_free_s = self._back_free_s = self._sent_s = clock.now_s()
         self._arrivals: deque[tuple[float, int]] = deque()  # when, byte
-        self._told_modem = _MODEM_FIXED
+        self._sent_modem = _MODEM_FIXED
 
     def control(self, request: int, value: int, index: int) -> None:
         """Obey a vendor request."""
@@ -127,7 +127,7 @@ class Chip:
         arrivals = self._arrivals
         if len(arrivals) >= self.most_payload:
             due_s = min(due_s, arrivals[self.most_payload - 1][0])
-        if not self._told_modem & CTS:
+        if not self._sent_modem & CTS:
             due_s = min(due_s, self.board.clear_to_send_at_s)
         if self._event >= 0:
             for place, (at_s, byte) in enumerate(arrivals):
@@ -142,8 +142,8 @@ class Chip:
             payload.append(arrivals.popleft()[1])
         self._sent_s = now_s
         is_clear = now_s >= self.board.clear_to_send_at_s
-        self._told_modem = _MODEM_FIXED | (CTS if is_clear else 0)
-        return bytes((self._told_modem, _LINE_IDLE)) + bytes(payload)
+        self._sent_modem = _MODEM_FIXED | (CTS if is_clear else 0)
+        return bytes((self._sent_modem, _LINE_IDLE)) + bytes(payload)
 
     def _reset(self, value: int) -> None:
         self._arrivals.clear()

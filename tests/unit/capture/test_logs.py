@@ -75,7 +75,7 @@ def test_format_gives_the_motion_back(tmp_path, key, packing):
     assert figures["largest_rate_radps"] == pytest.approx(largest, abs=0.02)
 
 
-# the sensors of the others are told apart by the names of their files
+# the sensors of the others are distinguished by the names of their files
 IN_ONE_FILE = [
     key
     for key in LOGS

@@ -13,7 +13,7 @@ KINDS = [name for name in WRITTEN if name in READ and name != "funscript"]
 
 
 @pytest.fixture
-def told(capsys):
+def report_of(capsys):
     def run(*words):
         assert cli.main([*map(str, words), "--json"]) == 0
         return json.loads(capsys.readouterr().out)
@@ -23,14 +23,14 @@ def told(capsys):
 
 @pytest.mark.parametrize("name", KINDS)
 def test_an_exported_track_comes_back_into_the_sequence(
-    name, told, sequence_folder, tmp_path
+    name, report_of, sequence_folder, tmp_path
 ):
     path = tmp_path / f"out{WRITTEN[name].suffix}"
-    report = told("export", sequence_folder, "--format", name, "-o", path)
+    report = report_of("export", sequence_folder, "--format", name, "-o", path)
     assert report["bytes"] == path.stat().st_size
     assert report["error_max_n"] <= 0.0101
-    assert told("validate", path)["refused"] is False
-    added = told("import-force", path, sequence_folder, "--name", "back")
+    assert report_of("validate", path)["refused"] is False
+    added = report_of("import-force", path, sequence_folder, "--name", "back")
     assert added["feedback"] == "back"
     tracks = open_sequence(sequence_folder).tracks
     at_s = np.arange(0, 500) / 1000.0
@@ -39,38 +39,40 @@ def test_an_exported_track_comes_back_into_the_sequence(
 
 
 @pytest.mark.parametrize("name", WRITTEN)
-def test_every_format_is_made_of_a_csv(name, told, tmp_path):
+def test_every_format_is_made_of_a_csv(name, report_of, tmp_path):
     source = tmp_path / "in.csv"
     source.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1.5,0\n1.5,0,0,0\n")
     path = tmp_path / f"out{WRITTEN[name].suffix}"
-    report = told("convert", source, path, "--to", name)
+    report = report_of("convert", source, path, "--to", name)
     assert report["bytes"] == path.stat().st_size > 0
     assert set(report) >= {"kbit_s", "kbit_s_compressed", "track_kbit_s", "notes"}
 
 
-def test_motion_is_exported_where_it_was_shared(told, sequence_folder, tmp_path):
+def test_motion_is_exported_where_it_was_shared(report_of, sequence_folder, tmp_path):
     path = tmp_path / "a.sem"
-    told("export", sequence_folder, "-o", path, "--with-motion")
+    report_of("export", sequence_folder, "-o", path, "--with-motion")
     assert b"MoveToward" in path.read_bytes()
-    told("pack", sequence_folder, "-o", tmp_path / "ride.mkv")
+    report_of("pack", sequence_folder, "-o", tmp_path / "ride.mkv")
     packed = ["export", str(tmp_path / "ride.mkv"), "--with-motion", "-o"]
     assert cli.main([*packed, str(tmp_path / "b.sem")]) == 1
     assert cli.main([*packed, str(tmp_path / "b.hjif")]) == 2
 
 
-def test_a_packed_video_is_exported_like_its_folder(told, sequence_folder, tmp_path):
-    told("pack", sequence_folder, "-o", tmp_path / "ride.mkv")
-    one = told("export", sequence_folder, "-o", tmp_path / "a.wav")
-    two = told("export", tmp_path / "ride.mkv", "-o", tmp_path / "b.wav")
+def test_a_packed_video_is_exported_like_its_folder(
+    report_of, sequence_folder, tmp_path
+):
+    report_of("pack", sequence_folder, "-o", tmp_path / "ride.mkv")
+    one = report_of("export", sequence_folder, "-o", tmp_path / "a.wav")
+    two = report_of("export", tmp_path / "ride.mkv", "-o", tmp_path / "b.wav")
     assert (tmp_path / "a.wav").read_bytes() == (tmp_path / "b.wav").read_bytes()
     assert one["error_max_n"] == two["error_max_n"]
 
 
-def test_the_tolerance_is_kept_and_saves_bytes(told, sequence_folder, tmp_path):
-    fine = told(
+def test_the_tolerance_is_kept_and_saves_bytes(report_of, sequence_folder, tmp_path):
+    fine = report_of(
         "export", sequence_folder, "-o", tmp_path / "a.hjif", "--tolerance", 0.001
     )
-    rough = told(
+    rough = report_of(
         "export", sequence_folder, "-o", tmp_path / "b.hjif", "--tolerance", 0.1
     )
     assert fine["error_max_n"] <= 0.001 < rough["error_max_n"] <= 0.1

@@ -14,16 +14,16 @@ def main() -> None:
     process.wait_ready()
     process.load({"track": ForceTrack([0.0, 1e4], [[0, 0, 2.8], [0, 0, 2.8]])})
     start_s = clock.now_s()
-    is_told = False
+    is_reported = False
     while True:
         now_s = clock.now_s()
         process.beat()
         process.publish(PlaybackClock(1, start_s, 0.0, 1.0, now_s + 0.15), "track")
         records, _ = process.read_ticks()
-        if not is_told and len(records) and records["force_n"][-1, 2] > 2.79:
+        if not is_reported and len(records) and records["force_n"][-1, 2] > 2.79:
             sys.stdout.write(f"{process.pids['loop']}\n")
             sys.stdout.flush()
-            is_told = True
+            is_reported = True
         clock.sleep_until(now_s + 0.01)
 
 

@@ -99,9 +99,9 @@ def test_whatever_comes_a_tick_sends_nothing_that_is_forbidden(rng, kind):
         replied_s = now_s if choices[number] > 0.01 else replied_s
         reading = DeviceReading(place, 0, is_homed=True, replied_s=replied_s)
         request = Request.REARM if number % 50 == 0 else Request.NONE
-        told = Supervision(now_s, request=request)
+        supervision = Supervision(now_s, request=request)
         before, hand = state, observe(state.hand, reading, LIMITS)
-        state = step(Situation(now_s, clock, track, state, hand, told, LIMITS))
+        state = step(Situation(now_s, clock, track, state, hand, supervision, LIMITS))
         size = math.hypot(*state.force_n)
         assert size <= LIMITS.force_cap_n + EPS
         if state.mode is not Mode.TRIPPED:
@@ -122,6 +122,6 @@ def test_a_leap_of_the_encoder_is_dropped_and_gives_no_speed():
 
 def test_the_first_not_finite_position_trips_for_good():
     reading = DeviceReading((math.nan, 0.0, 0.0), 0, True, 1.0)
-    hand, told = observe(State().hand, reading, LIMITS), Supervision(1.0)
-    state = step(Situation(1.0, None, None, State(), hand, told, LIMITS))
+    hand, supervision = observe(State().hand, reading, LIMITS), Supervision(1.0)
+    state = step(Situation(1.0, None, None, State(), hand, supervision, LIMITS))
     assert (state.mode, state.cause) == (Mode.TRIPPED, Cause.NOT_FINITE)

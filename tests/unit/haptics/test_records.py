@@ -1,4 +1,4 @@
-"""Records: what was written comes back, and damage is told, never guessed over."""
+"""Records: what was written comes back, and damage is reported, never guessed over."""
 
 import json
 import os

@@ -41,9 +41,9 @@ def slice_ns() -> int:
     number = _SCHED_GETATTR.get(platform.machine())
     if number is None:
         pytest.skip("the number of sched_getattr is not known here")
-    told = ctypes.create_string_buffer(_ATTR_BYTES)
-    assert ctypes.CDLL(None).syscall(number, 0, told, _ATTR_BYTES, 0) == 0
-    return int.from_bytes(told.raw[_RUNTIME_AT : _RUNTIME_AT + 8], "little")
+    attributes = ctypes.create_string_buffer(_ATTR_BYTES)
+    assert ctypes.CDLL(None).syscall(number, 0, attributes, _ATTR_BYTES, 0) == 0
+    return int.from_bytes(attributes.raw[_RUNTIME_AT : _RUNTIME_AT + 8], "little")
 
 
 def test_a_thread_is_hastened_and_what_it_starts_is_not():

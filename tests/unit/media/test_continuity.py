@@ -1,4 +1,4 @@
-"""Holes are told from pictures that were never meant to be there."""
+"""Dropped frames are distinguished from frames that were never meant to be there."""
 
 from fractions import Fraction
 

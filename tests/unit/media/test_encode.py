@@ -12,14 +12,14 @@ from tests.unit.media.conftest import clicks, numbered_pictures
 
 
 def test_progress_counts_the_seconds(tmp_path: Path) -> None:
-    told: list[float] = []
+    progress: list[float] = []
     write_clip(
         tmp_path / "clip.mp4",
         numbered_pictures(10),
         frame_rate_hz=25.0,
-        progress=told.append,
+        progress=progress.append,
     )
-    assert told == pytest.approx(np.arange(1, 11) / 25.0)
+    assert progress == pytest.approx(np.arange(1, 11) / 25.0)
 
 
 def test_cancelling_leaves_nothing(tmp_path: Path) -> None:

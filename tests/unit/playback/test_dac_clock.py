@@ -1,4 +1,4 @@
-"""When sound is heard, told from samples and from times that are wrong at times."""
+"""When sound is heard, from samples and from times that are sometimes wrong."""
 
 import numpy as np
 import pytest
@@ -78,7 +78,7 @@ def test_another_output_is_followed_once_certain():
 
 
 def test_an_output_that_ran_dry_is_followed_at_once():
-    """It says so, and how much silence there was is told."""
+    """It says so, and reports how much silence there was."""
     output = Output()
     output.run(3.0)
     silent_s = output.block(silence_s=0.111, ran_dry=True)

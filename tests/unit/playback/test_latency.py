@@ -189,9 +189,9 @@ def test_the_log_has_the_latencies_and_perceived_times(theatre, tmp_path):
     notes = played(theatre, 0.8, display_s=0.06, sound_s={OUTPUT: 0.1})
     player.close()
     lines = [json.loads(line) for line in path.read_text().splitlines()]
-    told = [line for line in lines if line.get("name") == "latency"]
+    latencies = [line for line in lines if line.get("name") == "latency"]
     parts = ("display_s", "sound_s", "device_s")
-    assert [told[-1][part] for part in parts] == [0.06, 0.1, 0.0]
+    assert [latencies[-1][part] for part in parts] == [0.06, 0.1, 0.0]
     seen = {
         line["media_s"]: line["monotonic_s"]
         for line in lines

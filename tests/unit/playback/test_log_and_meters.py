@@ -120,9 +120,9 @@ def test_the_history_has_the_last_ticks_whatever_is_read_at_once(most, rng):
         for at_s in (99.0, float(last["monotonic_s"][len(last) // 2]), 1e9):
             newer = last[last["monotonic_s"] > at_s]
             assert np.array_equal(history.since(at_s), newer)
-        stats, told = last[-10_000:], history.recent_stats()
-        assert told.missed == stats["missed"].sum()
-        assert told.lateness_p50_us == pytest.approx(
+        stats, stats_shown = last[-10_000:], history.recent_stats()
+        assert stats_shown.missed == stats["missed"].sum()
+        assert stats_shown.lateness_p50_us == pytest.approx(
             1e6 * np.median(stats["lateness_s"]), rel=1e-5
         )
     total = history.total_stats()

@@ -195,7 +195,7 @@ def test_a_new_outlet_waits_for_those_that_come_to_rest(outlets):
 def test_two_outlets_may_not_drive_one_rig(outlets):
     with pytest.raises(UsageError, match="two outlets send outsim to 127"):
         outlets.use([RIG, "rig:outsim,gain=0.6"])
-    outlets.use([RIG, "rig:beamng,127.0.0.1:4123"])  # told apart by their content
+    outlets.use([RIG, "rig:beamng,127.0.0.1:4123"])  # distinguished by their content
 
 
 def test_shakers_play_beside_rigs_and_each_other(outlets):

@@ -68,7 +68,7 @@ def test_a_log_of_another_clip_is_refused(source, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("content", "told"),
+    ("content", "message"),
     [
         ("", "no force"),
         ("[]\n", "line 1"),
@@ -93,10 +93,10 @@ def test_a_log_of_another_clip_is_refused(source, tmp_path):
         ("\0\0\0", "line 1"),
     ],
 )  # fmt: skip
-def test_what_is_no_log_is_refused_with_its_line(tmp_path, content, told):
+def test_what_is_no_log_is_refused_with_its_line(tmp_path, content, message):
     path = tmp_path / "log"
     path.write_text(content)
-    with pytest.raises(InputError, match=told):
+    with pytest.raises(InputError, match=message):
         read_force_log(path)
 
 

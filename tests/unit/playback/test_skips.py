@@ -27,7 +27,7 @@ class PixelSink:
 
 
 class Counts:
-    """How often the costly things have been done, and what the loop was told."""
+    """How often the costly things have been done, and what was sent to the loop."""
 
     def __init__(self, monkeypatch):
         self.of, self._monkeypatch = {}, monkeypatch

@@ -104,7 +104,7 @@ def test_it_ends_with_a_player_that_is_killed(nowhere):
 
 
 class Bench:
-    """A keeper with a clock that runs and outputs that do what they are told."""
+    """A keeper with a clock that runs and outputs that do as commanded."""
 
     def __init__(self):
         self.clock, self.media, self.ring = ManualClock(), MediaClock(), AudioRing()

@@ -164,13 +164,13 @@ def test_motion_that_misses_the_clip_is_refused(tmp_path, tiny_clip, recording):
 
 
 def test_a_file_is_copied_whole(tmp_path, rng):
-    source, told, content = tmp_path / "a", [], rng.bytes(3_000_001)
+    source, progress, content = tmp_path / "a", [], rng.bytes(3_000_001)
     source.write_bytes(content)
     with HeldFile(source) as held:
-        checksum = files.copy_file(held, tmp_path / "b", told.append)
+        checksum = files.copy_file(held, tmp_path / "b", progress.append)
     assert (tmp_path / "b").read_bytes() == content
     assert checksum == hashlib.sha256(content).hexdigest()
-    assert told[-1] == 1.0
+    assert progress[-1] == 1.0
 
 
 def truncated(path):

@@ -143,18 +143,18 @@ class StoppedError(Exception):
 
 
 def test_nothing_is_computed_where_there_is_no_force():
-    told = []
-    found = predict(quiet(3600.0), 3600.0, told.append)
-    assert told == []
+    progress = []
+    found = predict(quiet(3600.0), 3600.0, progress.append)
+    assert progress == []
     assert found["hands"]["relaxed"]["reach"] == 0.0
     assert found["rms_10s_n"] == 0.0
 
 
 def test_the_progress_rises_and_can_stop_the_work():
-    told = []
-    predict(track("bike"), 20.0, told.append)
-    assert told == sorted(told)
-    assert 0.0 <= told[0] < told[-1] <= 1.0
+    progress = []
+    predict(track("bike"), 20.0, progress.append)
+    assert progress == sorted(progress)
+    assert 0.0 <= progress[0] < progress[-1] <= 1.0
 
     def stop(share):
         raise StoppedError

@@ -17,11 +17,11 @@ from hapticplayer.sequence.mounting_by_frames import mounting_by_frames
 CLIP = ClipInfo(Path("ride.mp4"), 10.0, 320, 180, 30.0, 300, False, 0, False)
 
 
-def recording(axes: str, told: FoundMounting | None) -> Recording:
+def recording(axes: str, by_frames: FoundMounting | None) -> Recording:
     """A log at rest, upright once its axes are taken as given."""
     time_s = np.arange(0.0, 10.0, 0.01)
     accel = np.tile(np.array([0.0, 0.0, 9.81]) @ axes_matrix(axes), (len(time_s), 1))
-    found = {"mounting": told.described()} if told else {}
+    found = {"mounting": by_frames.described()} if by_frames else {}
     return Recording(
         imu=ImuLog(time_s, accel, np.zeros_like(accel)),
         clock_map=ClockMap(),
@@ -31,32 +31,34 @@ def recording(axes: str, told: FoundMounting | None) -> Recording:
 
 
 def test_what_synchronising_found_is_taken() -> None:
-    told = FoundMounting("z,y,-x", 4.0, "x,y,z")
+    by_frames = FoundMounting("z,y,-x", 4.0, "x,y,z")
 
-    axes = mounting_by_frames(CLIP, recording("z,y,-x", told), no_progress)
+    axes = mounting_by_frames(CLIP, recording("z,y,-x", by_frames), no_progress)
 
     assert axes == "z,y,-x"
 
 
 def test_frames_are_followed_where_nothing_was_found(monkeypatch) -> None:
-    told = FoundMounting("y,-x,z", 2.0, "x,y,z")
+    by_frames = FoundMounting("y,-x,z", 2.0, "x,y,z")
     monkeypatch.setattr(module, "watch", lambda _clip, _progress: "frames")
     monkeypatch.setattr(
-        pictures, "find_mounting", lambda _imu, frames, _clock: {"frames": told}[frames]
+        pictures,
+        "find_mounting",
+        lambda _imu, frames, _clock: {"frames": by_frames}[frames],
     )
 
     assert mounting_by_frames(CLIP, recording("x,y,z", None), no_progress) == "y,-x,z"
 
 
 def test_a_close_rival_is_a_question() -> None:
-    told = FoundMounting("y,-x,z", 1.1, "x,y,z")
+    by_frames = FoundMounting("y,-x,z", 1.1, "x,y,z")
 
     with pytest.raises(UsageError, match=r"y,-x,z or x,y,z \(ratio 1\.10\)"):
-        mounting_by_frames(CLIP, recording("x,y,z", told), no_progress)
+        mounting_by_frames(CLIP, recording("x,y,z", by_frames), no_progress)
 
 
 def test_gravity_that_disagrees_is_a_question() -> None:
-    told = FoundMounting("-x,y,-z", 4.0, "x,y,z")
+    by_frames = FoundMounting("-x,y,-z", 4.0, "x,y,z")
 
     with pytest.raises(UsageError, match="gravity another side up"):
-        mounting_by_frames(CLIP, recording("x,y,z", told), no_progress)
+        mounting_by_frames(CLIP, recording("x,y,z", by_frames), no_progress)

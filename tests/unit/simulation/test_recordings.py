@@ -27,18 +27,18 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("small")
 def test_recording_has_clip_log_and_truth_that_belong_together(tmp_path: Path) -> None:
-    told: list[float] = []
+    progress: list[float] = []
     folder = write_simulated_recording(
         "free-fall",
         tmp_path / "fall",
         seed=3,
         with_gopro=True,
-        progress=lambda f, _step: told.append(f),
+        progress=lambda f, _step: progress.append(f),
     )
     names = {"clip.mp4", "gopro.mp4", "imu.csv", "recording.json", "truth.npz"}
     assert {path.name for path in folder.iterdir()} == names
     assert probe(folder / "clip.mp4").duration_s == pytest.approx(22.0, abs=0.01)
-    assert np.diff(told).min() >= -1e-9
+    assert np.diff(progress).min() >= -1e-9
     about = json.loads((folder / "recording.json").read_text())
     imu = read_recording(folder / "imu.csv", parse_choices([READ_AS])).imu
     with np.load(folder / "truth.npz", allow_pickle=False) as truth:

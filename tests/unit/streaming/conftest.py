@@ -58,7 +58,7 @@ class served(Server):  # noqa: N801 - used as a function
 
 @pytest.fixture
 def ask(server):
-    """Return what asks the server for a resource, with its token unless told."""
+    """Return what asks the server for a resource, with its token unless another one is given."""
     place = urlsplit(server.url)
     connection = HTTPConnection(place.hostname, place.port, timeout=10)
 

@@ -87,7 +87,7 @@ class RunningSession:
         return read_journal(self.study.session_folder(self.code) / "answers.jsonl")
 
     def again(self):
-        """Crash, and open the session anew."""
+        """Crash, and open the session again."""
         self.runner.close()
         return RunningSession(self.study, self.clock, self.code)
 

@@ -68,11 +68,11 @@ class Ride:
 
         rng = np.random.default_rng(9)
         gains = np.array([FOCAL_GAIN, 1.0, FOCAL_GAIN])
-        told = gains * turned(row) + rng.normal(0.0, NOISE_RAD, (len(end_s), 3))
+        rotation_rad = gains * turned(row) + rng.normal(0.0, NOISE_RAD, (len(end_s), 3))
         return FrameRotation(
             starts_s,
             end_s,
-            told,
+            rotation_rad,
             np.ones(len(end_s)),
             np.full((len(end_s), 3), row),
             gains * (turned(0.5) - turned(-0.5)),
@@ -140,8 +140,8 @@ def test_cut_and_gap_do_not_matter() -> None:
     ride, clock = Ride(3), ClockMap(4.0)
     frames, imu = ride.frames(), ride.log(clock)
     quality = frames.quality.copy()
-    told = frames.rotation_rad.copy()
-    quality[300:340], told[300:340] = 0.0, 0.4
+    rotation_rad = frames.rotation_rad.copy()
+    quality[300:340], rotation_rad[300:340] = 0.0, 0.4
     away = (imu.time_s > 10.0) & (imu.time_s < 12.0)
     imu = ImuLog(
         imu.time_s[~away],
@@ -151,7 +151,7 @@ def test_cut_and_gap_do_not_matter() -> None:
     )
 
     found = synchronize_pictures(
-        imu, replace(frames, quality=quality, rotation_rad=told)
+        imu, replace(frames, quality=quality, rotation_rad=rotation_rad)
     )
 
     assert found.is_confident

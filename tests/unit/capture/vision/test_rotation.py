@@ -46,12 +46,12 @@ def test_rotation_of_a_ride(ride_film, scene, axes, least, most_error_degps) -> 
     trajectory = film(scene).scene.trajectory
     step_s = 1.0 / FRAME_RATE_HZ
     truth = trajectory.mean_rate_radps(10.0 + found.end_s, step_s)
-    told = high_passed(found.rotation_rad) / step_s
+    found_rate = high_passed(found.rotation_rad) / step_s
     truth = high_passed(truth)
     assert len(found) == 6 * FRAME_RATE_HZ - 1
-    assert np.degrees(np.std(told - truth, axis=0)).max() < most_error_degps
+    assert np.degrees(np.std(found_rate - truth, axis=0)).max() < most_error_degps
     for axis in axes:
-        assert np.corrcoef(told[:, axis], truth[:, axis])[0, 1] > least
+        assert np.corrcoef(found_rate[:, axis], truth[:, axis])[0, 1] > least
 
 
 def test_each_axis_has_its_sign_and_gain(tmp_path, standing_m) -> None:
@@ -63,8 +63,8 @@ def test_each_axis_has_its_sign_and_gain(tmp_path, standing_m) -> None:
     found = rotation(write(tmp_path / "turning.mp4", turning(turned, standing_m)))
 
     for axis, gain in enumerate((FOCAL_GAIN, 1.0, FOCAL_GAIN)):
-        told, true = found.rotation_rad[:, axis], truth[:, axis]
-        assert told @ true / (true @ true) == pytest.approx(gain, abs=0.04)
+        found_rate, true = found.rotation_rad[:, axis], truth[:, axis]
+        assert found_rate @ true / (true @ true) == pytest.approx(gain, abs=0.04)
     assert found.quality.mean() > 0.6
 
 

@@ -150,10 +150,10 @@ def test_nonsense_is_counted_and_dropped(world):
 def test_an_unplugged_device_says_what_to_do(world):
     world.tick(PUSH, 5)
     world.unplug()
-    with pytest.raises(DeviceError) as told:
+    with pytest.raises(DeviceError) as raised:
         world.tick(PUSH, 3000)
-    assert ";" in str(told.value)
-    assert "\n" not in str(told.value)
+    assert ";" in str(raised.value)
+    assert "\n" not in str(raised.value)
     with pytest.raises(DeviceError):
         world.tick(ZERO, 10)
     world.device.close()

@@ -170,9 +170,9 @@ def test_options_choose_node_axis_scale_and_sign(text, axis, full_n, node):
     "text", ["axis=w", "full=nan", "full=0", "a,b", "sign=2", "x=1"]
 )
 def test_an_option_that_makes_no_sense_is_named(text):
-    with pytest.raises(DeviceError, match=r"not known; use event5") as told:
+    with pytest.raises(DeviceError, match=r"not known; use event5") as raised:
         find_device(f"wheel:{text}")
-    assert text.split(",")[-1] in str(told.value)
+    assert text.split(",")[-1] in str(raised.value)
 
 
 def test_the_demonstration_of_an_axis_has_its_two_directions():

@@ -222,7 +222,7 @@ def running_now(image):
 
 @pytest.mark.realtime
 def test_the_whole_chain_runs_on_threads_and_the_machines_clock(running_now):
-    """pyusb, chip, board: answers come, unplugging is told, closing ends it all."""
+    """pyusb, chip, board: answers come, unplugging is reported, closing ends it all."""
     running, clock = running_now, running_now.clock
     device = FalconDriver(running.open, clock=clock, image=lambda: running.image)
     before = threading.active_count()

@@ -70,10 +70,10 @@ def test_the_time_until_the_motors_let_go_is_bracketed(hold_s, at_least_s, withi
 
 
 def test_a_silence_broken_by_other_traffic_is_measured_again():
-    told = iter([False, True] + [False] * 100)
+    answers = iter([False, True] + [False] * 100)
     with Lab() as lab:
         began_s = lab.clock.now_s()
-        measuring.force_after_silence(lab.driver, lab.clock, lambda: next(told))
+        measuring.force_after_silence(lab.driver, lab.clock, lambda: next(answers))
         once_more_s = lab.clock.now_s() - began_s
         measuring.force_after_silence(lab.driver, lab.clock)
         took_s = lab.clock.now_s() - began_s - once_more_s

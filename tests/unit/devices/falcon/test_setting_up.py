@@ -18,7 +18,7 @@ from hapticplayer.simulation.usb.driver import make_set
 from hapticplayer.simulation.usb.mechanics import Homing
 
 
-def told(*ways, homed_at_end=False):
+def guidance(*ways, homed_at_end=False):
     """Return what is said along ways of the grip: (counts, looks) from 0 on."""
     guide, at, said = Guide(), 0.0, []
     for to, looks in ways:
@@ -34,7 +34,8 @@ def told(*ways, homed_at_end=False):
 def sayings(*ways, **more):
     """Return the same without repetitions."""
     return [
-        advice for advice, _ in itertools.groupby(g.advice for g in told(*ways, **more))
+        advice
+        for advice, _ in itertools.groupby(g.advice for g in guidance(*ways, **more))
     ]
 
 

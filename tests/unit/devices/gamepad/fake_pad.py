@@ -1,4 +1,4 @@
-"""A pad on USB that keeps what it is told; below hidapi's two functions."""
+"""A pad on USB that keeps what was sent; below hidapi's two functions."""
 
 from hapticplayer.devices.gamepad.reports import DUALSENSE, INPUT_ID, PadRumble
 from hapticplayer.errors import DeviceError
@@ -41,7 +41,7 @@ class FakePad:
 
     @property
     def motors(self):
-        """(large, small) as last told."""
+        """(large, small) as last sent."""
         if not self.written:
             return (0, 0)
         last = self.written[-1]

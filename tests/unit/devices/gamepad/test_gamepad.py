@@ -106,7 +106,7 @@ def test_at_most_100_reports_a_second_and_none_without_news():
     for k in range(3000):
         device.exchange((2.0, 0.0, 0.0), 6.0 + k / 1000.0)
     pad.written.clear()
-    for k in range(2000):  # a steady force is told again from time to time
+    for k in range(2000):  # a steady force is sent again from time to time
         device.exchange((2.0, 0.0, 0.0), 9.0 + k / 1000.0)
     assert 3 <= len(pad.written) <= 4
     for k in range(1000):

@@ -26,10 +26,10 @@ JSON = st.recursive(
 
 
 def test_the_command_is_the_one_of_the_vendors_pages():
-    told = json.loads(command("0423", "vector", (1.0, 2.0, -3.0)))
+    sent = json.loads(command("0423", "vector", (1.0, 2.0, -3.0)))
     vector = {"vector": {"x": 1.0, "y": 3.0, "z": 2.0}}
     one = {"device_id": "0423", "commands": {"set_cursor_force": vector}}
-    assert told == {"inverse3": [one]}
+    assert sent == {"inverse3": [one]}
 
 
 @given(JSON, st.sampled_from(["state", "status", "device_id", "cursor_position"]))

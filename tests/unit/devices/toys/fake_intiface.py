@@ -90,11 +90,11 @@ class FakeIntiface:
         if name == "RequestDeviceList":
             return {"DeviceList": {"Id": number, "Devices": self._devices()}}
         if name == "OutputCmd":
-            ((kind, told),) = content["Command"].items()
+            ((kind, value),) = content["Command"].items()
             feature = NEW_TOY["DeviceFeatures"][str(content["FeatureIndex"])]
             low, high = feature["Output"][kind]["Value"]
-            assert low <= told["Value"] <= high
-            self.strength[content["FeatureIndex"]] = told["Value"] / high
+            assert low <= value["Value"] <= high
+            self.strength[content["FeatureIndex"]] = value["Value"] / high
         elif name == "ScalarCmd":
             for scalar in content["Scalars"]:
                 assert 0.0 <= scalar["Scalar"] <= 1.0
@@ -108,14 +108,14 @@ class FakeIntiface:
         return {"Ok": {"Id": number}}
 
     def _greeting(self, content, number):
-        told = {"Id": number, "ServerName": "fake", "MaxPingTime": self.max_ping_ms}
+        value = {"Id": number, "ServerName": "fake", "MaxPingTime": self.max_ping_ms}
         if self.version == 3:
             if "MessageVersion" not in content:
                 text = "missing field `MessageVersion`"
                 return {"Error": {"Id": 0, "ErrorMessage": text, "ErrorCode": 3}}
-            return {"ServerInfo": {**told, "MessageVersion": 3}}
+            return {"ServerInfo": {**value, "MessageVersion": 3}}
         versions = {"ProtocolVersionMajor": 4, "ProtocolVersionMinor": 0}
-        return {"ServerInfo": {**told, **versions}}
+        return {"ServerInfo": {**value, **versions}}
 
     def _devices(self):
         if self.version == 3:

@@ -258,8 +258,8 @@ def test_a_broken_network_trips_and_is_reported_once(bench):
     bench.sender.is_broken = True
     bench.run(1.0)
     assert (bench.state.mode, bench.state.cause) == (Mode.TRIPPED, Cause.UNPLUGGED)
-    told = [message for _ in range(5) if (message := bench.player.receive())]
-    assert [message.word for message in told] == [Word.LOST]
+    received = [message for _ in range(5) if (message := bench.player.receive())]
+    assert [message.word for message in received] == [Word.LOST]
 
 
 def guard_of(bench):

@@ -316,11 +316,11 @@ def test_ten_quiet_minutes_do_not_drift():
 @pytest.mark.parametrize(("factor", "moves"), [(1.5, False), (2.5, True)])
 def test_only_a_bound_that_is_far_off_is_corrected_twice(monkeypatch, factor, moves):
     """Another solution for the gyro's sake leaves it: a hair decides about that."""
-    used_mps, told_mps = [], [0.5]
+    used_mps, bound_mps = [], [0.5]
 
-    def told(_solution, duration_s, *_):
-        told_mps.append(told_mps[-1] * factor)
-        return np.full(len(duration_s) + 1, told_mps[-1])
+    def bound(_solution, duration_s, *_):
+        bound_mps.append(bound_mps[-1] * factor)
+        return np.full(len(duration_s) + 1, bound_mps[-1])
 
     def noted(nodes, vertical, frames, known, p):
         used_mps.append(float(known.bound_mps.mean()))
@@ -328,14 +328,14 @@ def test_only_a_bound_that_is_far_off_is_corrected_twice(monkeypatch, factor, mo
 
     linearised = state.linearised
     monkeypatch.setattr(state, "linearised", noted)
-    monkeypatch.setattr(block, "velocity_bound", told)
+    monkeypatch.setattr(block, "velocity_bound", bound)
     # every change of the bias calls for another solution
     eager = SmootherParameters(bias_change_radps=1e-12, solutions=4)
     analyse(usual(), parameters=eager)
     second, third, fourth = used_mps[-3:]
-    assert second == pytest.approx(told_mps[1])
-    assert third == pytest.approx(told_mps[2] if moves else second)
-    assert fourth == pytest.approx(told_mps[3])  # far off by then
+    assert second == pytest.approx(bound_mps[1])
+    assert third == pytest.approx(bound_mps[2] if moves else second)
+    assert fourth == pytest.approx(bound_mps[3])  # far off by then
 
 
 def upright(t):

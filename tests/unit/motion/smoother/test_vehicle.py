@@ -104,7 +104,7 @@ def test_between_the_two_nothing_jumps():
     steps = np.diff(np.log([one.body_sigma_mps for one in found]))
     assert steps.min() >= 0.0
     assert steps.max() < 0.03
-    assert found[0].body_sigma_mps < 0.011  # as good as none
+    assert found[0].body_sigma_mps < 0.011  # almost zero
     bounds = [float(one.bound_mps(np.array([0.5]))[0]) for one in found]
     steps = np.diff(np.log(bounds))
     assert steps.min() >= 0.0

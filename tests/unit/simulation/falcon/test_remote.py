@@ -156,7 +156,9 @@ def test_a_hang_up_after_an_answer_is_noticed_a_tick_later(bench):
     bench.answer(serial)
 
     def hang_up():
-        bench.end.recv(MAX_BYTES)  # closed with this unread, it would be told at once
+        bench.end.recv(
+            MAX_BYTES
+        )  # closed with this unread, it would be reported at once
         bench.end.close()
         bench.ours.after_sending = None
 

@@ -54,13 +54,13 @@ def tiny(ride: SimulatedRecording) -> SimulatedRecording:
 
 def write(ride: SimulatedRecording, path: Path, painters: int) -> Path:
     """Write its clip; progress only grows, to 1."""
-    told: list[float] = []
+    progress: list[float] = []
     with pytest.MonkeyPatch.context() as patch:
         if painters == 2:
             patch.setattr(recording, "WORTH_PX", 0)
-        write_simulated_clip(ride, path, told.append)
-    assert told[-1] == 1.0
-    assert np.diff(told).min() >= 0.0
+        write_simulated_clip(ride, path, progress.append)
+    assert progress[-1] == 1.0
+    assert np.diff(progress).min() >= 0.0
     return path
 
 
