@@ -1,4 +1,4 @@
-"""Second page of an import: sound and motion on one time line."""
+"""Second page of an import: clip and log on one time line."""
 
 import contextlib
 import dataclasses
@@ -8,7 +8,14 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QWidget
 
 from app.bridge.jobs import Job
 from app.bridge.languages import translated
-from app.experimenter.sync_strip import STEP_S, ClipFrame, SyncStrip
+from app.experimenter.sync_strip import (
+    OF_CLIP,
+    OF_LOG,
+    STEP_S,
+    ClipFrame,
+    Lane,
+    SyncStrip,
+)
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import STRETCH, captioned, column_of, indent, paragraph, row_of
@@ -77,8 +84,11 @@ class SyncPage(QWidget):
     def _lay_out(self) -> None:
         whole = text_button(self.tr("&Whole clip"), self.tr("Show the whole clip"))
         whole.clicked.connect(self.strip.show_whole)
-        self.near = text_button(self.tr("&Tap marks"), self.tr("Zoom to the tap marks"))
-        self.near.clicked.connect(self._show_near)
+        self.near = text_button(
+            self.tr("&Close-up"),
+            self.tr("Zoom to the tap marks, or to where the camera turned most"),
+        )
+        self.near.clicked.connect(self.strip.show_close_up)
         self.hear = text_button(
             self.tr("&Listen"),
             self.tr(
@@ -93,8 +103,8 @@ class SyncPage(QWidget):
         buttons = (whole, self.near, self.hear)
         hint = paragraph(
             self.tr(
-                "Drag the acceleration until it lines up with the sound; the "
-                "arrow keys move it by 1 ms, with Shift 10 ms, with Ctrl 100 "
+                "Drag the log's curves until they line up with the clip's; the "
+                "arrow keys move them by 1 ms, with Shift 10 ms, with Ctrl 100 "
                 "ms. The wheel zooms. The frame shown is the one at the cursor; "
                 "comma and period move it."
             ),
@@ -133,16 +143,28 @@ class SyncPage(QWidget):
         self.keep_skew.setVisible(bool(found.clip_camera))
         self.keep_skew.setToolTip(found.clip_camera)
         pats_s = tuple(pat.heard_s for pat in sync.pats) if sync else ()
-        self.strip.show_streams(found.sound, found.motion, pats_s, offset_s)
-        if not len(found.sound[0]):  # as long as the clip, though there is nothing
+        clock = ClockMap(offset_s, sync.clock_map.rate if sync else 1.0)
+        self.strip.show_lanes(self._lanes(found), pats_s, clock)
+        is_near = bool(pats_s or len(found.turned[0]))
+        if is_near:
+            self.strip.show_close_up()
+        elif not len(found.sound[0]):  # as long as the clip, though there is nothing
             self.strip.show_span(0.0, found.clip.duration_s)
-        self._show_near()
-        self.near.setEnabled(bool(pats_s))
+        self.near.setEnabled(is_near)
         self.hear.setEnabled(found.clip.has_audio)
         self.frame.use(found.clip.path)
-        self.strip.point_at(pats_s[0] if pats_s else 0.0)
+        begin_s, end_s = self.strip.view_s
+        self.strip.point_at(pats_s[0] if pats_s else is_near * 0.5 * (begin_s + end_s))
         self._body.setVisible(not found.knows_clip_clock)
         self._show_verdict()
+
+    def _lanes(self, found: Recognised) -> list[Lane]:
+        return [
+            Lane(self.tr("sound"), found.sound, OF_CLIP),
+            Lane(self.tr("acceleration"), found.motion, OF_LOG),
+            Lane(self.tr("rotation in the frames"), found.turned, OF_CLIP),
+            Lane(self.tr("gyro"), found.gyro, OF_LOG),
+        ]
 
     def choice(self) -> Synchronisation | None:
         """Return what a person has taken; None for the recorder's own clock."""
@@ -193,9 +215,6 @@ class SyncPage(QWidget):
         self._late_s = 1e-3 * late_ms
         self.offset.setValue(self.offset.value() + by_s)
         self._show_verdict()
-
-    def _show_near(self) -> None:
-        self.strip.show_pats()
 
     def _hear(self) -> None:
         """Play what is shown; where that is too long, what is around the cursor."""
@@ -285,6 +304,8 @@ class SyncPage(QWidget):
                 other_offset=local(offsets[1]),
                 other=sync.second.method,
             ), theme.WARN
+        if sync.method == "pictures":
+            return self._verdict_of_frames(sync)
         if sync.method != "pats":
             text = self.tr("Synchronised by {method} (confidence {confidence}).")
             is_good = sync.is_measured and sync.is_confident
@@ -304,6 +325,35 @@ class SyncPage(QWidget):
             return text.format(confidence=confidence), theme.WARN
         text = self.tr("No three taps found in both sound and motion; drag manually.")
         return text, theme.WARN
+
+    def _verdict_of_frames(self, sync: Synchronisation) -> tuple[str, str]:
+        if sync.pictures is None:
+            text = self.tr(
+                "The rotation in the frames fits the log nowhere. Is it the log of this "
+                "clip, and the video not stabilised? Drag manually."
+            )
+            return text, theme.WARN
+        if not sync.is_confident:
+            text = self.tr(
+                "The frames are uncertain (confidence {confidence}): the gyro explains "
+                "{share} % of the rotation. Check that both line up, and drag if not."
+            )
+        elif sync.pats:
+            text = self.tr(
+                "Frames and tap marks agree, to \u00b1{ms} ms (confidence {confidence}); "
+                "the gyro explains {share} % of the rotation in the frames."
+            )
+        else:
+            text = self.tr(
+                "Frames and gyro fit, to \u00b1{ms} ms (confidence {confidence}); the "
+                "gyro explains {share} % of the rotation in the frames."
+            )
+        shown = text.format(
+            confidence=local(f"{sync.clock_map.confidence:.2f}"),
+            ms=local(f"{1e3 * sync.offset_sigma_s:.1f}"),
+            share=local(f"{100.0 * sync.pictures.explained:.0f}"),
+        )
+        return shown, theme.GOOD if sync.is_confident else theme.WARN
 
 
 def _spin(largest: float, digits: int, step: float, suffix: str) -> QDoubleSpinBox:

@@ -1,6 +1,8 @@
-"""The taps of log and sound over time, and the frames of the clip around them."""
+"""What clip and log tell over time, and the frames of the clip around it."""
 
+from collections.abc import Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +25,7 @@ from app.widgets import theme
 from app.widgets.layout import column_of
 from app.widgets.texts import local, time_text
 from hapticplayer.media.thumbnails import Thumbnail, thumbnails
+from hapticplayer.model import ClockMap
 
 HEIGHT_PX = 150
 
@@ -93,7 +96,8 @@ class ClipFrame(QWidget):
 STEP_S = 0.001
 FRAME_S = 1.0 / 30.0
 _PEAK_SHARE, _MOST_PEAKS = 0.2, 12
-_PAT, _MOTION, _SOUND = range(3)  # indices of the axis colours
+PAT, OF_LOG, OF_CLIP = range(3)  # indices of the axis colours
+_CLOSE_UP_S = 6.0
 _SHORTEST_S = 0.05
 _ZOOM = 1.25
 _MARGIN_PX, _LABELS_PX = 6, 20
@@ -102,13 +106,27 @@ _TICKS = 8
 Curve = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
-class SyncStrip(QWidget):
-    """Two lanes over media time; the lower one is on the log's clock, shifted.
+class Lane(NamedTuple):
+    """A curve of the clip over media time, or one of the log over its own clock.
 
-    Drag moves the lower lane, the arrows move it by 1 ms (Shift: 10 ms, Ctrl: 100 ms),
-    the wheel zooms, drag with the right button moves the view. A cursor follows the
-    pointer; comma and point move it by a frame. `shifted` and `pointed` are in s, the
-    latter media time.
+    Attributes:
+        name: for people.
+        curve: times, s, and values of any unit, 0 or more.
+        of: OF_CLIP or OF_LOG.
+    """
+
+    name: str
+    curve: Curve
+    of: int
+
+
+class SyncStrip(QWidget):
+    """Lanes over media time; those of the log are on its clock, shifted.
+
+    Drag moves the log's lanes, the arrows move them by 1 ms (Shift: 10 ms, Ctrl: 100
+    ms), the wheel zooms, drag with the right button moves the view. A cursor follows
+    the pointer; comma and point move it by a frame. `shifted` and `pointed` are in s,
+    the latter media time.
     """
 
     shifted = Signal(float)
@@ -116,42 +134,49 @@ class SyncStrip(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setAccessibleName(self.tr("Sound and acceleration"))
+        self.setAccessibleName(self.tr("Clip and log over time"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(320, 180)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setCursor(Qt.CursorShape.SizeHorCursor)
-        self.shift_s = 0.0
+        self.shift_s, self.rate = 0.0, 1.0
         self.view_s = (0.0, 1.0)
-        self._sound: Curve = (np.zeros(0), np.zeros(0))
-        self._motion: Curve = (np.zeros(0), np.zeros(0))
+        self.lanes: tuple[Lane, ...] = ()
         self._pats_s: tuple[float, ...] = ()
         self._held_x: float | None = None
         self.cursor_s: float | None = None
         self.setMouseTracking(True)
 
-    def show_streams(
-        self, sound: Curve, motion: Curve, pats_s: tuple[float, ...], shift_s: float
+    def show_lanes(
+        self, lanes: Sequence[Lane], pats_s: tuple[float, ...], clock: ClockMap
     ) -> None:
-        """Take times and loudness in media time, times and size in log time."""
-        self._sound, self._motion, self._pats_s = sound, motion, pats_s
-        self.set_shift(shift_s)
+        """Show curves, and where pats are heard, with the log on a clock map."""
+        self.lanes = tuple(lane for lane in lanes if len(lane.curve[0]))
+        self._pats_s, self.rate = pats_s, clock.rate
+        self.setAccessibleDescription(", ".join(lane.name for lane in self.lanes))
+        self.set_shift(clock.offset_s)
         self.show_whole()
 
     def set_shift(self, shift_s: float) -> None:
-        """Move the lower lane."""
+        """Move the log's lanes."""
         self.shift_s = shift_s
         self.update()
 
     def show_whole(self) -> None:
         """Show the whole clip."""
-        times = self._sound[0]
-        self.show_span(0.0, float(times[-1]) if len(times) else 1.0)
+        ends_s = [lane.curve[0][-1] for lane in self.lanes if lane.of == OF_CLIP]
+        self.show_span(0.0, float(max(ends_s, default=1.0)))
 
-    def show_pats(self) -> None:
-        """Show the first three pats."""
+    def show_close_up(self) -> None:
+        """Show the first three pats, or else where the camera turned most."""
         if self._pats_s:
             self.show_span(self._pats_s[0] - 0.4, self._pats_s[:3][-1] + 0.6)
+            return
+        for lane in reversed(self.lanes):
+            if lane.of == OF_CLIP:
+                at_s = busiest_s(lane.curve, _CLOSE_UP_S)
+                self.show_span(at_s - 0.5 * _CLOSE_UP_S, at_s + 0.5 * _CLOSE_UP_S)
+                return
 
     def point_at(self, media_s: float) -> None:
         """Put the cursor somewhere."""
@@ -161,7 +186,10 @@ class SyncStrip(QWidget):
 
     def felt_s(self) -> list[float]:
         """Return the media times of the strongest of the log's peaks in the view."""
-        time_s, size = self._motion[0] + self.shift_s, self._motion[1]
+        felt = next((lane for lane in self.lanes if lane.of == OF_LOG), None)
+        if felt is None:
+            return []
+        time_s, size = self._shown(felt)
         first, last = np.searchsorted(time_s, self.view_s)
         part = size[first:last]
         if len(part) < 3:
@@ -188,7 +216,7 @@ class SyncStrip(QWidget):
         self.shifted.emit(self.shift_s)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of the lower lane, or of the view."""
+        """Take hold of the log's lanes, or of the view."""
         self._held_x = event.position().x()
         self._held_shift_s, self._held_view_s = self.shift_s, self.view_s
 
@@ -219,7 +247,7 @@ class SyncStrip(QWidget):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move the lower lane in small steps, or the cursor by a frame."""
+        """Move the log's lanes in small steps, or the cursor by a frame."""
         frame = {Qt.Key.Key_Comma: -1, Qt.Key.Key_Period: 1}.get(Qt.Key(event.key()))
         if frame is not None:
             middle_s = 0.5 * (self.view_s[0] + self.view_s[1])
@@ -240,51 +268,56 @@ class SyncStrip(QWidget):
     # --- painting --------------------------------------------------------------
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw both lanes, the pats and the time line."""
+        """Draw the lanes, the pats and the time line."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(theme.PANEL))
-        height = (self.height() - _LABELS_PX) / 2.0
-        lanes = [QRectF(0, k * height, self.width(), height) for k in (0, 1)]
-        self._paint_pats(painter, 2 * height)
-        motion_s, size = self._motion
-        self._paint_lane(painter, lanes[0], self._sound, _SOUND, self.tr("sound"))
-        shifted = (motion_s + self.shift_s, size)
-        self._paint_lane(painter, lanes[1], shifted, _MOTION, self.tr("acceleration"))
+        bottom = float(self.height() - _LABELS_PX)
+        self._paint_pats(painter, bottom)
+        height = bottom / max(1, len(self.lanes))
+        for place, lane in enumerate(self.lanes):
+            self._paint_lane(
+                painter, QRectF(0, place * height, self.width(), height), lane
+            )
         self._paint_times(painter)
         if self.cursor_s is not None:
             painter.setPen(QColor(theme.TEXT))
             x = (self.cursor_s - self.view_s[0]) / self._s_per_px()
-            painter.drawLine(QPointF(x, 0), QPointF(x, 2 * height))
+            painter.drawLine(QPointF(x, 0), QPointF(x, bottom))
         if self.hasFocus():
             painter.setPen(QColor(theme.FOCUS))
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
         painter.end()
 
-    def _paint_lane(
-        self, painter: QPainter, lane: QRectF, curve: Curve, place: int, name: str
-    ) -> None:
+    def _shown(self, lane: Lane) -> Curve:
+        """Return a curve over media time."""
+        time_s, value = lane.curve
+        if lane.of == OF_LOG:
+            time_s = self.rate * time_s + self.shift_s
+        return time_s, value
+
+    def _paint_lane(self, painter: QPainter, place: QRectF, lane: Lane) -> None:
         painter.setPen(QColor(theme.BORDER))
-        painter.drawLine(lane.bottomLeft(), lane.bottomRight())
-        x, y = columns(curve, self.view_s, max(1, self.width()))
+        painter.drawLine(place.bottomLeft(), place.bottomRight())
+        x, y = columns(self._shown(lane), self.view_s, max(1, self.width()))
         if len(x):
             top = max(float(y.max()), 1e-9)
-            floor, space = lane.bottom() - 2, lane.height() - 2 * _MARGIN_PX
+            floor, space = place.bottom() - 2, place.height() - 2 * _MARGIN_PX
             points = [QPointF(x[0], floor)]
             points += [
                 QPointF(a, floor - space * b / top) for a, b in zip(x, y, strict=True)
             ]
-            fill = QColor(theme.AXIS_COLOURS[place])
+            fill = QColor(theme.AXIS_COLOURS[lane.of])
             painter.setPen(fill)
             fill.setAlpha(90)
             painter.setBrush(fill)
             painter.drawPolygon(QPolygonF([*points, QPointF(x[-1], floor)]))
             painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QColor(theme.DIM))
-        inner = lane.adjusted(_MARGIN_PX, _MARGIN_PX, 0, 0)
-        painter.drawText(inner, Qt.AlignmentFlag.AlignTop, name)
+        inner = place.adjusted(_MARGIN_PX, _MARGIN_PX, 0, 0)
+        painter.drawText(inner, Qt.AlignmentFlag.AlignTop, lane.name)
 
     def _paint_pats(self, painter: QPainter, height: float) -> None:
-        painter.setPen(QColor(theme.AXIS_COLOURS[_PAT]))
+        painter.setPen(QColor(theme.AXIS_COLOURS[PAT]))
         for at_s in self._pats_s:
             x = (at_s - self.view_s[0]) / self._s_per_px()
             painter.drawLine(QPointF(x, 0), QPointF(x, height))
@@ -311,6 +344,15 @@ def columns(curve: Curve, view_s: tuple[float, float], width_px: int) -> Curve:
         return x, value
     starts = np.flatnonzero(np.diff(np.floor(x), prepend=-np.inf))
     return np.floor(x[starts]), np.maximum.reduceat(value, starts)
+
+
+def busiest_s(curve: Curve, span_s: float) -> float:
+    """Return the middle of the span in which a curve adds up to most, s."""
+    time_s, value = curve
+    ends = np.searchsorted(time_s, time_s + span_s)
+    total = np.concatenate([[0.0], np.cumsum(value)])
+    first = int(np.argmax(total[ends] - total[:-1]))
+    return float(0.5 * (time_s[first] + time_s[ends[first] - 1]))
 
 
 def tick_step_s(least_s: float) -> float:

@@ -14,12 +14,16 @@ from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_
 from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
+from hapticplayer.capture.vision import FrameRotation
 from hapticplayer.errors import InputError, Message, UsageError, message_of
 from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
+from hapticplayer.model import ImuLog
 from hapticplayer.sequence import files
-from hapticplayer.sequence.synchronizing import SyncChoices, find_sync
+from hapticplayer.sequence.synchronizing import SyncChoices, find_sync, watch
 
 Curve = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+_NOTHING: Curve = (np.zeros(0), np.zeros(0))
 
 MAX_POINTS = 2_000_000
 """Of the motion curve; more are reduced to the maximum of each block."""
@@ -43,6 +47,9 @@ class Recognised:
         up: mean up direction in the recorder's axes; None if it rotated too much.
         motion: log times and distance of each sample from rest, m/s2.
         sound: media times and loudness, each millisecond; empty without sound.
+        turned: media times and turn rate of the camera as its frames show it, rad/s;
+            empty where they were not followed.
+        gyro: log times and turn rate of the gyro, rad/s; empty where `turned` is.
         found: the synchronisation; None if none was possible.
         problem: why none was possible.
     """
@@ -60,6 +67,8 @@ class Recognised:
     up: tuple[float, float, float] | None
     motion: Curve
     sound: Curve
+    turned: Curve
+    gyro: Curve
     found: Synchronisation | None
     problem: str = ""
 
@@ -96,10 +105,11 @@ def recognise(
     recording = read_recording(log or video, choices)
     refuse_gravity_free(recording)
     progress(0.5, Message("listening"))
-    found, problem, sound = _sync(
+    found, problem, sound, frames = _sync(
         clip, recording, method, lambda f, step: progress(0.5 + 0.5 * f, step)
     )
     imu = recording.imu
+    turned, gyro = _turn_rates(imu, frames)
     progress(1.0, "")
     return Recognised(
         clip=clip,
@@ -115,6 +125,8 @@ def recognise(
         up=mean_up(imu),
         motion=_motion(recording),
         sound=sound,
+        turned=turned,
+        gyro=gyro,
         found=found,
         problem=problem,
     )
@@ -122,19 +134,34 @@ def recognise(
 
 def _sync(
     clip: ClipInfo, recording: Recording, method: str, progress: files.Progress
-) -> tuple[Synchronisation | None, str, Curve]:
-    """Return the synchronisation, or why there is none, and the loudness."""
-    nothing = (np.zeros(0), np.zeros(0))
+) -> tuple[Synchronisation | None, str, Curve, FrameRotation | None]:
+    """Return the synchronisation, or why there is none, loudness, and frames."""
+    seen: list[FrameRotation] = []
+
+    def look() -> FrameRotation:
+        seen.append(watch(clip, progress))
+        return seen[-1]
+
+    found, problem = None, ""
     try:
-        found = find_sync(clip, recording, SyncChoices(method), progress)
-    except (InputError, UsageError) as problem:
-        return (
-            None,
-            message_of(problem),
-            nothing if not clip.has_audio else loudness_of(clip),
-        )
-    sound = nothing if found.method == "embedded" else loudness_of(clip)
-    return found, "", sound
+        found = find_sync(clip, recording, SyncChoices(method), look=look)
+    except (InputError, UsageError) as failure:
+        problem = message_of(failure)
+    is_heard = clip.has_audio and not (found and found.method == "embedded")
+    sound = loudness_of(clip) if is_heard else _NOTHING
+    return found, problem, sound, seen[-1] if seen else None
+
+
+def _turn_rates(imu: ImuLog, frames: FrameRotation | None) -> tuple[Curve, Curve]:
+    """Return the turn rates of the frames and of the gyro."""
+    if frames is None or not len(frames) or not imu.angular_rate_radps.any():
+        return _NOTHING, _NOTHING
+    from hapticplayer.capture.sync.turn_rate import (
+        turn_rate_of_frames,
+        turn_rate_of_gyro,
+    )
+
+    return turn_rate_of_frames(frames), turn_rate_of_gyro(imu)
 
 
 def loudness_of(clip: ClipInfo) -> Curve:

@@ -1,7 +1,7 @@
 """Synchronises a recording with its clip; uncertain results need a person."""
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -85,10 +85,12 @@ def find_sync(
     recording: Recording,
     choices: SyncChoices,
     progress: files.Progress = files.no_progress,
+    look: Callable[[], FrameRotation] | None = None,
 ) -> Synchronisation:
     """Return the synchronisation of a recording with a clip, certain or not.
 
     `progress` is called with the share of the frames followed; it raises Cancelled.
+    `look` watches the frames in place of `watch`.
 
     Raises:
         InputError: when no synchronisation is possible.
@@ -110,7 +112,9 @@ def find_sync(
     offset_s, own = choices.offset_s, recording.clock_map
     given = None if offset_s is None else ClockMap(offset_s)
     known = own if own.confidence > 0.0 else None
-    inputs = SyncInput(recording.imu, hear, given, known, lambda: watch(clip, progress))
+    inputs = SyncInput(
+        recording.imu, hear, given, known, look or (lambda: watch(clip, progress))
+    )
     return sync_method(choices.method).function()(inputs)
 
 

@@ -2956,7 +2956,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Stop listening</source>
@@ -3863,14 +3863,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ich habe den Versatz mit Auge und Ohr geprüft</translation>
     </message>
     <message>
-        <source>&amp;Tap marks</source>
-        <translation>&amp;Klopfzeichen</translation>
-    </message>
-    <message>
-        <source>Zoom to the tap marks</source>
-        <translation>Auf die Klopfzeichen zoomen</translation>
-    </message>
-    <message>
         <source>&amp;Listen</source>
         <translation>An&amp;hören</translation>
     </message>
@@ -3881,10 +3873,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>S&amp;ound delay</source>
         <translation>&amp;Tonverzögerung</translation>
-    </message>
-    <message>
-        <source>Drag the acceleration until it lines up with the sound; the arrow keys move it by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
-        <translation>Ziehen Sie die Beschleunigung unter den Ton; die Pfeiltasten verschieben sie um 1 ms, mit Umschalt um 10 ms, mit Strg um 100 ms. Das Rad zoomt. Gezeigt wird das Bild am Cursor; Komma und Punkt bewegen ihn.</translation>
     </message>
     <message>
         <source>{recorder} records its motion on the clip&apos;s clock; no synchronisation is needed.</source>
@@ -3927,6 +3915,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Den ganzen Clip zeigen</translation>
     </message>
     <message>
+        <source>&amp;Close-up</source>
+        <translation>&amp;Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Zoom to the tap marks, or to where the camera turned most</source>
+        <translation>Auf die Klopfzeichen zoomen oder dorthin, wo sich die Kamera am meisten dreht</translation>
+    </message>
+    <message>
         <source>&amp;Offset</source>
         <translation>&amp;Versatz</translation>
     </message>
@@ -3935,8 +3931,44 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>&amp;Methode</translation>
     </message>
     <message>
+        <source>Drag the log&apos;s curves until they line up with the clip&apos;s; the arrow keys move them by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
+        <translation>Die Kurven der Aufzeichnung ziehen, bis sie zu denen des Clips passen; die Pfeiltasten verschieben sie um 1 ms, mit Umschalt 10 ms, mit Strg 100 ms. Das Mausrad zoomt. Gezeigt wird das Bild am Cursor; Komma und Punkt verschieben ihn.</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>rotation in the frames</source>
+        <translation>Drehung in den Bildern</translation>
+    </message>
+    <message>
+        <source>gyro</source>
+        <translation>Gyroskop</translation>
+    </message>
+    <message>
         <source>Synchronised by {method} (confidence {confidence}).</source>
         <translation>Synchronisiert mit {method} (Sicherheit {confidence}).</translation>
+    </message>
+    <message>
+        <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
+        <translation>Die Drehung in den Bildern passt nirgends zur Aufzeichnung. Gehört sie zu diesem Clip, und ist das Video nicht stabilisiert? Von Hand ziehen.</translation>
+    </message>
+    <message>
+        <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation. Check that both line up, and drag if not.</source>
+        <translation>Die Bilder sind unsicher (Konfidenz {confidence}): Das Gyroskop erklärt {share} % der Drehung. Prüfen, ob beide zueinander passen, sonst ziehen.</translation>
+    </message>
+    <message>
+        <source>Frames and tap marks agree, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
+        <translation>Bilder und Klopfzeichen stimmen überein, auf ±{ms} ms (Konfidenz {confidence}); das Gyroskop erklärt {share} % der Drehung in den Bildern.</translation>
+    </message>
+    <message>
+        <source>Frames and gyro fit, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
+        <translation>Bilder und Gyroskop passen zusammen, auf ±{ms} ms (Konfidenz {confidence}); das Gyroskop erklärt {share} % der Drehung in den Bildern.</translation>
     </message>
 </context>
 <context>
@@ -3961,16 +3993,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
 <context>
     <name>SyncStrip</name>
     <message>
-        <source>Sound and acceleration</source>
-        <translation>Ton und Beschleunigung</translation>
-    </message>
-    <message>
-        <source>sound</source>
-        <translation>Ton</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>Beschleunigung</translation>
+        <source>Clip and log over time</source>
+        <translation>Clip und Aufzeichnung über der Zeit</translation>
     </message>
     <message>
         <source>{time} s</source>

@@ -2956,7 +2956,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Fermer</translation>
+        <translation>Fermer</translation>
     </message>
     <message>
         <source>Stop listening</source>
@@ -3863,14 +3863,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>J’ai vérifié le décalage à l’œil et à l’oreille</translation>
     </message>
     <message>
-        <source>&amp;Tap marks</source>
-        <translation>&amp;Tapes</translation>
-    </message>
-    <message>
-        <source>Zoom to the tap marks</source>
-        <translation>Zoomer sur les tapes</translation>
-    </message>
-    <message>
         <source>&amp;Listen</source>
         <translation>É&amp;couter</translation>
     </message>
@@ -3881,10 +3873,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>S&amp;ound delay</source>
         <translation>Retard du s&amp;on</translation>
-    </message>
-    <message>
-        <source>Drag the acceleration until it lines up with the sound; the arrow keys move it by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
-        <translation>Faites glisser l’accélération jusqu’à l’aligner sur le son&#xa0;; les flèches la déplacent de 1 ms, avec Maj de 10 ms, avec Ctrl de 100 ms. La molette zoome. L’image affichée est celle du curseur&#xa0;; virgule et point le déplacent.</translation>
     </message>
     <message>
         <source>{recorder} records its motion on the clip&apos;s clock; no synchronisation is needed.</source>
@@ -3927,6 +3915,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Montrer tout le clip</translation>
     </message>
     <message>
+        <source>&amp;Close-up</source>
+        <translation>&amp;Gros plan</translation>
+    </message>
+    <message>
+        <source>Zoom to the tap marks, or to where the camera turned most</source>
+        <translation>Zoomer sur les tapes, ou là où la caméra tourne le plus</translation>
+    </message>
+    <message>
         <source>&amp;Offset</source>
         <translation>&amp;Décalage</translation>
     </message>
@@ -3935,8 +3931,44 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Méthode</translation>
     </message>
     <message>
+        <source>Drag the log&apos;s curves until they line up with the clip&apos;s; the arrow keys move them by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
+        <translation>Faites glisser les courbes de l&apos;enregistrement jusqu&apos;à ce qu&apos;elles s&apos;alignent sur celles de la vidéo&#xa0;; les flèches les déplacent de 1 ms, avec Maj 10 ms, avec Ctrl 100 ms. La molette zoome. L&apos;image affichée est celle du curseur&#xa0;; la virgule et le point le déplacent.</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>son</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
+        <source>rotation in the frames</source>
+        <translation>rotation dans les images</translation>
+    </message>
+    <message>
+        <source>gyro</source>
+        <translation>gyroscope</translation>
+    </message>
+    <message>
         <source>Synchronised by {method} (confidence {confidence}).</source>
         <translation>Synchronisé par {method} (confiance {confidence}).</translation>
+    </message>
+    <message>
+        <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
+        <translation>La rotation dans les images ne correspond nulle part à l&apos;enregistrement. Est-ce bien celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Alignez à la main.</translation>
+    </message>
+    <message>
+        <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation. Check that both line up, and drag if not.</source>
+        <translation>Les images sont incertaines (confiance {confidence})&#xa0;: le gyroscope explique {share} % de la rotation. Vérifiez que les deux s&apos;alignent, sinon faites glisser.</translation>
+    </message>
+    <message>
+        <source>Frames and tap marks agree, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
+        <translation>Images et tapes concordent, à ±{ms} ms près (confiance {confidence})&#xa0;; le gyroscope explique {share} % de la rotation dans les images.</translation>
+    </message>
+    <message>
+        <source>Frames and gyro fit, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
+        <translation>Images et gyroscope concordent, à ±{ms} ms près (confiance {confidence})&#xa0;; le gyroscope explique {share} % de la rotation dans les images.</translation>
     </message>
 </context>
 <context>
@@ -3961,16 +3993,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
 <context>
     <name>SyncStrip</name>
     <message>
-        <source>Sound and acceleration</source>
-        <translation>Son et accélération</translation>
-    </message>
-    <message>
-        <source>sound</source>
-        <translation>Son</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>Accélération</translation>
+        <source>Clip and log over time</source>
+        <translation>Vidéo et enregistrement au fil du temps</translation>
     </message>
     <message>
         <source>{time} s</source>

@@ -15,17 +15,27 @@ from scipy.signal import resample_poly
 from app.experimenter import import_wizard
 from app.experimenter.import_mounting import Triad
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
-from app.experimenter.sync_strip import SyncStrip, columns, tick_step_s
+from app.experimenter.sync_strip import (
+    OF_CLIP,
+    OF_LOG,
+    Lane,
+    SyncStrip,
+    columns,
+    tick_step_s,
+)
 from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import methods
+from hapticplayer.capture.sync.result import PictureEvidence, Synchronisation
 from hapticplayer.errors import Message
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
+from hapticplayer.model import ClockMap
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.calibration import StoredCalibration, write_calibration
+from hapticplayer.sequence.recognising import recognise
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.rides.gpmf_writer import write_payloads
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
@@ -363,8 +373,6 @@ def test_a_skew_moves_the_offset_and_is_kept_for_its_camera(
     monkeypatch.setattr(
         "hapticplayer.sequence.recognising.camera_of", lambda _path: "Cam 5"
     )
-    from hapticplayer.sequence.recognising import recognise
-
     found = recognise(folder / "ride.mp4", folder / "log.csv")
     wizard.on_found(found)
     wizard.go_to(SYNC)
@@ -423,7 +431,11 @@ def test_dragging_moves_the_log_by_what_the_pointer_moves(application, qtbot):
     qtbot.addWidget(strip)
     strip.resize(1000, 200)
     times = np.arange(0.0, 10.0, 0.001)
-    strip.show_streams((times, times), (times, times), (1.0, 1.5, 2.0), 0.25)
+    lanes = [
+        Lane("sound", (times, times), OF_CLIP),
+        Lane("log", (times, times), OF_LOG),
+    ]
+    strip.show_lanes(lanes, (1.0, 1.5, 2.0), ClockMap(0.25))
     assert strip.view_s == pytest.approx((0.0, 9.999))
     moved, pointed = [], []
     strip.shifted.connect(moved.append)
@@ -433,8 +445,36 @@ def test_dragging_moves_the_log_by_what_the_pointer_moves(application, qtbot):
     qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=QPointF(500, 150).toPoint())
     _move(strip, 530, Qt.MouseButton.LeftButton)
     assert moved[-1] == pytest.approx(0.25 + 30 * 9.999 / 1000, abs=0.001)
-    strip.show_pats()
+    strip.show_close_up()
     assert strip.view_s == pytest.approx((0.6, 2.6))
+
+
+def test_frames_and_gyro_are_lanes_of_their_own(wizard, ride):
+    found = recognise(ride[0] / "ride.mp4", ride[0] / "log.csv")
+    times = np.arange(0.0, SECONDS, 1 / 30)
+    turns = np.exp(-0.5 * ((times - 12.0) / 0.5) ** 2)
+    seen = PictureEvidence(10.0, 0.94, 3.0, 0.9, 0.001, 0.01, 0.002)
+    sync = Synchronisation(
+        ClockMap(4.0, 1.00008, confidence=0.97),
+        "pictures",
+        offset_sigma_s=0.0034,
+        pictures=seen,
+    )
+    wizard.on_found(
+        dataclasses.replace(
+            found, found=sync, turned=(times, turns), gyro=(times - 4.0, turns)
+        )
+    )
+    page = wizard.sync
+    names = page.strip.accessibleDescription()
+    assert names == "sound, acceleration, rotation in the frames, gyro"
+    text = page.verdict.text()
+    assert ("\u00b13.4 ms" in text, "94 %" in text, "0.97" in text) == (True,) * 3
+    assert page.looked.isHidden()
+    begin_s, end_s = page.strip.view_s
+    assert 0.5 * (begin_s + end_s) == pytest.approx(12.0, abs=0.1)
+    assert page.strip.cursor_s == pytest.approx(12.0, abs=0.1)
+    assert page.choice().clock_map.rate == 1.00008
 
 
 def _move(strip, x: float, held: Qt.MouseButton) -> None:
