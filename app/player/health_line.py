@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFrame, QWidget
 from app.player.health import Level, Reading, level_word, readings
 from app.widgets import theme
 from app.widgets.layout import ElidedLabel, column_of, row_of
+from app.widgets.level_meter import LevelMeter
 from app.widgets.texts import titled
 from hapticplayer.playback.snapshot import Measurements, Snapshot
 
@@ -35,7 +36,8 @@ class HealthEntry(QWidget):
         self._sign = ElidedLabel("\u25cb", theme.DIM)
         self._sign.fix_width(self.fontMetrics().horizontalAdvance("\u25a0") + 2)
         self._value = ElidedLabel("\u2013")
-        value = row_of(self._sign, (self._value, 1), spacing=_APART_PX)
+        self.meter = LevelMeter(self._title, is_narrow=True)
+        value = row_of(self._sign, (self._value, 1), self.meter, spacing=_APART_PX)
         column_of(title, value, spacing=1, of=self)
 
     def set_font_size(self, factor: float) -> None:
@@ -47,6 +49,8 @@ class HealthEntry(QWidget):
     def needed_px(self) -> int:
         """Return the width with which nothing is shortened now."""
         value_px = self._sign.width() + _APART_PX + self._value.sizeHint().width()
+        if self.meter.levels:
+            value_px += _APART_PX + self.meter.sizeHint().width()
         return max(self._name.sizeHint().width(), value_px)
 
     def text(self) -> str:
@@ -100,6 +104,7 @@ class HealthLine(QFrame):
         found = readings(snapshot, measured)
         for entry, reading in zip(self.entries, found, strict=True):
             entry.show_reading(reading)
+        self.entries[0].meter.show_levels(snapshot.device_levels)
         # why the force has stopped is not cut off while there is room
         self._rooms_px[0] = max(self._rooms_px[0], self.entries[0].needed_px())
         self._share_room()

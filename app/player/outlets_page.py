@@ -33,6 +33,7 @@ from app.widgets.layout import (
     row_of,
     scrolling,
 )
+from app.widgets.level_meter import LevelMeter
 from app.widgets.texts import local, titled
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, OUTLETS, find_device, installed_devices
@@ -140,6 +141,7 @@ class OutletsPage(QDialog):
         self.figures: dict[str, QLabel] = {}
         self.tests: dict[str, QWidget] = {}
         self.mutes: dict[str, QCheckBox] = {}
+        self.meters: dict[str, LevelMeter] = {}
         self.rows, self.problem = QGridLayout(), paragraph("", theme.DIM, lines=2)
         self.kind, self.address = QComboBox(), QLineEdit()
         self.gain, self.latency = QDoubleSpinBox(), QDoubleSpinBox()
@@ -265,6 +267,7 @@ class OutletsPage(QDialog):
             self.states[outlet.name].setText(state_text(outlet))
             self.figures[outlet.name].setText(figures_text(outlet))
             self.mutes[outlet.name].setChecked(outlet.is_muted)
+            self.meters[outlet.name].show_levels(outlet.levels)
             may_test = outlet.mode is Mode.IDLE and not now.is_playing
             self.tests[outlet.name].setEnabled(
                 self.tested is not None or (may_test and _is_rig(outlet.name))
@@ -358,6 +361,7 @@ class OutletsPage(QDialog):
             if (widget := item.widget()) is not None:
                 widget.deleteLater()
         self.states, self.figures, self.tests, self.mutes = {}, {}, {}, {}
+        self.meters = {}
         for row, outlet in enumerate(now.outlets):
             self._add_row(row, outlet.name)
 
@@ -379,8 +383,10 @@ class OutletsPage(QDialog):
         remove.clicked.connect(lambda: self.remove(name))
         self.tests[name] = test
         for column, part in enumerate((label, figures, mute, test, remove)):
-            self.rows.addWidget(part, 2 * row, column)
-        self.rows.addWidget(self.states[name], 2 * row + 1, 0, 1, -1)
+            self.rows.addWidget(part, 3 * row, column)
+        self.rows.addWidget(self.states[name], 3 * row + 1, 0, 1, -1)
+        self.meters[name] = meter = LevelMeter(text)
+        self.rows.addWidget(meter, 3 * row + 2, 0, 1, -1)
         self.rows.setColumnStretch(0, 1)
 
 

@@ -5,7 +5,7 @@ import contextlib
 import signal
 import sys
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from types import FrameType
 from typing import Any
@@ -202,3 +202,9 @@ def add_device_name(
         help=f"{', '.join(names)}; of several Falcons one by its number "
         f"(default: {default})",
     )
+
+
+def peak_text(channel: Mapping[str, Any]) -> str:
+    """Return how loud a sound channel was at most; see `Loudest.described`."""
+    limited = ", limited" * channel["is_limited"]
+    return f"peak {channel['peak_db']:.1f} dB{limited}"

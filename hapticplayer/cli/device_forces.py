@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.cli.common import agreed, complain, interruptible, say
+from hapticplayer.cli.common import agreed, complain, interruptible, peak_text, say
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import find_device, settings_of
 from hapticplayer.devices.transducer.settings import ShakerSettings
@@ -99,7 +99,7 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
         "Ready?",
     )
     clock = SystemClock()
-    played: list[int] = []
+    played: list[dict[str, Any]] = []
     problem: Message | str = ""
     for channel in chosen.channels:
         player = ForcePlayer(clock, chosen.alone(channel), track)
@@ -112,9 +112,10 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
         if player.problem:
             problem = player.problem
             break
-        played.append(channel)
-        if not options.json:
-            say(f"channel {channel} played")
+        for level in player.loudest.described():
+            played.append(level)
+            if not options.json:
+                say(f"channel {channel} played, {peak_text(level)}")
     if options.json:
         say(json.dumps({"device": options.device, "channels": played}))
     if problem:

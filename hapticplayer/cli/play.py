@@ -14,6 +14,7 @@ from hapticplayer.cli.common import (
     add_overwrite,
     complain,
     interruptible,
+    peak_text,
     say,
     say_aside,
     shown_progress,
@@ -333,8 +334,14 @@ def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
                 f"  sync       force minus {name}: median {stats['p50']:+.2f} ms, "
                 f"5 to 95 %: {stats['p05']:+.2f} to {stats['p95']:+.2f} ms"
             )
-    lines += [_outlet_text(name, one) for name, one in report["outlets"].items()]
+    lines += _channel_texts(report["channels"])
+    for name, one in report["outlets"].items():
+        lines += [_outlet_text(name, one), *_channel_texts(one["channels"])]
     return "\n".join(lines)
+
+
+def _channel_texts(channels: list[dict[str, Any]]) -> list[str]:
+    return [f"  channel {one['channel']}  {peak_text(one)}" for one in channels]
 
 
 def _outlet_text(name: str, report: dict[str, Any]) -> str:

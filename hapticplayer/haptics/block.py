@@ -8,10 +8,12 @@ never waits for; `shared` reads them. Without numpy: loop and guard load this.
 import mmap
 import os
 import struct
+from collections.abc import Iterable
 from typing import Any
 
 from hapticplayer.haptics.lifeline import LIFELINE_BYTES
 from hapticplayer.haptics.slots import Slots
+from hapticplayer.model.device import MOST_CHANNELS, ChannelLevel
 from hapticplayer.model.timing import PlaybackClock
 
 RING_TICKS = 1 << 15  # 32 s: a reader may sleep that long without losing a tick
@@ -21,6 +23,8 @@ _SLOTS_AT = (64, 128)
 # a cache line for each writer
 _NEWEST_AT, _HEARTBEAT_AT, _HEAD_AT, _GUARD_AT = 192, 256, 320, 384
 _LIFELINE_AT = 448
+_LEVELS = struct.Struct(f"<{MOST_CHANNELS}fBB")  # peaks; masks: played, limited
+_LEVELS_AT = 512
 RING_AT = 4096
 BLOCK_BYTES = RING_AT + RING_TICKS * TICK_FIELDS.size
 
@@ -93,6 +97,27 @@ class LoopBlock:
     def beat_loop(self, now_s: float) -> None:
         """Report that a program without ticks is alive; 0: it holds no force (loop)."""
         self._last_tick[0] = now_s
+
+    def write_levels(self, levels: Iterable[ChannelLevel]) -> None:
+        """Publish how loud the channels of a sound card are (loop).
+
+        Without a checksum: a meter may show two updates mixed.
+        """
+        peaks, played, limited = [0.0] * MOST_CHANNELS, 0, 0
+        for channel, peak, is_limited in levels:
+            peaks[channel - 1] = peak
+            played |= 1 << channel - 1
+            limited |= is_limited << channel - 1
+        _LEVELS.pack_into(self._map, _LEVELS_AT, *peaks, played, limited)
+
+    def levels(self) -> tuple[ChannelLevel, ...]:
+        """Return the last levels, by channel; none from a device that has no sound."""
+        *peaks, played, limited = _LEVELS.unpack_from(self._map, _LEVELS_AT)
+        return tuple(
+            ChannelLevel(number + 1, peak, bool(limited >> number & 1))
+            for number, peak in enumerate(peaks)
+            if played >> number & 1
+        )
 
     def write_tick(self, count: int, now_s: float, *fields: float) -> None:
         """Store tick number `count`, done at `now_s`, and publish it (loop)."""

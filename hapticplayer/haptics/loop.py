@@ -22,7 +22,7 @@ from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.haptics.messages import Line, Word
 from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.step import step
-from hapticplayer.model.device import DeviceReading, Vector
+from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector
 
 ZERO_TICKS_BEFORE_CLOSING = 5
 REST_AFTER_S = 30.0
@@ -51,6 +51,7 @@ class Loop(TrackFollower):
         self.state = State()
         self.count = 0
         self.reading: DeviceReading | None = None
+        self._levels: tuple[ChannelLevel, ...] = ()
         self._needed_s = self.clock.now_s()
 
     def run(self) -> None:
@@ -123,10 +124,14 @@ class Loop(TrackFollower):
         if self._is_device_gone:
             return
         try:
-            self.reading = self.device.exchange(force_n, now_s)
+            self.reading = reading = self.device.exchange(force_n, now_s)
         except DeviceError as problem:
             self._is_device_gone = True
             self.line.send(Word.LOST, message_of(problem))
+            return
+        if reading.levels is not self._levels:
+            self._levels = reading.levels
+            self.block.write_levels(reading.levels)
 
     def _record(self, late_s: float, missed: int) -> None:
         state = self.state

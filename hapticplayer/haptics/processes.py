@@ -28,6 +28,7 @@ from hapticplayer.haptics.spawn import (
 )
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
+from hapticplayer.model.device import ChannelLevel
 
 GUARD_LATE_S = 0.1  # it beats every 19 ms; only then the kernel is asked about it
 
@@ -276,6 +277,11 @@ class HapticsProcesses:
         """Return the ticks since the last call (see TICK) and how many were lost."""
         records, self._tail, lost = self.block.read_ticks(self._tail)
         return records, lost
+
+    @property
+    def levels(self) -> tuple[ChannelLevel, ...]:
+        """How loud the channels of a sound card are; none without a running loop."""
+        return self.block.levels() if self.health is Health.READY else ()
 
     def close(self) -> None:
         """Ramp the force to zero, release the device and end all processes."""

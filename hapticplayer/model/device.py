@@ -1,6 +1,7 @@
 """What a haptic device can do, and snapshots that a front end polls."""
 
 import enum
+import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -42,6 +43,30 @@ class DeviceCapabilities:
     has_newtons: bool = True
 
 
+MOST_CHANNELS = 8
+"""Of a sound card that shakers hang on."""
+FLOOR_DB = -80.0
+
+
+class ChannelLevel(NamedTuple):
+    """How loud one channel of a sound card plays; see `devices.transducer.meter`.
+
+    Attributes:
+        channel: counted from 1.
+        peak: 0 to 1 of full scale, with a slow fall-off.
+        is_limited: whether the soft limiter has worked in the last second.
+    """
+
+    channel: int
+    peak: float
+    is_limited: bool
+
+    @property
+    def peak_db(self) -> float:
+        """The peak in dB of full scale, `FLOOR_DB` for less."""
+        return max(FLOOR_DB, 20.0 * math.log10(max(self.peak, 1e-9)))
+
+
 class DeviceReading(NamedTuple):
     """Answer of a device to one exchange; a tuple because it is made at 1 kHz.
 
@@ -52,6 +77,7 @@ class DeviceReading(NamedTuple):
         replied_s: monotonic time at which the device gave this answer; it stands
             still while nothing (well-formed) comes back.
         malformed: answers in a row, up to now, that made no sense.
+        levels: of the channels of a sound card; the same object until they change.
     """
 
     position_m: Vector
@@ -59,6 +85,7 @@ class DeviceReading(NamedTuple):
     is_homed: bool
     replied_s: float
     malformed: int = 0
+    levels: tuple[ChannelLevel, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,7 @@ from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import DeviceCapabilities, ForceTrack, SyncStats
 from hapticplayer.playback.log import Reporter
-from hapticplayer.playback.meters import SyncAlarm, SyncMeter, TickHistory
+from hapticplayer.playback.meters import Loudest, SyncAlarm, SyncMeter, TickHistory
 from hapticplayer.playback.snapshot import Measurements, SyncTraces
 from hapticplayer.rendering import adapted, device_gain
 
@@ -151,6 +151,7 @@ class ForceOutput:
     def restart_meters(self) -> None:
         """Measure the force against frames and sound from here on."""
         self.video, self.audio = SyncMeter(), SyncMeter()
+        self.loudest = Loudest()
 
     def measurements(self, audio_underrun_s: float) -> Measurements:
         """Return what was measured so far."""
@@ -186,11 +187,13 @@ class ForceOutput:
             "haptic_minus_audio_ms": described(self.audio.total()),
             "scheduling": self.processes.scheduling,
             "device": self.processes.device,
+            "channels": self.loudest.described(),
         }
 
     def _read(self) -> None:
         records, lost = self.processes.read_ticks()
         self.history.add(records, lost)
+        self.loudest.add(self.processes.levels)
         if (now_s := self._clock.now_s()) >= self._next_compare_s:
             self._next_compare_s = now_s + COMPARE_PERIOD_S
             self._compare("picture", self.video)

@@ -10,6 +10,7 @@ from hapticplayer.devices import find_device
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
+from hapticplayer.playback.meters import Loudest
 from hapticplayer.rendering import adapted
 
 VALID_S = 0.150
@@ -32,6 +33,7 @@ class ForcePlayer:
         self._processes = HapticsProcesses(clock, device)
         self.media_s = 0.0
         self.mode, self.cause = Mode.IDLE, Cause.NONE
+        self.loudest = Loudest()
         self.end_s = float(track.time_s[-1])
         self._clock = clock
         self._begin_s: float | None = None
@@ -75,6 +77,7 @@ class ForcePlayer:
                 self._is_loaded = True
                 processes.load({TRACK: self._track})
             self._publish(now_s)
+        self.loudest.add(processes.levels)
         ticks, _ = processes.read_ticks()
         if len(ticks):
             self.mode = Mode(int(ticks["mode"][-1]))

@@ -3,6 +3,7 @@
 import math
 import statistics
 from collections import deque
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import LoopStats, SyncStats
+from hapticplayer.model.device import ChannelLevel
 
 HISTORY_TICKS = 12_000
 STATS_TICKS = 10_000
@@ -236,3 +238,32 @@ def _sync_stats(difference_ms: NDArray[np.float64]) -> SyncStats | None:
         return None
     p05, p50, p95 = np.percentile(difference_ms, [5.0, 50.0, 95.0])
     return SyncStats(len(difference_ms), float(p05), float(p50), float(p95))
+
+
+class Loudest:
+    """The largest level of each channel of a sound card; ask at 10 Hz or more.
+
+    Peaks fall so slowly (`devices.transducer.meter`) that 50 ms cost 0.6 dB.
+    """
+
+    def __init__(self) -> None:
+        self._channels: dict[int, ChannelLevel] = {}
+
+    def add(self, levels: Iterable[ChannelLevel]) -> None:
+        """Take what a meter shows now."""
+        for now in levels:
+            before = self._channels.get(now.channel, now)
+            is_limited = now.is_limited or before.is_limited
+            peak = max(now.peak, before.peak)
+            self._channels[now.channel] = ChannelLevel(now.channel, peak, is_limited)
+
+    def described(self) -> list[dict[str, Any]]:
+        """Return channel, peak_db and is_limited of each, for logs and reports."""
+        return [
+            {
+                "channel": one.channel,
+                "peak_db": round(one.peak_db, 1),
+                "is_limited": one.is_limited,
+            }
+            for one in self._channels.values()
+        ]

@@ -120,6 +120,7 @@ class Outlet:
             Mode(int(tick["mode"])) if tick is not None else Mode.IDLE,
             Cause(int(tick["cause"])) if tick is not None else Cause.NONE,
             processes.pids.get("loop"),
+            processes.levels,
         )
 
     def _note(self, tick: Any, feedback: str) -> Message | str:

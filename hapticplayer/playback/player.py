@@ -285,6 +285,7 @@ class Player:
             device=processes.device,
             device_health=processes.health,
             device_problem=self._force.problem,
+            device_levels=processes.levels,
             takes_faults=processes.takes_faults,
             loop_pid=processes.pids.get("loop"),
             scheduling=processes.scheduling,

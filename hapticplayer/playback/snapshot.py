@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
+from hapticplayer.model.device import ChannelLevel
 from hapticplayer.playback.latency import Latency
 from hapticplayer.playback.phases import PLAYING_PHASES, Phase
 from hapticplayer.playback.source import Source
@@ -31,6 +32,7 @@ class OutletState:
         mode: what its loop does, and why.
         cause: of the mode.
         loop_pid: of its process, None where there is none.
+        levels: of the channels of a sound card, empty for other devices.
     """
 
     name: str
@@ -44,6 +46,7 @@ class OutletState:
     mode: Mode
     cause: Cause
     loop_pid: int | None
+    levels: tuple[ChannelLevel, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,6 +71,7 @@ class Snapshot:
     device: str = "none"  # name, "none" without a device
     device_health: Health = Health.NONE
     device_problem: str = ""  # what is wrong with device or process, "" for nothing
+    device_levels: tuple[ChannelLevel, ...] = ()  # of its sound channels
     takes_faults: bool = False
     loop_pid: int | None = None
     scheduling: str = ""  # class of the haptic loop, "" without a device

@@ -1904,6 +1904,21 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>LevelMeter</name>
+    <message>
+        <source>channel {channel} silent</source>
+        <translation>Kanal {channel} still</translation>
+    </message>
+    <message>
+        <source>channel {channel} {db} dB, limited</source>
+        <translation>Kanal {channel} {db} dB, begrenzt</translation>
+    </message>
+    <message>
+        <source>channel {channel} {db} dB</source>
+        <translation>Kanal {channel} {db} dB</translation>
+    </message>
+</context>
+<context>
     <name>LibraryDetails</name>
     <message>
         <source>Force tracks</source>

@@ -1904,6 +1904,21 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>LevelMeter</name>
+    <message>
+        <source>channel {channel} silent</source>
+        <translation>canal {channel} silencieux</translation>
+    </message>
+    <message>
+        <source>channel {channel} {db} dB, limited</source>
+        <translation>canal {channel} {db} dB, limité</translation>
+    </message>
+    <message>
+        <source>channel {channel} {db} dB</source>
+        <translation>canal {channel} {db} dB</translation>
+    </message>
+</context>
+<context>
     <name>LibraryDetails</name>
     <message>
         <source>Force tracks</source>

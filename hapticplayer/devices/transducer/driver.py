@@ -2,6 +2,7 @@
 
 import contextlib
 import importlib
+import math
 import os
 import threading
 from collections.abc import Callable
@@ -15,7 +16,7 @@ from hapticplayer.devices.transducer.settings import ShakerSettings, shaker_sett
 from hapticplayer.devices.transducer.signal import SAMPLE_HZ, ShakerSignal
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.device import DeviceReading, Vector
+from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector
 
 BLOCK = 240
 AHEAD_S = 0.030
@@ -27,6 +28,7 @@ RUNNING_FRAMES = 7200
 """A stream that has asked for so many runs: the first fill its buffer, and then a sound
 server may take 0.3 s to start."""
 AUDIO_NICE = -11
+METER_PERIOD_S = 0.02
 _MOST_AHEAD_S = 1.0
 _MIDDLE: Vector = (0.0, 0.0, 0.0)
 Fill = Callable[[Any, float, int], None]
@@ -157,11 +159,8 @@ class ShakerDriver:
         self._signal = ShakerSignal(settings)
         self._opened_s, self._has_begun = 0.0, False
         self._asked_s, self._frames = 0.0, 0
-
-    @property
-    def level(self) -> float:
-        """Peak of what the card was given last, 0 to 1."""
-        return self._signal.peak
+        self._metered_s = -math.inf
+        self._levels: tuple[ChannelLevel, ...] = ()
 
     def open(self) -> None:
         """Start the stream; raises DeviceError with what to do."""
@@ -185,15 +184,18 @@ class ShakerDriver:
             signal.cut_s = None
             self._opened_s, self._frames = now_s, 0
             stream.drop()
+        if now_s - self._metered_s >= METER_PERIOD_S:
+            self._metered_s, self._levels = now_s, signal.meter.levels(now_s)
         asked_s = self._asked_s
         if self._frames < RUNNING_FRAMES:
             if now_s - self._opened_s > STARTING_S:
                 raise self._gone()
-            return DeviceReading(_MIDDLE, 0, False, now_s)
+            return DeviceReading(_MIDDLE, 0, False, now_s, 0, self._levels)
         if now_s - asked_s > SILENT_S:
             raise self._gone()
         is_alive = now_s - asked_s < ALIVE_S
-        return DeviceReading(_MIDDLE, 0, True, now_s if is_alive else asked_s)
+        replied_s = now_s if is_alive else asked_s
+        return DeviceReading(_MIDDLE, 0, True, replied_s, 0, self._levels)
 
     def close(self) -> None:
         """End the stream at once; may be called again."""

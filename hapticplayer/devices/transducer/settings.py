@@ -9,9 +9,10 @@ from functools import cache
 from typing import Any
 
 from hapticplayer.errors import DeviceError, HapticPlayerError, Message, joined
+from hapticplayer.model.device import MOST_CHANNELS
 from hapticplayer.model.ranges import Range
 
-CHANNEL = Range(1, 8, is_whole=True)
+CHANNEL = Range(1, MOST_CHANNELS, is_whole=True)
 HERTZ = Range(5, 400, "Hz")
 GAIN = Range(0, 4)
 LATENCY_MS = Range(20, 500, "ms")

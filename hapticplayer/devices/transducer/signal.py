@@ -10,6 +10,7 @@ from collections import deque
 
 import numpy as np
 
+from hapticplayer.devices.transducer.meter import LevelMeter
 from hapticplayer.devices.transducer.settings import ShakerSettings
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.device import Vector
@@ -21,7 +22,8 @@ FADE_S = 0.005
 """For what ends without a force of its own: a loop that stands still, a stop."""
 STALE_S = 0.010
 KEPT_S = 0.7
-_KNEE = 0.8
+KNEE = 0.8
+"""Of full scale: from here on the limiter bends."""
 _MOST = 4.0  # of full force; what is larger is that
 _SHARE = 0.5
 """Of the carrier at full force; the direct part has the rest."""
@@ -74,8 +76,7 @@ class ShakerSignal:
         self._size = 0.0
         self.cut_s: float | None = None
         """When a force ended at once; the driver takes it away."""
-        self.peak = 0.0
-        """Of the last samples, 0 to 1."""
+        self.meter = LevelMeter(settings.channels)
 
     def push(self, force_n: Vector, now_s: float) -> None:
         """Take the force of a tick; not a number is none."""
@@ -105,7 +106,6 @@ class ShakerSignal:
         found = np.zeros((count, settings.width))
         told = list(self._told)  # one call: the writer may go on
         if not told:
-            self.peak = 0.0
             return found
         rows = np.array(told)
         times = at_s - settings.latency_s + np.arange(count) / SAMPLE_HZ
@@ -120,14 +120,19 @@ class ShakerSignal:
             direct = np.interp(times, rows[:, 0], rows[:, 2 + 2 * number])
             carrier = np.sin(2.0 * np.pi * round(band.carrier_hz) * clock)
             mixed = _SHARE * swell * carrier + (1.0 - _SHARE) * direct
-            found[:, channel - 1] = fade * limited(mixed)
-        self.peak = float(np.max(np.abs(found)))
+            heard = found[:, channel - 1] = fade * limited(mixed)
+            self.meter.note(
+                channel,
+                float(np.max(np.abs(heard))),
+                at_s,
+                is_limited=bool(np.any((np.abs(mixed) > KNEE) & (fade > 0.0))),
+            )
         return found
 
 
 def limited(values: Floats) -> Floats:
     """Return values bent towards +-1 above 0.8, without a corner."""
     size = np.abs(values)
-    room = 1.0 - _KNEE
-    bent = _KNEE + room * np.tanh((size - _KNEE) / room)
-    return np.asarray(np.where(size > _KNEE, np.sign(values) * bent, values))
+    room = 1.0 - KNEE
+    bent = KNEE + room * np.tanh((size - KNEE) / room)
+    return np.asarray(np.where(size > KNEE, np.sign(values) * bent, values))

@@ -63,7 +63,7 @@ def command_bytes(serial: int, stamp_s: float, force_n: Vector) -> bytes:
 
 def pack_reply(serial: int, reading: DeviceReading) -> bytes:
     """Return the bytes of the answer to a command, as of `replied_s`."""
-    position_m, buttons, is_homed, stamp_s, _ = reading
+    position_m, buttons, is_homed, stamp_s, *_ = reading
     fields = (serial & SERIAL_MASK, stamp_s, *position_m, buttons, is_homed)
     return _sealed(_REPLY.pack(_REPLY_MAGIC, *fields))
 
@@ -103,7 +103,7 @@ def read_reply(data: bytes) -> tuple[int, DeviceReading] | None:
     is_sound = kind == _REPLY_MAGIC and zlib.crc32(data[:-4]) == checksum
     if not (is_sound and math.isfinite(stamp_s + x + y + z)):
         return None
-    fields = ((x, y, z), buttons, bool(homed), stamp_s, 0)
+    fields = ((x, y, z), buttons, bool(homed), stamp_s, 0, ())
     return serial, tuple.__new__(DeviceReading, fields)  # at 1 kHz
 
 

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from hapticplayer.haptics.shared import BLOCK_BYTES, RING_TICKS, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory
 from hapticplayer.model import PlaybackClock
+from hapticplayer.model.device import ChannelLevel
 
 numbers = st.floats(allow_nan=False, allow_infinity=False)
 
@@ -103,6 +104,16 @@ def test_a_reader_that_slept_too_long_is_told_how_much_it_lost(block):
     assert len(records) + lost == tail
     assert np.all(np.diff(records["monotonic_s"]) > 0)
     assert records["monotonic_s"][-1] == pytest.approx(0.001 * (tail - 1))
+
+
+def test_levels_of_sound_channels_come_back_as_they_went(block, memory):
+    player, nothing_yet = SharedBlock(memory), block.levels()
+    assert nothing_yet == ()
+    block.write_levels([ChannelLevel(4, 0.25, True), ChannelLevel(1, 0.5, False)])
+    assert player.levels() == (ChannelLevel(1, 0.5, False), ChannelLevel(4, 0.25, True))
+    block.write_levels([ChannelLevel(8, 1.0, False)])
+    assert player.levels() == (ChannelLevel(8, 1.0, False),)
+    assert player.read_clock() is None
 
 
 def test_a_block_of_another_size_is_refused():

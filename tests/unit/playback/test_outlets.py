@@ -11,6 +11,7 @@ from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.rig.loop import REFUSED
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
+from hapticplayer.model.device import ChannelLevel
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.outlets import NO_MOTION, Outlets
@@ -39,7 +40,7 @@ class Processes:
         self.device, self.health, self.problem = device, Health.READY, ""
         self.scheduling, self.pids = "normal", {"loop": 7}
         self.tracks, self.published, self.done = {}, [], []
-        self.ticks = np.empty(0, TICK)
+        self.ticks, self.levels = np.empty(0, TICK), ()
 
     def load(self, tracks):
         self.tracks = dict(tracks)
@@ -129,6 +130,21 @@ def test_an_outlet_has_its_own_condition_or_is_mute(outlets):
     assert played == {RIG: "realistic", OTHER: "", "gamepad": "random"}
     outlets.poll(CLOCK, "")  # withheld: also from those with their own condition
     assert {one.output.processes.published[-1][1] for one in outlets} == {""}
+
+
+def test_levels_are_shown_and_the_loudest_reported(outlets, manual_clock):
+    processes, quiet = processes_of(outlets, "gamepad"), ChannelLevel(3, 0.1, False)
+    for now in (quiet, ChannelLevel(3, 0.5, True), quiet):
+        processes.levels = (now,)
+        outlets.poll(CLOCK, "realistic")
+        manual_clock.advance(0.05)
+    states = {one.name: one for one in outlets.states("realistic")}
+    assert states["gamepad"].levels == (quiet,)
+    assert states[RIG].levels == ()
+    (channel,) = outlets.summary()["gamepad"]["channels"]
+    assert channel == {"channel": 3, "peak_db": -6.0, "is_limited": True}
+    outlets.restart_meters()
+    assert outlets.summary()["gamepad"]["channels"] == []
 
 
 def test_stop_and_re_arm_reach_all(outlets):

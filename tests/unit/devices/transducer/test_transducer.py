@@ -12,9 +12,11 @@ from hapticplayer.clock import ManualClock
 from hapticplayer.devices import find_device
 from hapticplayer.devices.gamepad.reports import DUALSENSE, audio_report, motors_report
 from hapticplayer.devices.transducer.driver import ShakerDriver
+from hapticplayer.devices.transducer.meter import LevelMeter
 from hapticplayer.devices.transducer.settings import shaker_settings
 from hapticplayer.devices.transducer.signal import FULL_N, SAMPLE_HZ, limited
 from hapticplayer.errors import DeviceError
+from hapticplayer.model.device import ChannelLevel
 
 ZERO = (0.0, 0.0, 0.0)
 
@@ -35,6 +37,9 @@ class Bench:
             self.clock.advance(0.001)
             self.card.play()
 
+    def levels(self):
+        return self.device.exchange(ZERO, self.clock.now_s()).levels
+
 
 def steady(_t):
     return (0.0, 2.25, 0.0)
@@ -46,7 +51,10 @@ def test_only_the_chosen_channels_sound():
     peaks = np.abs(bench.card.heard(0.5)).max(axis=0)
     assert peaks[:2].tolist() == [0.0, 0.0]
     assert peaks[2:] == pytest.approx([0.25, 0.25], rel=0.02)  # half of half
-    assert bench.device.level == pytest.approx(0.25, rel=0.02)
+    levels = bench.levels()
+    assert [one.channel for one in levels] == [3, 4]
+    assert [one.peak for one in levels] == pytest.approx([0.25, 0.25], rel=0.02)
+    assert not any(one.is_limited for one in levels)
 
 
 def test_a_steady_force_is_its_carrier_and_nothing_below():
@@ -138,6 +146,30 @@ def test_the_limiter_has_no_corner_and_keeps_the_order():
     assert (bent[inside] == values[inside]).all()
     slopes = np.diff(bent) / np.diff(values)
     assert np.abs(np.diff(slopes)).max() < 0.01
+
+
+def test_a_level_falls_by_20_db_in_1_7_s():
+    """As a peak meter of IEC 60268-10, type I."""
+    meter = LevelMeter((3, 4))
+    meter.note(3, 0.5, 10.0, is_limited=False)
+    meter.note(4, 0.4, 10.0, is_limited=True)
+    meter.note(4, 0.35, 10.1, is_limited=False)  # the first has fallen to 0.349
+    meter.note(4, 0.1, 10.2, is_limited=False)  # it is still louder
+    left, right = meter.levels(11.7)
+    assert left == ChannelLevel(3, pytest.approx(0.05), False)
+    assert right == ChannelLevel(4, pytest.approx(0.35 * 10 ** (-16 / 17)), False)
+    assert meter.levels(10.99)[1].is_limited
+    assert meter.levels(9.9)[0].peak == 0.5  # what sounds only in a moment
+    assert [one.peak for one in meter.levels(17.0)] == [0.0, 0.0]
+
+
+def test_the_limiter_is_shown_on_its_channel():
+    bench = Bench("channels=1+2,band=15-80+15-400-45,gain=1.5,axis=y")
+    pushed = 2.0 * math.pi * 150.0  # Hz: only the second band has that
+    bench.play(lambda t: (0.0, 4.5 * math.sin(pushed * t), 0.0), 0.4)
+    assert [one.is_limited for one in bench.levels()] == [False, True]
+    heard = np.abs(bench.card.heard(0.3)).max(axis=0)
+    assert heard[0] < 0.8 < heard[1]
 
 
 def test_a_card_that_asks_for_nothing_is_late_and_then_gone():
