@@ -3,53 +3,24 @@
 import importlib
 import threading
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QWidget
 
-from app.bridge.settings import (
-    Settings,
-    choose_library,
-    keep_outlets,
-    library_folder,
-)
-from app.player.choices import PluggedFalcons
-from app.player.controls import OUTPUT
+from app.bridge.settings import Settings, choose_library, library_folder
+from app.player.device_dialogs import DeviceDialogs
 from app.player.session import Session
 from app.player.video_question import video_question
-from app.player.video_surface import SurfaceSink
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog, folder_dialog, settings_filter, video_filter
 from app.widgets.layout import STRETCH, column_of, fill_page, paragraph, row_of
 from app.widgets.theme import icon
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError
-from hapticplayer.playback.player import Player
-from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.rendering import FEEDBACKS
-
-if TYPE_CHECKING:
-    from app.editor.page import EditorPage
-    from app.experimenter.import_wizard import ImportWizard
-    from app.experimenter.library_page import LibraryPage
-    from app.experimenter.rendering_page import RenderingPage
-    from app.player.outlets_page import OutletsPage
-    from app.player.share_page import SharePage
-
-    Working = (
-        EditorPage
-        | ImportWizard
-        | LibraryPage
-        | OutletsPage
-        | RenderingPage
-        | SharePage
-    )
 
 translate = QCoreApplication.translate
 
@@ -106,23 +77,13 @@ LATER = (
 """What playing does not need: a fifth of the time that the program takes to start."""
 
 
-class Dialogs(QObject):
-    """Asks what to open, and remembers the folder.
-
-    `device_wanted` names a device that was set up and is to be used.
-    """
+class Dialogs(DeviceDialogs):
+    """Asks what to open, and remembers the folder."""
 
     keys_changed = Signal()
-    settings_taken = Signal()
-    device_wanted = Signal(str)
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
-        super().__init__(window)
-        self._working: list[Working] = []
-        self._window = window
-        self._session = session
-        self._settings = settings
-        self.plugged = PluggedFalcons(parent=self)
+        super().__init__(window, session, settings)
         self._is_prepared = False
 
     def prepare(self) -> None:
@@ -261,107 +222,8 @@ class Dialogs(QObject):
             dialog.close_jobs()
         self._working.clear()
 
-    def _open_working(self, dialog: "Working") -> None:
-        self._working.append(dialog)
-        dialog.finished.connect(lambda _result: self._forget(dialog))
-        dialog.open()
-
-    def set_up(self, clock: Clock) -> None:
-        """Choose a device, and bring it to where it can be used."""
-        from app.player.setup_page import SetupPage
-
-        before = self._session.player.snapshot().device
-        self._release()
-        page = SetupPage(clock, before, self.plugged, self._window)
-        wanted, shown = [before], list[str]()
-        page.wanted.connect(wanted.append)
-        page.demonstration_wanted.connect(shown.append)
-
-        def go_on() -> None:
-            self.device_wanted.emit((wanted + shown)[-1])
-            if shown:
-                self.get_to_know(clock)
-
-        page.finished.connect(go_on)
-        page.open()
-
-    def _forget(self, dialog: "Working") -> None:
-        if dialog in self._working:
-            self._working.remove(dialog)
-        dialog.deleteLater()
-
     def _keep_library(self, folder: Path) -> None:
         choose_library(self._settings, folder)
-
-    def get_to_know(self, clock: Clock) -> None:
-        """Demonstrate the forces of the chosen device; nothing plays meanwhile."""
-        player = self._session.player
-        device = player.snapshot().device
-        if device == NO_DEVICE:
-            problem = self.tr("Choose a device first, then try out its forces")
-            self._session.gateway.report(HapticPlayerError(problem))
-            return
-        from app.player.device_page import DevicePage
-
-        self._release()
-        dialog = DevicePage(clock, device, self._window)
-        dialog.finished.connect(lambda _: self._session.choose_device(device))
-        dialog.homing_wanted.connect(lambda: self.set_up(clock))
-        dialog.finished.connect(dialog.deleteLater)
-        dialog.open()
-
-    def outlets(self, clock: Clock) -> None:
-        """Show what plays beside the device."""
-        from app.player.outlets_page import OutletsPage
-
-        session, page = self._session, self._window.findChild(OutletsPage)
-        if page is None:
-            page = OutletsPage(clock, session, self._window)
-            page.changed.connect(lambda kept: keep_outlets(self._settings, kept))
-            self._working.append(page)
-            page.finished.connect(lambda _result: self._forget(page))
-        page.show()
-
-    def faults(self, clock: Clock) -> None:
-        """Show the panel that makes faults happen to the simulated device."""
-        from app.player.fault_panel import FaultPanel
-
-        shown = self._window.findChild(FaultPanel)
-        panel = shown or FaultPanel(clock, self._session, self._window)
-        panel.show()
-
-    def rig(self, clock: Clock) -> None:
-        """Show what a motion rig at the other end would do."""
-        from app.player.rig_panel import RigPanel
-
-        shown = self._window.findChild(RigPanel)
-        panel = shown or RigPanel(clock, self._window)
-        panel.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        panel.show()
-
-    def latencies(self, clock: Clock) -> None:
-        """Measure how late video, sound and force reach the person."""
-        from app.player.latency_page import LatencyPage
-
-        device = self._session.player.snapshot().device
-        self._release()
-        page = LatencyPage(
-            clock, device, self._settings, self._own_player, self._window
-        )
-        page.measured.connect(self.settings_taken)
-        page.finished.connect(lambda _: self._session.choose_device(device))
-        page.finished.connect(page.deleteLater)
-        page.open()
-
-    def _own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:
-        sound = partial(SoundProcess, device=self._settings.text(OUTPUT))
-        return Player(clock, sink, device=device, audio=sound)
-
-    def _release(self) -> None:
-        """Let go of the device, so that a dialog can have it."""
-        self._session.stop()
-        self._session.choose_device(NO_DEVICE)
-        self._session.player.wait_released()
 
     def show(self, make: Callable[[QWidget], QDialog]) -> None:
         """Show an information dialog."""

@@ -17,7 +17,14 @@ from PySide6.QtWidgets import (
 from app.bridge.languages import translated
 from app.bridge.settings import MOST_OUTLETS
 from app.player import choices
-from app.player.health import device_name, mode_text
+from app.player.device_form import (
+    example_of,
+    outlet_text,
+    put_together,
+    takes_settings,
+    variants,
+)
+from app.player.health import mode_text
 from app.player.session import Session
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -36,9 +43,8 @@ from app.widgets.layout import (
 from app.widgets.level_meter import LevelMeter
 from app.widgets.texts import local, titled
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, OUTLETS, find_device, installed_devices
-from hapticplayer.devices.rig.packets import FORMATS
-from hapticplayer.devices.rig.settings import GAIN, LATENCY_MS, LOOPBACK
+from hapticplayer.devices import NO_DEVICE, find_device
+from hapticplayer.devices.rig.settings import GAIN, LATENCY_MS
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.processes import Health
@@ -51,23 +57,6 @@ translate = QCoreApplication.translate
 POLL_MS = 100
 GENTLE_GAIN = 0.25
 _WIDTH_PX, _HEIGHT_PX, _RIG = 640, 520, "rig"
-_EXAMPLES = {
-    "shaker": "pulse,channels=3+4",
-    "wheel": "event5",
-    "rumble": "event5",
-    "tcode": "127.0.0.1:8000",
-    "buttplug": "127.0.0.1:12345",
-    "inverse3": "127.0.0.1:10001",
-}
-"""Of what may follow a kind and a colon; see docs/devices.md."""
-
-
-def outlet_text(name: str) -> str:
-    """Return an outlet's name for people, with what was chosen of it."""
-    kind, _, chosen = name.partition(":")
-    if kind not in OUTLETS:
-        return device_name(name).replace(",", ", ")
-    return titled(translate("OutletsPage", "Motion rig"), chosen.replace(",", ", "))
 
 
 def state_text(outlet: OutletState) -> str:
@@ -84,12 +73,6 @@ def state_text(outlet: OutletState) -> str:
 def figures_text(outlet: OutletState) -> str:
     """Return latency and gain of an outlet."""
     return local(f"{1e3 * outlet.latency_s:.0f} ms, \u00d7\u2009{outlet.gain:.2f}")
-
-
-def takes_settings(kind: str) -> bool:
-    """Whether something may follow a kind and a colon."""
-    entry = OUTLETS.get(kind) or installed_devices()[kind]
-    return entry.has_serials or bool(entry.settings)
 
 
 class RigTest:
@@ -124,9 +107,11 @@ class OutletsPage(QDialog):
     Signals:
         changed: a person has chosen others, or muted one; has names, each with whether
             it is muted.
+        set_up_wanted: the set-up page of one is wanted.
     """
 
     changed = Signal(object)
+    set_up_wanted = Signal(str)
 
     def __init__(
         self, clock: Clock, session: Session, parent: QWidget | None = None
@@ -157,13 +142,10 @@ class OutletsPage(QDialog):
 
     def add(self) -> None:
         """Play on the outlet of the form as well."""
-        name = str(self.kind.currentData())
+        choice = str(self.kind.currentData())
+        name = put_together(choice, self.address.text().strip())
         if self._is_rig:
-            address = self.address.text().strip()
-            name += f",{address}" * bool(address)
             name += f",gain={self.gain.value():g},latency_ms={self.latency.value():g}"
-        elif chosen := self.address.text().strip():
-            name = f"{name.partition(':')[0]}:{chosen}"
         if name in (*self._names(), self._player.snapshot().device):
             self._say(self.tr("This device plays already"))
         elif not name.isprintable():
@@ -296,9 +278,7 @@ class OutletsPage(QDialog):
         self.problem.setText(text)
 
     def _make_form(self) -> None:
-        for name in FORMATS:
-            self.kind.addItem(outlet_text(f"{_RIG}:{name}"), f"{_RIG}:{name}")
-        for choice in choices.devices():
+        for choice in (*variants(), *choices.devices()):
             if choice.name != NO_DEVICE:
                 self.kind.addItem(choice.text, choice.name)
         self.kind.currentIndexChanged.connect(self._on_kind)
@@ -314,14 +294,12 @@ class OutletsPage(QDialog):
         self._on_kind()
 
     def _on_kind(self) -> None:
-        kind, _, chosen = str(self.kind.currentData()).partition(":")
+        choice = str(self.kind.currentData())
         for widget in (self.gain, self.latency):
             widget.setEnabled(self._is_rig)
-        takes_text = takes_settings(kind)
+        takes_text = takes_settings(choice)
         self.address.setEnabled(takes_text)
-        rig = FORMATS.get(chosen)
-        example = f"{LOOPBACK}:{rig.port}" if rig else _EXAMPLES.get(kind, "")
-        self.address.setPlaceholderText(example)
+        self.address.setPlaceholderText(example_of(choice))
         if not takes_text:
             self.address.clear()
 
@@ -375,14 +353,18 @@ class OutletsPage(QDialog):
         test = text_button(
             self.tr("Test"), self.tr("Move the rig gently, or stop that")
         )
+        set_up = text_button(
+            self.tr("Set up\u2026"), self.tr("What it needs, and how it is connected")
+        )
         remove = text_button(self.tr("Remove"), self.tr("Release this device"))
-        for widget in (mute, test, remove):
+        for widget in (mute, test, set_up, remove):
             widget.setAccessibleName(titled(text, widget.text()))
         mute.clicked.connect(lambda on: self._on_mute(name, is_muted=on))
         test.clicked.connect(lambda: self.test(name))
+        set_up.clicked.connect(lambda: self.set_up_wanted.emit(name))
         remove.clicked.connect(lambda: self.remove(name))
         self.tests[name] = test
-        for column, part in enumerate((label, figures, mute, test, remove)):
+        for column, part in enumerate((label, figures, mute, test, set_up, remove)):
             self.rows.addWidget(part, 3 * row, column)
         self.rows.addWidget(self.states[name], 3 * row + 1, 0, 1, -1)
         self.meters[name] = meter = LevelMeter(text)

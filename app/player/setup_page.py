@@ -1,40 +1,59 @@
-"""Setting a device up: choosing it, its firmware, and homing with a live drawing."""
+"""Setting a device up: what it is and needs, its firmware, homing with a live drawing."""
 
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QComboBox, QDialog, QLabel, QProgressBar, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QProgressBar, QWidget
 
 from app.bridge.jobs import Jobs
 from app.bridge.jobs import Progress as Report
-from app.player import choices, setup_texts
+from app.bridge.languages import translated
+from app.player import setup_texts
+from app.player.check_list import CheckList
 from app.player.choices import PluggedFalcons
+from app.player.device_form import DeviceForm, entry_of, problem_of
 from app.player.firmware_dialog import ask_for_firmware
 from app.player.homing_view import HomingDrawing, TravelEstimate, view_of
 from app.player.setup_texts import Trouble, trouble
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import STRETCH, fill_page, paragraph, row_of
+from app.widgets.layout import (
+    STRETCH,
+    column_of,
+    fill_page,
+    paragraph,
+    resize_within_screen,
+    row_of,
+)
 from app.widgets.texts import PERCENT
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE
+from hapticplayer.devices import NO_DEVICE, OUTLETS
 from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.devices.falcon.setting_up import Progress, Step, set_up
+from hapticplayer.devices.guides import guide_of
+from hapticplayer.errors import message_of
 
 POLL_MS = 33
 LOOK_MS = 1000
-"""Period of looking for devices and of retries."""
+"""Period of looking for Falcons and of retries."""
+_WIDTH_PX, _HEIGHT_PX = 860, 480
 
 
 class SetupPage(QDialog):
-    """Holds a Falcon, without force, until a person is done with it.
+    """What a device is and needs; holds a Falcon, without force, until one is done with it.
 
-    The window has to let go of the device before.
+    The window has to let go of its devices before.
+
+    Signals:
+        wanted: a device is to be used.
+        demonstration_wanted: its forces are to be felt.
+        others_wanted: the list of more devices is wanted, once this page has closed.
     """
 
     wanted = Signal(str)
     demonstration_wanted = Signal(str)
+    others_wanted = Signal()
 
     def __init__(
         self,
@@ -51,40 +70,45 @@ class SetupPage(QDialog):
         self._trouble: Trouble | None = None
         self._ways, self._result = TravelEstimate(), 0
         self._is_ending = False
-        self.drawing, self.device = HomingDrawing(), QComboBox()
-        self.title = paragraph(is_centred=True)
-        self.text, self.bar = paragraph(is_centred=True, lines=4), QProgressBar()
+        self.drawing, self.form = HomingDrawing(), DeviceForm(self)
+        self.device = self.form.kind
+        self.title = paragraph()
+        self.what, self.text = paragraph(), paragraph()
+        self.checks, self.bar = CheckList(self), QProgressBar()
         self._make_buttons()
         self._lay_out()
-        self._fill(device if device != NO_DEVICE else plugged.falcons()[0][0])
+        start = device if device != NO_DEVICE else plugged.falcons()[0][0]
+        self.form.fill(start, plugged.falcons())
         plugged.changed.connect(self._on_plugged)
-        self.device.activated.connect(lambda _: self.begin())
+        self.form.changed.connect(self.begin)
         self._poll_timer = self._timer(POLL_MS, self._poll)
         self._look_timer = self._timer(LOOK_MS, self._look)
+        self.checks.follow(self._checked_name())
         self._look()
         self._show()
 
     @property
     def chosen(self) -> str:
         """The engine's name of the device that is chosen here."""
-        return str(self.device.currentData())
+        return self.form.name
 
     @property
     def is_ready(self) -> bool:
         """Whether the device can be used as it is."""
         if not _is_falcon(self.chosen):
-            return True
+            return problem_of(self.chosen) is None
         return self._progress is not None and self._progress.step is Step.READY
 
     @property
     def is_busy(self) -> bool:
-        """Whether a Falcon is held, or about to be."""
-        return self._jobs.is_busy
+        """Whether a Falcon is held, or about to be, or something is looked at."""
+        return self._jobs.is_busy or self.checks.is_busy
 
     def begin(self) -> None:
         """Take the chosen device, once the one before is let go of."""
         self._progress, self._trouble, self._ways = None, None, TravelEstimate()
         self._jobs.cancel()
+        self.checks.follow(self._checked_name())
         self._start()
         self._show()
 
@@ -105,7 +129,8 @@ class SetupPage(QDialog):
         self._look_timer.stop()
         self._is_ending, self._result = True, result
         self._jobs.cancel()
-        if self._jobs.is_busy:
+        self.checks.stop()
+        if self.is_busy:
             self.hide()
         else:
             self._finish()
@@ -134,42 +159,41 @@ class SetupPage(QDialog):
         self.use = text_button(
             self.tr("Use this device"), self.tr("Use it for playback"), "primary"
         )
+        self.others = text_button(
+            self.tr("More devices\u2026"), self.tr("Play on several devices at once")
+        )
         self.close_button = text_button(
             self.tr("Close"), self.tr("Keep the current device")
         )
         self.firmware.clicked.connect(self.choose_firmware)
         self.forces.clicked.connect(self._on_forces)
         self.use.clicked.connect(self._on_use)
+        self.others.clicked.connect(self._on_others)
         self.close_button.clicked.connect(self.reject)
 
     def _lay_out(self) -> None:
         self.setWindowTitle(self.tr("Set up the device"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.device.setAccessibleName(self.tr("Device"))
         self.title.setFont(theme.scaled(self.font(), 1.4, bold=True))
         self.bar.setRange(0, 100)
         self.bar.setFormat(PERCENT)
         self.bar.setAccessibleName(self.tr("Progress"))
-        # two of the title's: a window that is open does not grow for a second one
-        self.title.setMinimumHeight(2 * QFontMetrics(self.title.font()).lineSpacing())
         caption = QLabel(self.tr("Device"))
         caption.setBuddy(self.device)
+        self.title.setMinimumHeight(QFontMetrics(self.title.font()).lineSpacing())
+        words = column_of(
+            *(self.title, self.what, self.text, self.checks.label, self.bar, STRETCH),
+            spacing=8,
+        )
         fill_page(
             self,
             row_of(caption, (self.device, 1)),
-            (self.drawing, 1),
-            self.title,
-            self.text,
-            self.bar,
-            row_of(self.firmware, self.forces, STRETCH, self.close_button, self.use),
+            row_of(self.form.caption, (self.form.settings, 1)),
+            (row_of((self.drawing, 1), (words, 1), spacing=16), 1),
+            row_of(self.firmware, self.forces, self.others, STRETCH),
+            row_of(STRETCH, self.close_button, self.use),
         )
-
-    def _fill(self, current: str) -> None:
-        self.device.clear()
-        for choice in choices.devices(current, self._plugged.falcons()):
-            if choice.name != NO_DEVICE:
-                self.device.addItem(choice.text, choice.name)
-        self.device.setCurrentIndex(max(0, self.device.findData(current)))
+        resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
 
     # --- what happens --------------------------------------------------------
 
@@ -196,7 +220,7 @@ class SetupPage(QDialog):
     def _poll(self) -> None:
         self._jobs.poll()
         if self._is_ending:
-            if not self._jobs.is_busy:
+            if not self.is_busy:
                 self._finish()
             return
         if self._progress is not None and self._progress.step is not Step.CONNECTING:
@@ -217,7 +241,15 @@ class SetupPage(QDialog):
         self._trouble = Trouble(self.tr("That file cannot be used"), why, False)
 
     def _on_plugged(self) -> None:
-        self._fill(self.chosen)
+        self.form.fill(self.chosen, self._plugged.falcons())
+
+    def _checked_name(self) -> str:
+        """Return what is looked at: nothing while its name is not right."""
+        return "" if problem_of(self.chosen) else self.chosen
+
+    def _on_others(self) -> None:
+        self.others_wanted.emit()
+        self.reject()
 
     def _on_use(self) -> None:
         self.wanted.emit(self.chosen)
@@ -231,31 +263,49 @@ class SetupPage(QDialog):
 
     def _show(self) -> None:
         is_falcon, progress = _is_falcon(self.chosen), self._progress
-        self.drawing.setVisible(is_falcon)
-        self.firmware.setVisible(is_falcon)
+        for widget in (self.drawing, self.firmware):
+            widget.setVisible(is_falcon)
+        self.forces.setVisible(self.chosen.partition(":")[0] not in OUTLETS)
         for button in (self.forces, self.use):
             button.setEnabled(self.is_ready)
         loading = progress is not None and progress.step is Step.LOADING
         self.bar.setVisible(loading)
+        guide = guide_of(entry_of(self.chosen))
+        self.what.setText(translated(guide.what))
+        connect = translated(guide.connect)
         if not is_falcon:
-            self._say(*setup_texts.needs_nothing(self.chosen))
+            self._say(*self._state(), connect)
             return
         if self._trouble is not None:
             self.drawing.show_view(view_of(None, self._ways))
-            self._say(self._trouble.title, self._trouble.text, theme.WARN)
+            self._say(self._trouble.title, theme.WARN, self._trouble.text)
             return
         progress = progress or Progress(Step.CONNECTING)
         self.bar.setValue(round(100 * progress.loaded))
         self.drawing.show_view(view_of(progress, self._ways))
         colour = theme.GOOD if progress.step is Step.READY else theme.TEXT
-        self._say(setup_texts.advice(progress), setup_texts.more(progress), colour)
+        more = setup_texts.more(progress) or connect
+        self._say(setup_texts.advice(progress), colour, more)
 
-    def _say(self, title: str, text: str, colour: str = "") -> None:
+    def _state(self) -> tuple[str, str]:
+        """Return how far a device is that is not led through homing, and its colour."""
+        if problem := problem_of(self.chosen):
+            return translated(message_of(problem)), theme.WARN
+        found, is_met = self.checks.found, self.checks.is_met
+        if found is None:
+            return self.tr("Looking for the device"), theme.TEXT
+        if is_met is False:
+            return self.tr("Not ready yet"), theme.WARN
+        if not found:
+            return self.tr("No setup needed"), theme.TEXT
+        return self.tr("Ready to be tested"), theme.GOOD if is_met else theme.TEXT
+
+    def _say(self, title: str, colour: str, text: str) -> None:
         if (title, text) != (self.title.text(), self.text.text()):
-            self.title.setStyleSheet(f"color: {colour or theme.TEXT};")
+            self.title.setStyleSheet(f"color: {colour};")
             self.title.setText(title)
             self.text.setText(text)
 
 
 def _is_falcon(device: str) -> bool:
-    return device.startswith("falcon")
+    return bool(entry_of(device).direct)

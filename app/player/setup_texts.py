@@ -6,7 +6,6 @@ from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
 from app.player.homing_view import leg_names
-from hapticplayer.devices import NO_DEVICE
 from hapticplayer.devices.falcon.firmware import FirmwareMissingError
 from hapticplayer.devices.falcon.homing import Advice
 from hapticplayer.devices.falcon.setting_up import Progress, Step
@@ -131,57 +130,6 @@ def more(progress: Progress) -> str:
             "Homed joints: {legs}. The force is off.",
         ).format(legs=found or translate("SetupTexts", "none yet"))
     return ""
-
-
-def needs_nothing(device: str) -> tuple[str, str]:
-    """Return title and text for a device that needs no setting up."""
-    texts = {
-        "simulated": translate(
-            "SetupTexts",
-            "Simulated Falcon, held by a simulated hand: for trying "
-            "everything without hardware.",
-        ),
-        "gamepad": translate(
-            "SetupTexts",
-            "Connect a DualSense or DualShock 4 by USB cable. Its vibration "
-            "follows the strength of the force, not its direction.",
-        ),
-        "inverse3": translate(
-            "SetupTexts",
-            "Start Haply's Inverse Service and connect the Inverse3, with its supply.",
-        ),
-        "wheel": translate(
-            "SetupTexts",
-            "Connect a wheel or joystick with a motor. It exerts one axis of the force, "
-            "by default sideways; wheel:axis=y on the command line chooses another.",
-        ),
-        "rumble": translate(
-            "SetupTexts",
-            "Connect a game pad that Linux can rumble. Its vibration follows the "
-            "strength of the force, not its direction.",
-        ),
-        "shaker": translate(
-            "SetupTexts",
-            "Connect the shaker's amplifier to the sound output. By default it plays "
-            "channels 1 and 2; shaker:pulse,channels=3+4 on the command line chooses "
-            "others.",
-        ),
-        "buttplug": translate(
-            "SetupTexts",
-            "Start Intiface and connect what vibrates. Its vibration follows the "
-            "strength of the force, not its direction.",
-        ),
-        "tcode": translate(
-            "SetupTexts",
-            "A board that takes TCode by UDP at port 8000 of this computer; "
-            "tcode:/dev/ttyUSB0 on the command line chooses a serial port. Its "
-            "vibration follows the strength of the force.",
-        ),
-        NO_DEVICE: translate("SetupTexts", "The clip plays without force."),
-    }
-    other = translate("SetupTexts", "Connect it as its maker says.")
-    title = translate("SetupTexts", "No setup needed")
-    return title, texts.get(device.partition(":")[0], other)
 
 
 def licence() -> str:

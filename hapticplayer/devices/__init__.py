@@ -81,6 +81,7 @@ class DeviceEntry:
             number; raises DeviceError for what is not allowed.
         loop: class of the loop in the device's process; "" for the 1 kHz loop.
         guard: what makes the loop's guard; "" for the one that writes zero.
+        guide: its set-up page, a `guides.Guide`; "" for one made of what is here.
         record: called with what follows `name:`, returns the capabilities with these
             options, or raises DeviceError; "" where they are always the same.
         serial: the one that was chosen, or its options.
@@ -104,6 +105,7 @@ class DeviceEntry:
     settings: str = ""
     loop: str = ""
     guard: str = ""
+    guide: str = ""
 
     def make(self, descriptor: int) -> HapticDevice:
         """Return the device, not yet open."""
@@ -120,6 +122,7 @@ class DeviceEntry:
 
 
 _SIMULATED = "hapticplayer.simulation"
+_GUIDES = "hapticplayer.devices.guides"
 _BUILT_IN = (
     DeviceEntry(
         "simulated",
@@ -130,6 +133,7 @@ _BUILT_IN = (
         f"{_SIMULATED}.falcon.remote:silence",
         server=f"{_SIMULATED}.falcon",
         faults=f"{_SIMULATED}.faults",
+        guide=f"{_GUIDES}:SIMULATED",
     ),
     DeviceEntry(
         "falcon",
@@ -141,6 +145,7 @@ _BUILT_IN = (
         direct="hapticplayer.devices.falcon.reach:real",
         has_serials=True,
         patience_s=45.0,  # ten uploads, should the first nine fail
+        guide=f"{_GUIDES}:FALCON",
     ),
     DeviceEntry(
         "falcon-simulated",
@@ -162,6 +167,7 @@ _BUILT_IN = (
         GAMEPAD,
         "hapticplayer.devices.gamepad.driver:make",
         "hapticplayer.devices.gamepad.driver:silence",
+        guide=f"{_GUIDES}:GAMEPAD",
     ),
     DeviceEntry(
         "inverse3",
@@ -171,6 +177,7 @@ _BUILT_IN = (
         "hapticplayer.devices.inverse3.driver:make",
         "hapticplayer.devices.inverse3.driver:silence",
         has_serials=True,
+        guide=f"{_GUIDES}:INVERSE3",
     ),
     DeviceEntry(
         "inverse3-simulated",
@@ -192,6 +199,7 @@ _BUILT_IN = (
         "hapticplayer.devices.evdev.driver:silence_wheel",
         has_serials=True,
         record="hapticplayer.devices.evdev.options:capabilities_of",
+        guide=f"{_GUIDES}:WHEEL",
     ),
     DeviceEntry(
         "rumble",
@@ -201,6 +209,7 @@ _BUILT_IN = (
         "hapticplayer.devices.evdev.driver:make_rumble",
         "hapticplayer.devices.evdev.driver:silence_rumble",
         has_serials=True,
+        guide=f"{_GUIDES}:RUMBLE",
     ),
     DeviceEntry(
         "shaker",
@@ -210,6 +219,7 @@ _BUILT_IN = (
         "hapticplayer.devices.transducer.driver:make",
         "hapticplayer.devices.transducer.driver:silence",
         settings="hapticplayer.devices.transducer.settings:shaker_settings",
+        guide=f"{_GUIDES}:SHAKER",
     ),
     DeviceEntry(
         "buttplug",
@@ -219,6 +229,7 @@ _BUILT_IN = (
         "hapticplayer.devices.buttplug:make",
         "hapticplayer.devices.buttplug:silence",
         has_serials=True,
+        guide=f"{_GUIDES}:BUTTPLUG",
     ),
     DeviceEntry(
         "tcode",
@@ -228,6 +239,7 @@ _BUILT_IN = (
         "hapticplayer.devices.tcode:make",
         "hapticplayer.devices.tcode:silence",
         has_serials=True,
+        guide=f"{_GUIDES}:TCODE",
     ),
 )
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
@@ -246,6 +258,7 @@ OUTLETS: dict[str, DeviceEntry] = {
         settings="hapticplayer.devices.rig.settings:rig_settings",
         loop=f"{_RIG}.loop:RigLoop",
         guard=f"{_RIG}.guard:make",
+        guide=f"{_GUIDES}:RIG",
     )
 }
 """What plays beside a device, or without one, and takes no force."""

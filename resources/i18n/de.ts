@@ -263,6 +263,25 @@
     </message>
 </context>
 <context>
+    <name>CheckList</name>
+    <message>
+        <source>What the device needs</source>
+        <translation>Was das Gerät braucht</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>not visible from here</source>
+        <translation>von hier aus nicht zu sehen</translation>
+    </message>
+</context>
+<context>
     <name>Choices</name>
     <message>
         <source>From file</source>
@@ -399,6 +418,24 @@
     </message>
 </context>
 <context>
+    <name>DeviceDialogs</name>
+    <message>
+        <source>Choose a device first, then try out its forces</source>
+        <translation type="unfinished">Wählen Sie zuerst ein Gerät und probieren Sie dann seine Kräfte aus</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceForm</name>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished">Gerät</translation>
+    </message>
+    <message>
+        <source>Address or settings</source>
+        <translation type="unfinished">Adresse oder Einstellungen</translation>
+    </message>
+</context>
+<context>
     <name>DevicePage</name>
     <message>
         <source>Pull the grip all the way out, then push it in until it locks</source>
@@ -514,10 +551,6 @@
     <message>
         <source>Only a sequence can be rendered: import the video first, or unpack a file that was shared with you.</source>
         <translation>Nur die Kraft einer Sequenz kann neu berechnet werden: Importieren Sie zuerst das Video, oder entpacken Sie eine Datei, die mit Ihnen geteilt wurde.</translation>
-    </message>
-    <message>
-        <source>Choose a device first, then try out its forces</source>
-        <translation>Wählen Sie zuerst ein Gerät und probieren Sie dann seine Kräfte aus</translation>
     </message>
     <message>
         <source>Export settings</source>
@@ -2292,10 +2325,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
 <context>
     <name>OutletsPage</name>
     <message>
-        <source>Motion rig</source>
-        <translation>Bewegungsplattform</translation>
-    </message>
-    <message>
         <source>This device plays already</source>
         <translation>Dieses Gerät spielt schon</translation>
     </message>
@@ -2374,6 +2403,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Move the rig gently, or stop that</source>
         <translation>Die Plattform sanft bewegen, oder das anhalten</translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation>Einrichten…</translation>
+    </message>
+    <message>
+        <source>What it needs, and how it is connected</source>
+        <translation>Was es braucht und wie es angeschlossen wird</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3294,6 +3331,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Für die Wiedergabe benutzen</translation>
     </message>
     <message>
+        <source>More devices…</source>
+        <translation>Weitere Geräte…</translation>
+    </message>
+    <message>
+        <source>Play on several devices at once</source>
+        <translation>Auf mehreren Geräten zugleich abspielen</translation>
+    </message>
+    <message>
         <source>Keep the current device</source>
         <translation>Bisheriges Gerät behalten</translation>
     </message>
@@ -3304,6 +3349,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Looking for the device</source>
+        <translation>Das Gerät wird gesucht</translation>
+    </message>
+    <message>
+        <source>Not ready yet</source>
+        <translation>Noch nicht bereit</translation>
+    </message>
+    <message>
+        <source>No setup needed</source>
+        <translation type="unfinished">Keine Einrichtung nötig</translation>
+    </message>
+    <message>
+        <source>Ready to be tested</source>
+        <translation>Bereit zum Testen</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -3393,46 +3454,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Referenzierte Gelenke: {legs}. Die Kraft ist aus.</translation>
     </message>
     <message>
-        <source>Start Haply&apos;s Inverse Service and connect the Inverse3, with its supply.</source>
-        <translation>Starten Sie den Inverse Service von Haply und schließen Sie das Inverse3 mit seinem Netzteil an.</translation>
-    </message>
-    <message>
-        <source>Connect the shaker&apos;s amplifier to the sound output. By default it plays channels 1 and 2; shaker:pulse,channels=3+4 on the command line chooses others.</source>
-        <translation>Schließen Sie den Verstärker des Körperschallwandlers an den Tonausgang an. Üblicherweise spielt er auf den Kanälen 1 und 2; shaker:pulse,channels=3+4 auf der Kommandozeile wählt andere.</translation>
-    </message>
-    <message>
-        <source>Start Intiface and connect what vibrates. Its vibration follows the strength of the force, not its direction.</source>
-        <translation>Starten Sie Intiface und verbinden Sie, was vibriert. Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
-    </message>
-    <message>
-        <source>A board that takes TCode by UDP at port 8000 of this computer; tcode:/dev/ttyUSB0 on the command line chooses a serial port. Its vibration follows the strength of the force.</source>
-        <translation>Eine Platine, die TCode per UDP an Port 8000 dieses Rechners annimmt; tcode:/dev/ttyUSB0 auf der Kommandozeile wählt eine serielle Schnittstelle. Ihre Vibration folgt der Stärke der Kraft.</translation>
-    </message>
-    <message>
-        <source>No setup needed</source>
-        <translation>Keine Einrichtung nötig</translation>
-    </message>
-    <message>
-        <source>Simulated Falcon, held by a simulated hand: for trying everything without hardware.</source>
-        <translation>Simulierter Falcon, gehalten von einer simulierten Hand: zum Ausprobieren ohne Hardware.</translation>
-    </message>
-    <message>
-        <source>Connect a DualSense or DualShock 4 by USB cable. Its vibration follows the strength of the force, not its direction.</source>
-        <translation>Schließen Sie einen DualSense oder DualShock 4 per USB-Kabel an. Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
-    </message>
-    <message>
-        <source>Connect a wheel or joystick with a motor. It exerts one axis of the force, by default sideways; wheel:axis=y on the command line chooses another.</source>
-        <translation>Schließen Sie ein Lenkrad oder einen Joystick mit Motor an. Es übt eine Achse der Kraft aus, üblicherweise seitlich; wheel:axis=y auf der Kommandozeile wählt eine andere.</translation>
-    </message>
-    <message>
-        <source>Connect a game pad that Linux can rumble. Its vibration follows the strength of the force, not its direction.</source>
-        <translation>Schließen Sie ein Gamepad an, das Linux vibrieren lassen kann. Seine Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
-    </message>
-    <message>
-        <source>Connect it as its maker says.</source>
-        <translation>Schließen Sie es nach Anleitung des Herstellers an.</translation>
-    </message>
-    <message>
         <source>The Falcon&apos;s firmware belongs to Novint Technologies. libnifalcon distributes it under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): free of charge for personal, noncommercial use, binding for every recipient. Read that licence; by continuing you confirm that you may use this file. It stays on this computer.</source>
         <translation>Die Firmware des Falcon gehört Novint Technologies. libnifalcon verteilt sie unter der SDK-Lizenz von Novint (Datei license/LICENSE_NOVINT.txt): kostenlos für persönlichen, nicht kommerziellen Gebrauch, bindend für alle Empfänger. Lesen Sie diese Lizenz; wenn Sie fortfahren, bestätigen Sie, dass Sie die Datei benutzen dürfen. Sie bleibt auf diesem Computer.</translation>
     </message>
@@ -3443,10 +3464,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>none yet</source>
         <translation>noch keines</translation>
-    </message>
-    <message>
-        <source>The clip plays without force.</source>
-        <translation>Der Clip läuft ohne Kraft.</translation>
     </message>
 </context>
 <context>
@@ -5768,6 +5785,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ein Sensor am Ende seines Messbereichs</translation>
     </message>
     <message>
+        <source>Add yourself to the group input, log out and log in again.</source>
+        <translation>Nehmen Sie sich in die Gruppe input auf und melden Sie sich neu an.</translation>
+    </message>
+    <message>
         <source>Amplitude</source>
         <translation>Amplitude</translation>
     </message>
@@ -5788,8 +5809,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Automatisch</translation>
     </message>
     <message>
+        <source>Bass shakers or voice coils on a sound output: they vibrate with the force.</source>
+        <translation>Bass-Shaker oder Schwingspulen an einem Tonausgang: Sie vibrieren mit der Kraft.</translation>
+    </message>
+    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Kurven mit mindestens 0,15 g zur Seite</translation>
+    </message>
+    <message>
+        <source>Board that takes TCode: its vibration follows the strength of the force, not its direction.</source>
+        <translation>Platine, die TCode versteht: Ihre Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
     </message>
     <message>
         <source>Braking</source>
@@ -5804,6 +5833,58 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ändert nur, was eine entspannte Hand weiter als 26 mm aus der Mitte drücken würde.</translation>
     </message>
     <message>
+        <source>Choose another device: only Linux has this interface.</source>
+        <translation>Wählen Sie ein anderes Gerät: Nur Linux hat diese Schnittstelle.</translation>
+    </message>
+    <message>
+        <source>Choose this game in the rig&apos;s software. Packets stay on this computer unless you enter another address.</source>
+        <translation>Wählen Sie dieses Spiel in der Software der Bewegungsplattform. Die Pakete bleiben auf diesem Computer, solange Sie keine andere Adresse eingeben.</translation>
+    </message>
+    <message>
+        <source>Connect a DualSense or DualShock 4 by USB cable.</source>
+        <translation>Schließen Sie einen DualSense oder DualShock 4 per USB-Kabel an.</translation>
+    </message>
+    <message>
+        <source>Connect it as its maker says.</source>
+        <translation type="unfinished">Schließen Sie es nach Anleitung des Herstellers an.</translation>
+    </message>
+    <message>
+        <source>Connect it by USB cable.</source>
+        <translation>Schließen Sie es per USB-Kabel an.</translation>
+    </message>
+    <message>
+        <source>Connect it by cable or by Bluetooth.</source>
+        <translation>Schließen Sie es per Kabel oder Bluetooth an.</translation>
+    </message>
+    <message>
+        <source>Connect it; if it is connected, its driver is missing or has no such force feedback.</source>
+        <translation>Schließen Sie es an; ist es angeschlossen, fehlt sein Treiber oder er kann dieses Force-Feedback nicht.</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and its power supply. axis=y chooses another axis, sign=- turns its direction round.</source>
+        <translation>Schließen Sie USB-Kabel und Netzteil an. axis=y wählt eine andere Achse, sign=- kehrt die Richtung um.</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and power supply; it is detected automatically.</source>
+        <translation type="unfinished">Schließen Sie USB-Kabel und Netzteil an; er wird automatisch erkannt.</translation>
+    </message>
+    <message>
+        <source>Connect its power supply and its USB cable.</source>
+        <translation>Schließen Sie Netzteil und USB-Kabel an.</translation>
+    </message>
+    <message>
+        <source>Connect the amplifier of the shakers to the sound output. By default channels 1 and 2 play; pulse,channels=3+4 chooses others.</source>
+        <translation>Schließen Sie den Verstärker der Shaker an den Tonausgang an. Ohne Angabe spielen die Kanäle 1 und 2; pulse,channels=3+4 wählt andere.</translation>
+    </message>
+    <message>
+        <source>Connect the board, and add yourself to the group dialout.</source>
+        <translation>Schließen Sie die Platine an und nehmen Sie sich in die Gruppe dialout auf.</translation>
+    </message>
+    <message>
+        <source>Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the device and plug it in.</source>
+        <translation>Kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie das Gerät ab und stecken Sie es wieder an.</translation>
+    </message>
+    <message>
         <source>Cut-off frequency</source>
         <translation>Grenzfrequenz</translation>
     </message>
@@ -5816,12 +5897,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Verzögert</translation>
     </message>
     <message>
+        <source>DualSense or DualShock 4: its vibration follows the strength of the force, not its direction.</source>
+        <translation>DualSense oder DualShock 4: Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
+    </message>
+    <message>
         <source>Edited</source>
         <translation>Bearbeitet</translation>
     </message>
     <message>
         <source>Engine</source>
         <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Enter HOST:PORT of a board or program that takes TCode by UDP, or a serial port such as /dev/ttyUSB0.</source>
+        <translation>Geben Sie HOST:PORT einer Platine oder eines Programms ein, das TCode per UDP annimmt, oder eine serielle Schnittstelle wie /dev/ttyUSB0.</translation>
     </message>
     <message>
         <source>First sudden rise</source>
@@ -5848,12 +5937,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Verstärkung</translation>
     </message>
     <message>
+        <source>Game pad that Linux can rumble: its vibration follows the strength of the force, not its direction.</source>
+        <translation>Gamepad, das Linux vibrieren lassen kann: Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
+    </message>
+    <message>
         <source>Given offset</source>
         <translation>Angegebener Versatz</translation>
     </message>
     <message>
+        <source>Haply Inverse3: its arm pushes and pulls in three directions.</source>
+        <translation>Haply Inverse3: Sein Arm drückt und zieht in drei Richtungen.</translation>
+    </message>
+    <message>
         <source>High-pass</source>
         <translation>Hochpass</translation>
+    </message>
+    <message>
+        <source>Hold it loosely.</source>
+        <translation>Halten Sie es locker.</translation>
+    </message>
+    <message>
+        <source>Hold it with both hands.</source>
+        <translation>Halten Sie es mit beiden Händen.</translation>
+    </message>
+    <message>
+        <source>Hold it.</source>
+        <translation>Halten Sie es fest.</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely.</source>
+        <translation>Halten Sie den Griff locker.</translation>
     </message>
     <message>
         <source>Impact</source>
@@ -5866,6 +5979,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Impact of {peak_mps2:.1f} m/s², heard too</source>
         <translation>Stoß von {peak_mps2:.1f} m/s², auch zu hören</translation>
+    </message>
+    <message>
+        <source>Install hapticplayer with its extra websockets.</source>
+        <translation>Installieren Sie hapticplayer mit der Option websockets.</translation>
+    </message>
+    <message>
+        <source>Install the Python package sounddevice.</source>
+        <translation>Installieren Sie das Python-Paket sounddevice.</translation>
     </message>
     <message>
         <source>Intiface</source>
@@ -5920,8 +6041,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Stumm (stattdessen Stille)</translation>
     </message>
     <message>
+        <source>Nobody sits on it yet; its emergency stop is at hand.</source>
+        <translation>Noch sitzt niemand darauf; der Notaus ist griffbereit.</translation>
+    </message>
+    <message>
         <source>Noise</source>
         <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Nothing has to be connected.</source>
+        <translation>Es muss nichts angeschlossen werden.</translation>
+    </message>
+    <message>
+        <source>Novint Falcon: its grip pushes and pulls in three directions.</source>
+        <translation>Novint Falcon: Sein Griff drückt und zieht in drei Richtungen.</translation>
+    </message>
+    <message>
+        <source>Only its picture moves.</source>
+        <translation>Nur sein Bild bewegt sich.</translation>
     </message>
     <message>
         <source>Other sequence</source>
@@ -5980,8 +6117,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Vertauscht</translation>
     </message>
     <message>
+        <source>Simulated Falcon, held by a simulated hand: for trying everything without hardware.</source>
+        <translation type="unfinished">Simulierter Falcon, gehalten von einer simulierten Hand: zum Ausprobieren ohne Hardware.</translation>
+    </message>
+    <message>
         <source>Sine</source>
         <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>Software of a motion rig: it gets the motion of the recording by UDP, as from a game.</source>
+        <translation>Software einer Bewegungsplattform: Sie bekommt die Bewegung der Aufnahme per UDP, wie von einem Spiel.</translation>
     </message>
     <message>
         <source>Speed is lost at 0.3 g or more</source>
@@ -5990,6 +6135,26 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Spike of a single sample, as a faulty logger writes</source>
         <translation>Ausreißer eines einzelnen Messwerts, wie ihn ein fehlerhafter Logger schreibt</translation>
+    </message>
+    <message>
+        <source>Start Haply&apos;s Inverse Service and connect the Inverse3, with its power supply. Enter HOST:PORT if the service runs on another computer.</source>
+        <translation>Starten Sie den Inverse Service von Haply und schließen Sie den Inverse3 samt Netzteil an. Geben Sie HOST:PORT ein, wenn der Dienst auf einem anderen Computer läuft.</translation>
+    </message>
+    <message>
+        <source>Start Intiface, start its server and connect what vibrates there.</source>
+        <translation>Starten Sie Intiface und darin den Server, und verbinden Sie dort, was vibriert.</translation>
+    </message>
+    <message>
+        <source>Start the program that passes TCode on to the board.</source>
+        <translation>Starten Sie das Programm, das TCode an die Platine weitergibt.</translation>
+    </message>
+    <message>
+        <source>Start the rig&apos;s software.</source>
+        <translation>Starten Sie die Software der Bewegungsplattform.</translation>
+    </message>
+    <message>
+        <source>Start {title}.</source>
+        <translation>Starten Sie {title}.</translation>
     </message>
     <message>
         <source>Stillness</source>
@@ -6008,8 +6173,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Der Drehratensensor ist am Ende seines Messbereichs</translation>
     </message>
     <message>
+        <source>The network does not know this address: correct it.</source>
+        <translation>Das Netzwerk kennt diese Adresse nicht: Berichtigen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The sound system does not answer: restart it.</source>
+        <translation>Das Tonsystem antwortet nicht: Starten Sie es neu.</translation>
+    </message>
+    <message>
         <source>Three pats</source>
         <translation>Drei Klopfer</translation>
+    </message>
+    <message>
+        <source>Toys through Intiface: their vibration follows the strength of the force, not its direction.</source>
+        <translation>Toys über Intiface: Ihre Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
     </message>
     <message>
         <source>Track</source>
@@ -6018,6 +6195,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Turn</source>
         <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Turn the amplifier low.</source>
+        <translation>Drehen Sie den Verstärker leise.</translation>
     </message>
     <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
@@ -6034,6 +6215,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Wheel</source>
         <translation>Lenkrad</translation>
+    </message>
+    <message>
+        <source>Wheel or joystick with a motor: it exerts one axis of the force, by default sideways.</source>
+        <translation>Lenkrad oder Joystick mit Motor: Es übt eine Achse der Kraft aus, ohne Angabe die seitliche.</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -7828,12 +8013,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name!r} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
     </message>
     <message>
+        <source>(default)</source>
+        <translation>(Standard)</translation>
+    </message>
+    <message>
         <source>Delay</source>
         <translation>Verzögerung</translation>
     </message>
     <message>
         <source>Effects</source>
         <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>Falcon on USB</source>
+        <translation>Falcon an USB</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Game pad on USB</source>
+        <translation>Gamepad an USB</translation>
+    </message>
+    <message>
+        <source>Game pad that Linux can rumble</source>
+        <translation>Gamepad, das Linux vibrieren lassen kann</translation>
     </message>
     <message>
         <source>Haply&apos;s Inverse Service has no Inverse3; connect its cable and supply, and choose the device again</source>
@@ -7848,12 +8053,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Inverse3 an simuliertem Dienst</translation>
     </message>
     <message>
+        <source>Linux</source>
+        <translation>Linux</translation>
+    </message>
+    <message>
         <source>No motion: force here is gravity that was not removed</source>
         <translation>Keine Bewegung: Kraft ist hier Schwerkraft, die nicht entfernt wurde</translation>
     </message>
     <message>
+        <source>Permission for {path}</source>
+        <translation>Berechtigung für {path}</translation>
+    </message>
+    <message>
         <source>Preset</source>
         <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Program that listens at {where}</source>
+        <translation>Programm, das an {where} lauscht</translation>
+    </message>
+    <message>
+        <source>Python package {name}</source>
+        <translation>Python-Paket {name}</translation>
+    </message>
+    <message>
+        <source>Search on this computer</source>
+        <translation>Suche auf diesem Computer</translation>
+    </message>
+    <message>
+        <source>Sound output {card} with the channels {channels}</source>
+        <translation>Tonausgang {card} mit den Kanälen {channels}</translation>
+    </message>
+    <message>
+        <source>Wheel or joystick with a motor</source>
+        <translation>Lenkrad oder Joystick mit Motor</translation>
     </message>
     <message>
         <source>a Williams design contains every pair of neighbours, also of one sequence</source>
@@ -8606,6 +8839,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{text!r} is not a parameter; write NAME=VALUE</source>
         <translation>{text!r} ist kein Parameter; schreiben Sie NAME=WERT</translation>
+    </message>
+    <message>
+        <source>{title} at {where}</source>
+        <translation>{title} unter {where}</translation>
     </message>
     <message>
         <source>{title} has no realistic feedback to make {name!r} of; import it first</source>

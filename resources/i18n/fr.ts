@@ -263,6 +263,25 @@
     </message>
 </context>
 <context>
+    <name>CheckList</name>
+    <message>
+        <source>What the device needs</source>
+        <translation>Ce dont l&apos;appareil a besoin</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manquant</translation>
+    </message>
+    <message>
+        <source>not visible from here</source>
+        <translation>non visible d&apos;ici</translation>
+    </message>
+</context>
+<context>
     <name>Choices</name>
     <message>
         <source>From file</source>
@@ -399,6 +418,24 @@
     </message>
 </context>
 <context>
+    <name>DeviceDialogs</name>
+    <message>
+        <source>Choose a device first, then try out its forces</source>
+        <translation type="unfinished">Choisissez d’abord un appareil, puis essayez ses forces</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceForm</name>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished">Appareil</translation>
+    </message>
+    <message>
+        <source>Address or settings</source>
+        <translation type="unfinished">Adresse ou réglages</translation>
+    </message>
+</context>
+<context>
     <name>DevicePage</name>
     <message>
         <source>Pull the grip all the way out, then push it in until it locks</source>
@@ -514,10 +551,6 @@
     <message>
         <source>Only a sequence can be rendered: import the video first, or unpack a file that was shared with you.</source>
         <translation>Seule la force d’une séquence peut être recalculée&#xa0;: importez d’abord la vidéo, ou dépaquetez un fichier qu’on a partagé avec vous.</translation>
-    </message>
-    <message>
-        <source>Choose a device first, then try out its forces</source>
-        <translation>Choisissez d’abord un appareil, puis essayez ses forces</translation>
     </message>
     <message>
         <source>Export settings</source>
@@ -2292,10 +2325,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
 <context>
     <name>OutletsPage</name>
     <message>
-        <source>Motion rig</source>
-        <translation>Plateforme mobile</translation>
-    </message>
-    <message>
         <source>This device plays already</source>
         <translation>Cet appareil joue déjà</translation>
     </message>
@@ -2374,6 +2403,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Move the rig gently, or stop that</source>
         <translation>Bouger doucement la plateforme, ou l’arrêter</translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation>Configurer…</translation>
+    </message>
+    <message>
+        <source>What it needs, and how it is connected</source>
+        <translation>Ce dont il a besoin et comment le brancher</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3294,6 +3331,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>L’utiliser pour la lecture</translation>
     </message>
     <message>
+        <source>More devices…</source>
+        <translation>Autres appareils…</translation>
+    </message>
+    <message>
+        <source>Play on several devices at once</source>
+        <translation>Jouer sur plusieurs appareils à la fois</translation>
+    </message>
+    <message>
         <source>Keep the current device</source>
         <translation>Garder l’appareil actuel</translation>
     </message>
@@ -3304,6 +3349,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Device</source>
         <translation>Appareil</translation>
+    </message>
+    <message>
+        <source>Looking for the device</source>
+        <translation>Recherche de l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>Not ready yet</source>
+        <translation>Pas encore prêt</translation>
+    </message>
+    <message>
+        <source>No setup needed</source>
+        <translation type="unfinished">Aucune configuration nécessaire</translation>
+    </message>
+    <message>
+        <source>Ready to be tested</source>
+        <translation>Prêt à être testé</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -3393,46 +3454,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Articulations repérées&#xa0;: {legs}. La force est coupée.</translation>
     </message>
     <message>
-        <source>Start Haply&apos;s Inverse Service and connect the Inverse3, with its supply.</source>
-        <translation>Démarrez l&apos;Inverse Service de Haply et branchez l&apos;Inverse3 avec son alimentation.</translation>
-    </message>
-    <message>
-        <source>Connect the shaker&apos;s amplifier to the sound output. By default it plays channels 1 and 2; shaker:pulse,channels=3+4 on the command line chooses others.</source>
-        <translation>Branchez l&apos;amplificateur du transducteur sur la sortie audio. Par défaut il joue sur les canaux 1 et 2&#xa0;; shaker:pulse,channels=3+4 en ligne de commande en choisit d&apos;autres.</translation>
-    </message>
-    <message>
-        <source>Start Intiface and connect what vibrates. Its vibration follows the strength of the force, not its direction.</source>
-        <translation>Démarrez Intiface et connectez ce qui vibre. La vibration suit l&apos;intensité de la force, pas sa direction.</translation>
-    </message>
-    <message>
-        <source>A board that takes TCode by UDP at port 8000 of this computer; tcode:/dev/ttyUSB0 on the command line chooses a serial port. Its vibration follows the strength of the force.</source>
-        <translation>Une carte qui accepte TCode par UDP sur le port 8000 de cet ordinateur&#xa0;; tcode:/dev/ttyUSB0 en ligne de commande choisit un port série. Sa vibration suit l&apos;intensité de la force.</translation>
-    </message>
-    <message>
-        <source>No setup needed</source>
-        <translation>Aucune configuration nécessaire</translation>
-    </message>
-    <message>
-        <source>Simulated Falcon, held by a simulated hand: for trying everything without hardware.</source>
-        <translation>Falcon simulé, tenu par une main simulée&#xa0;: pour tout essayer sans matériel.</translation>
-    </message>
-    <message>
-        <source>Connect a DualSense or DualShock 4 by USB cable. Its vibration follows the strength of the force, not its direction.</source>
-        <translation>Branchez une DualSense ou DualShock 4 par câble USB. La vibration suit l’intensité de la force, pas sa direction.</translation>
-    </message>
-    <message>
-        <source>Connect a wheel or joystick with a motor. It exerts one axis of the force, by default sideways; wheel:axis=y on the command line chooses another.</source>
-        <translation>Branchez un volant ou un joystick motorisé. Il exerce un axe de la force, par défaut latéral&#xa0;; wheel:axis=y en ligne de commande en choisit un autre.</translation>
-    </message>
-    <message>
-        <source>Connect a game pad that Linux can rumble. Its vibration follows the strength of the force, not its direction.</source>
-        <translation>Branchez une manette que Linux peut faire vibrer. Sa vibration suit l&apos;intensité de la force, pas sa direction.</translation>
-    </message>
-    <message>
-        <source>Connect it as its maker says.</source>
-        <translation>Branchez-le selon les instructions de son fabricant.</translation>
-    </message>
-    <message>
         <source>The Falcon&apos;s firmware belongs to Novint Technologies. libnifalcon distributes it under Novint&apos;s SDK licence (its file license/LICENSE_NOVINT.txt): free of charge for personal, noncommercial use, binding for every recipient. Read that licence; by continuing you confirm that you may use this file. It stays on this computer.</source>
         <translation>Le micrologiciel du Falcon appartient à Novint Technologies. libnifalcon le distribue sous la licence SDK de Novint (fichier license/LICENSE_NOVINT.txt)&#xa0;: gratuit pour un usage personnel et non commercial, et tout destinataire y est lié. Lisez cette licence&#xa0;; en continuant, vous confirmez avoir le droit d’utiliser ce fichier. Il reste sur cet ordinateur.</translation>
     </message>
@@ -3443,10 +3464,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>none yet</source>
         <translation>aucune encore</translation>
-    </message>
-    <message>
-        <source>The clip plays without force.</source>
-        <translation>Le clip est lu sans force.</translation>
     </message>
 </context>
 <context>
@@ -5768,6 +5785,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Un capteur au bout de sa plage de mesure</translation>
     </message>
     <message>
+        <source>Add yourself to the group input, log out and log in again.</source>
+        <translation>Ajoutez-vous au groupe input, puis fermez et rouvrez la session.</translation>
+    </message>
+    <message>
         <source>Amplitude</source>
         <translation>Amplitude</translation>
     </message>
@@ -5788,8 +5809,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Automatique</translation>
     </message>
     <message>
+        <source>Bass shakers or voice coils on a sound output: they vibrate with the force.</source>
+        <translation>Vibreurs de basse ou bobines sur une sortie son&#xa0;: ils vibrent avec la force.</translation>
+    </message>
+    <message>
         <source>Bends with 0.15 g or more sideways</source>
         <translation>Virages d’au moins 0,15 g de côté</translation>
+    </message>
+    <message>
+        <source>Board that takes TCode: its vibration follows the strength of the force, not its direction.</source>
+        <translation>Carte qui comprend le TCode&#xa0;: sa vibration suit l&apos;intensité de la force, pas sa direction.</translation>
     </message>
     <message>
         <source>Braking</source>
@@ -5804,6 +5833,58 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Ne change que ce qui pousserait une main détendue à plus de 26 mm du centre.</translation>
     </message>
     <message>
+        <source>Choose another device: only Linux has this interface.</source>
+        <translation>Choisissez un autre appareil&#xa0;: seul Linux a cette interface.</translation>
+    </message>
+    <message>
+        <source>Choose this game in the rig&apos;s software. Packets stay on this computer unless you enter another address.</source>
+        <translation>Choisissez ce jeu dans le logiciel de la plateforme. Les paquets restent sur cet ordinateur tant que vous n&apos;entrez pas une autre adresse.</translation>
+    </message>
+    <message>
+        <source>Connect a DualSense or DualShock 4 by USB cable.</source>
+        <translation>Branchez une DualSense ou une DualShock 4 par câble USB.</translation>
+    </message>
+    <message>
+        <source>Connect it as its maker says.</source>
+        <translation type="unfinished">Branchez-le selon les instructions de son fabricant.</translation>
+    </message>
+    <message>
+        <source>Connect it by USB cable.</source>
+        <translation>Branchez-la par câble USB.</translation>
+    </message>
+    <message>
+        <source>Connect it by cable or by Bluetooth.</source>
+        <translation>Branchez-la par câble ou par Bluetooth.</translation>
+    </message>
+    <message>
+        <source>Connect it; if it is connected, its driver is missing or has no such force feedback.</source>
+        <translation>Branchez-le&#xa0;; s&apos;il est branché, son pilote manque ou n&apos;a pas ce retour de force.</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and its power supply. axis=y chooses another axis, sign=- turns its direction round.</source>
+        <translation>Branchez le câble USB et l&apos;alimentation. axis=y choisit un autre axe, sign=- inverse le sens.</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and power supply; it is detected automatically.</source>
+        <translation type="unfinished">Branchez le câble USB et l’alimentation&#xa0;; il est détecté automatiquement.</translation>
+    </message>
+    <message>
+        <source>Connect its power supply and its USB cable.</source>
+        <translation>Branchez l&apos;alimentation et le câble USB.</translation>
+    </message>
+    <message>
+        <source>Connect the amplifier of the shakers to the sound output. By default channels 1 and 2 play; pulse,channels=3+4 chooses others.</source>
+        <translation>Branchez l&apos;amplificateur des vibreurs sur la sortie son. Par défaut, les canaux 1 et 2 jouent&#xa0;; pulse,channels=3+4 en choisit d&apos;autres.</translation>
+    </message>
+    <message>
+        <source>Connect the board, and add yourself to the group dialout.</source>
+        <translation>Branchez la carte et ajoutez-vous au groupe dialout.</translation>
+    </message>
+    <message>
+        <source>Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the device and plug it in.</source>
+        <translation>Copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez et rebranchez l&apos;appareil.</translation>
+    </message>
+    <message>
         <source>Cut-off frequency</source>
         <translation>Fréquence de coupure</translation>
     </message>
@@ -5816,12 +5897,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Retardée</translation>
     </message>
     <message>
+        <source>DualSense or DualShock 4: its vibration follows the strength of the force, not its direction.</source>
+        <translation>DualSense ou DualShock 4&#xa0;: la vibration suit l&apos;intensité de la force, pas sa direction.</translation>
+    </message>
+    <message>
         <source>Edited</source>
         <translation>Modifiée</translation>
     </message>
     <message>
         <source>Engine</source>
         <translation>Moteur</translation>
+    </message>
+    <message>
+        <source>Enter HOST:PORT of a board or program that takes TCode by UDP, or a serial port such as /dev/ttyUSB0.</source>
+        <translation>Entrez HOST:PORT d&apos;une carte ou d&apos;un programme qui reçoit le TCode par UDP, ou un port série comme /dev/ttyUSB0.</translation>
     </message>
     <message>
         <source>First sudden rise</source>
@@ -5848,12 +5937,36 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Gain</translation>
     </message>
     <message>
+        <source>Game pad that Linux can rumble: its vibration follows the strength of the force, not its direction.</source>
+        <translation>Manette que Linux peut faire vibrer&#xa0;: la vibration suit l&apos;intensité de la force, pas sa direction.</translation>
+    </message>
+    <message>
         <source>Given offset</source>
         <translation>Décalage donné</translation>
     </message>
     <message>
+        <source>Haply Inverse3: its arm pushes and pulls in three directions.</source>
+        <translation>Haply Inverse3&#xa0;: son bras pousse et tire dans trois directions.</translation>
+    </message>
+    <message>
         <source>High-pass</source>
         <translation>Passe-haut</translation>
+    </message>
+    <message>
+        <source>Hold it loosely.</source>
+        <translation>Tenez-le sans serrer.</translation>
+    </message>
+    <message>
+        <source>Hold it with both hands.</source>
+        <translation>Tenez-le à deux mains.</translation>
+    </message>
+    <message>
+        <source>Hold it.</source>
+        <translation>Tenez-le.</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely.</source>
+        <translation>Tenez la poignée sans serrer.</translation>
     </message>
     <message>
         <source>Impact</source>
@@ -5866,6 +5979,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Impact of {peak_mps2:.1f} m/s², heard too</source>
         <translation>Choc de {peak_mps2:.1f} m/s², entendu aussi</translation>
+    </message>
+    <message>
+        <source>Install hapticplayer with its extra websockets.</source>
+        <translation>Installez hapticplayer avec son option websockets.</translation>
+    </message>
+    <message>
+        <source>Install the Python package sounddevice.</source>
+        <translation>Installez le paquet Python sounddevice.</translation>
     </message>
     <message>
         <source>Intiface</source>
@@ -5920,8 +6041,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Muet (silence à la place)</translation>
     </message>
     <message>
+        <source>Nobody sits on it yet; its emergency stop is at hand.</source>
+        <translation>Personne n&apos;y est encore assis&#xa0;; l&apos;arrêt d&apos;urgence est à portée de main.</translation>
+    </message>
+    <message>
         <source>Noise</source>
         <translation>Bruit</translation>
+    </message>
+    <message>
+        <source>Nothing has to be connected.</source>
+        <translation>Il n&apos;y a rien à brancher.</translation>
+    </message>
+    <message>
+        <source>Novint Falcon: its grip pushes and pulls in three directions.</source>
+        <translation>Novint Falcon&#xa0;: sa poignée pousse et tire dans trois directions.</translation>
+    </message>
+    <message>
+        <source>Only its picture moves.</source>
+        <translation>Seule son image bouge.</translation>
     </message>
     <message>
         <source>Other sequence</source>
@@ -5980,8 +6117,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Permutée</translation>
     </message>
     <message>
+        <source>Simulated Falcon, held by a simulated hand: for trying everything without hardware.</source>
+        <translation type="unfinished">Falcon simulé, tenu par une main simulée&#xa0;: pour tout essayer sans matériel.</translation>
+    </message>
+    <message>
         <source>Sine</source>
         <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>Software of a motion rig: it gets the motion of the recording by UDP, as from a game.</source>
+        <translation>Logiciel d&apos;une plateforme de mouvement&#xa0;: il reçoit le mouvement de l&apos;enregistrement par UDP, comme d&apos;un jeu.</translation>
     </message>
     <message>
         <source>Speed is lost at 0.3 g or more</source>
@@ -5990,6 +6135,26 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Spike of a single sample, as a faulty logger writes</source>
         <translation>Pic d’un seul échantillon, comme en écrit un enregistreur défaillant</translation>
+    </message>
+    <message>
+        <source>Start Haply&apos;s Inverse Service and connect the Inverse3, with its power supply. Enter HOST:PORT if the service runs on another computer.</source>
+        <translation>Lancez l&apos;Inverse Service de Haply et branchez l&apos;Inverse3 et son alimentation. Entrez HOST:PORT si le service tourne sur un autre ordinateur.</translation>
+    </message>
+    <message>
+        <source>Start Intiface, start its server and connect what vibrates there.</source>
+        <translation>Lancez Intiface et son serveur, puis connectez-y ce qui vibre.</translation>
+    </message>
+    <message>
+        <source>Start the program that passes TCode on to the board.</source>
+        <translation>Lancez le programme qui transmet le TCode à la carte.</translation>
+    </message>
+    <message>
+        <source>Start the rig&apos;s software.</source>
+        <translation>Lancez le logiciel de la plateforme.</translation>
+    </message>
+    <message>
+        <source>Start {title}.</source>
+        <translation>Lancez {title}.</translation>
     </message>
     <message>
         <source>Stillness</source>
@@ -6008,8 +6173,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Le gyroscope est au bout de sa plage de mesure</translation>
     </message>
     <message>
+        <source>The network does not know this address: correct it.</source>
+        <translation>Le réseau ne connaît pas cette adresse&#xa0;: corrigez-la.</translation>
+    </message>
+    <message>
+        <source>The sound system does not answer: restart it.</source>
+        <translation>Le système audio ne répond pas&#xa0;: redémarrez-le.</translation>
+    </message>
+    <message>
         <source>Three pats</source>
         <translation>Trois tapes</translation>
+    </message>
+    <message>
+        <source>Toys through Intiface: their vibration follows the strength of the force, not its direction.</source>
+        <translation>Jouets par Intiface&#xa0;: leur vibration suit l&apos;intensité de la force, pas sa direction.</translation>
     </message>
     <message>
         <source>Track</source>
@@ -6018,6 +6195,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Turn</source>
         <translation>Virage</translation>
+    </message>
+    <message>
+        <source>Turn the amplifier low.</source>
+        <translation>Baissez l&apos;amplificateur.</translation>
     </message>
     <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
@@ -6034,6 +6215,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Wheel</source>
         <translation>Volant</translation>
+    </message>
+    <message>
+        <source>Wheel or joystick with a motor: it exerts one axis of the force, by default sideways.</source>
+        <translation>Volant ou joystick à moteur&#xa0;: il exerce un axe de la force, par défaut le latéral.</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -7828,12 +8013,32 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name!r} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
     </message>
     <message>
+        <source>(default)</source>
+        <translation>(par défaut)</translation>
+    </message>
+    <message>
         <source>Delay</source>
         <translation>Retard</translation>
     </message>
     <message>
         <source>Effects</source>
         <translation>Effets</translation>
+    </message>
+    <message>
+        <source>Falcon on USB</source>
+        <translation>Falcon sur USB</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Micrologiciel</translation>
+    </message>
+    <message>
+        <source>Game pad on USB</source>
+        <translation>Manette sur USB</translation>
+    </message>
+    <message>
+        <source>Game pad that Linux can rumble</source>
+        <translation>Manette que Linux peut faire vibrer</translation>
     </message>
     <message>
         <source>Haply&apos;s Inverse Service has no Inverse3; connect its cable and supply, and choose the device again</source>
@@ -7848,12 +8053,40 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Inverse3 sur un service simulé</translation>
     </message>
     <message>
+        <source>Linux</source>
+        <translation>Linux</translation>
+    </message>
+    <message>
         <source>No motion: force here is gravity that was not removed</source>
         <translation>Pas de mouvement&#xa0;: ici, la force est de la gravité qui n’a pas été retirée</translation>
     </message>
     <message>
+        <source>Permission for {path}</source>
+        <translation>Autorisation pour {path}</translation>
+    </message>
+    <message>
         <source>Preset</source>
         <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Program that listens at {where}</source>
+        <translation>Programme qui écoute sur {where}</translation>
+    </message>
+    <message>
+        <source>Python package {name}</source>
+        <translation>Paquet Python {name}</translation>
+    </message>
+    <message>
+        <source>Search on this computer</source>
+        <translation>Recherche sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Sound output {card} with the channels {channels}</source>
+        <translation>Sortie son {card} avec les canaux {channels}</translation>
+    </message>
+    <message>
+        <source>Wheel or joystick with a motor</source>
+        <translation>Volant ou joystick à moteur</translation>
     </message>
     <message>
         <source>a Williams design contains every pair of neighbours, also of one sequence</source>
@@ -8606,6 +8839,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{text!r} is not a parameter; write NAME=VALUE</source>
         <translation>{text!r} n’est pas un paramètre&#xa0;; écrivez NOM=VALEUR</translation>
+    </message>
+    <message>
+        <source>{title} at {where}</source>
+        <translation>{title} à {where}</translation>
     </message>
     <message>
         <source>{title} has no realistic feedback to make {name!r} of; import it first</source>

@@ -21,7 +21,8 @@ from app.bridge.settings import (
 )
 from app.player import application as program
 from app.player import outlets_page
-from app.player.outlets_page import OutletsPage, outlet_text, state_text
+from app.player.device_form import outlet_text
+from app.player.outlets_page import OutletsPage, state_text
 from app.player.window import DEVICE, PlayerWindow
 from hapticplayer import __version__, cli
 from hapticplayer.clock import SystemClock

@@ -1,0 +1,180 @@
+"""The dialogs about devices; each may have the device while it is open."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QWidget
+
+from app.bridge.settings import Settings, keep_outlets
+from app.player.choices import PluggedFalcons
+from app.player.controls import OUTPUT
+from app.player.session import Session
+from app.player.video_surface import SurfaceSink
+from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE, OUTLETS
+from hapticplayer.errors import HapticPlayerError
+from hapticplayer.playback.player import Player
+from hapticplayer.playback.sound_process import SoundProcess
+
+if TYPE_CHECKING:
+    from app.editor.page import EditorPage
+    from app.experimenter.import_wizard import ImportWizard
+    from app.experimenter.library_page import LibraryPage
+    from app.experimenter.rendering_page import RenderingPage
+    from app.player.outlets_page import OutletsPage
+    from app.player.share_page import SharePage
+
+    Working = (
+        EditorPage
+        | ImportWizard
+        | LibraryPage
+        | OutletsPage
+        | RenderingPage
+        | SharePage
+    )
+
+
+class DeviceDialogs(QObject):
+    """Sets devices up, tries them out, and chooses several.
+
+    `device_wanted` names a device that was set up and is to be used.
+    """
+
+    settings_taken = Signal()
+    device_wanted = Signal(str)
+
+    def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
+        super().__init__(window)
+        self._working: list[Working] = []
+        self._window = window
+        self._session = session
+        self._settings = settings
+        self.plugged = PluggedFalcons(parent=self)
+
+    def set_up(self, clock: Clock, outlet: str = "") -> None:
+        """Choose a device, and bring it to where it can be used.
+
+        Of an outlet its own page is shown, and another choice takes its place.
+        """
+        from app.player.setup_page import SetupPage
+
+        before = self._session.player.snapshot().device
+        self._release()
+        page = SetupPage(clock, outlet or before, self.plugged, self._window)
+        wanted, shown, others = list[str](), list[str](), list[bool]()
+        page.wanted.connect(wanted.append)
+        page.demonstration_wanted.connect(shown.append)
+        page.others_wanted.connect(lambda: others.append(True))
+
+        def go_on() -> None:
+            chosen = next(iter(wanted + shown), "")
+            is_beside = bool(outlet) or _is_outlet(chosen)
+            if chosen and is_beside:
+                self._use_beside(chosen, outlet)
+            self.device_wanted.emit(before if is_beside else chosen or before)
+            if shown:
+                self.get_to_know(clock, chosen)
+            elif others or is_beside:
+                self.outlets(clock)
+
+        page.finished.connect(go_on)
+        page.open()
+
+    def _use_beside(self, name: str, before: str) -> None:
+        """Play on an outlet as well, in the place of one from before, if any."""
+        player = self._session.player
+        muted = {one.name: one.is_muted for one in player.snapshot().outlets}
+        names = [one for one in muted if one not in (before, name)]
+        try:
+            player.set_outlets([*names, name])
+        except HapticPlayerError as problem:
+            self._session.gateway.report(problem)
+        else:
+            kept = {one: muted[one] for one in names}
+            keep_outlets(self._settings, {**kept, name: muted.get(name, False)})
+
+    def get_to_know(self, clock: Clock, device: str = "") -> None:
+        """Demonstrate the forces of the chosen device; nothing plays meanwhile."""
+        before = self._session.player.snapshot().device
+        device = device or before
+        if device == NO_DEVICE:
+            problem = self.tr("Choose a device first, then try out its forces")
+            self._session.gateway.report(HapticPlayerError(problem))
+            return
+        from app.player.device_page import DevicePage
+
+        self._release()
+        dialog = DevicePage(clock, device, self._window)
+        dialog.finished.connect(lambda _: self._session.choose_device(before))
+        dialog.homing_wanted.connect(lambda: self.set_up(clock))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def outlets(self, clock: Clock) -> None:
+        """Show what plays beside the device."""
+        from app.player.outlets_page import OutletsPage
+
+        session, page = self._session, self._window.findChild(OutletsPage)
+        if page is None:
+            page = OutletsPage(clock, session, self._window)
+            page.changed.connect(lambda kept: keep_outlets(self._settings, kept))
+            page.set_up_wanted.connect(lambda name: self.set_up(clock, name))
+            self._working.append(page)
+            page.finished.connect(lambda _result: self._forget(page))
+        page.show()
+
+    def faults(self, clock: Clock) -> None:
+        """Show the panel that makes faults happen to the simulated device."""
+        from app.player.fault_panel import FaultPanel
+
+        shown = self._window.findChild(FaultPanel)
+        panel = shown or FaultPanel(clock, self._session, self._window)
+        panel.show()
+
+    def rig(self, clock: Clock) -> None:
+        """Show what a motion rig at the other end would do."""
+        from app.player.rig_panel import RigPanel
+
+        shown = self._window.findChild(RigPanel)
+        panel = shown or RigPanel(clock, self._window)
+        panel.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        panel.show()
+
+    def latencies(self, clock: Clock) -> None:
+        """Measure how late video, sound and force reach the person."""
+        from app.player.latency_page import LatencyPage
+
+        device = self._session.player.snapshot().device
+        self._release()
+        page = LatencyPage(
+            clock, device, self._settings, self._own_player, self._window
+        )
+        page.measured.connect(self.settings_taken)
+        page.finished.connect(lambda _: self._session.choose_device(device))
+        page.finished.connect(page.deleteLater)
+        page.open()
+
+    def _own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:
+        sound = partial(SoundProcess, device=self._settings.text(OUTPUT))
+        return Player(clock, sink, device=device, audio=sound)
+
+    def _release(self) -> None:
+        """Let go of the device, so that a dialog can have it."""
+        self._session.stop()
+        self._session.choose_device(NO_DEVICE)
+        self._session.player.wait_released()
+
+    def _open_working(self, dialog: "Working") -> None:
+        self._working.append(dialog)
+        dialog.finished.connect(lambda _result: self._forget(dialog))
+        dialog.open()
+
+    def _forget(self, dialog: "Working") -> None:
+        if dialog in self._working:
+            self._working.remove(dialog)
+        dialog.deleteLater()
+
+
+def _is_outlet(name: str) -> bool:
+    return name.partition(":")[0] in OUTLETS
