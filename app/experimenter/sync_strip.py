@@ -328,8 +328,10 @@ class SyncStrip(QWidget):
         painter.setPen(QColor(theme.DIM))
         for tick in range(int(np.ceil(begin_s / step_s)), int(end_s / step_s) + 1):
             x = (tick * step_s - begin_s) / self._s_per_px()
-            box = QRectF(x - 40, self.height() - _LABELS_PX, 80, _LABELS_PX)
             text = self.tr("{time} s").format(time=local(f"{tick * step_s:.6g}"))
+            wide = self.fontMetrics().horizontalAdvance(text) + 2
+            left = min(max(1.0, x - 0.5 * wide), self.width() - wide - 1.0)
+            box = QRectF(left, self.height() - _LABELS_PX, wide, _LABELS_PX)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
