@@ -166,12 +166,12 @@ class SyncPage(QWidget):
             Lane(self.tr("gyro"), found.gyro, OF_LOG),
         ]
 
-    def choice(self) -> Synchronisation | None:
-        """Return what a person has taken; None for the recorder's own clock."""
+    def choice(self) -> Synchronisation:
+        """Return what a person has taken, or the recorder's own clock."""
         found = self._recognised
         assert found is not None
-        if found.knows_clip_clock:
-            return None
+        if found.found is not None and found.knows_clip_clock:
+            return found.found
         offset_s = self.offset.value()
         sync = self._shifted()
         if sync is None:
@@ -183,9 +183,11 @@ class SyncPage(QWidget):
         found = self._recognised
         if found is None:
             return False
+        return self._is_sure(found) or self.looked.isChecked()
+
+    def _is_sure(self, found: Recognised) -> bool:
         choice = self.choice()
-        is_sure = choice is None or (choice.is_confident and choice.is_measured)
-        return is_sure or self.looked.isChecked()
+        return found.knows_clip_clock or (choice.is_confident and choice.is_measured)
 
     def keep(self) -> None:
         """Keep the camera's skew for its next clips, where that was wanted."""
@@ -265,9 +267,7 @@ class SyncPage(QWidget):
         text, colour = self._verdict(found)
         self.verdict.setText(text)
         self.verdict.setStyleSheet(f"color: {colour};")
-        choice = self.choice()
-        is_sure = choice is None or (choice.is_confident and choice.is_measured)
-        self.looked.setVisible(not is_sure)
+        self.looked.setVisible(not self._is_sure(found))
         self.decided.emit()
 
     def _verdict(self, found: Recognised) -> tuple[str, str]:
@@ -276,13 +276,17 @@ class SyncPage(QWidget):
                 "{recorder} records its motion on the clip's clock; no "
                 "synchronisation is needed."
             )
-            return text.format(recorder=translated(found.recorder)), theme.GOOD
+            text = text.format(recorder=translated(found.recorder))
+            lag = None if found.found is None else found.found.lag
+            if lag is None:
+                return text, theme.GOOD
+            colour = theme.GOOD if lag.is_measured else theme.WARN
+            return f"{text} {translated(lag.text)}", colour
         sync = found.found
         if sync is None:
             text = self.tr("Could not synchronise: {why}. Enter the offset manually.")
             return text.format(why=translated(found.problem)), theme.WARN
-        choice = self.choice()
-        if choice is not None and choice.method == "offset":
+        if self.choice().method == "offset":
             return self.tr("The offset was set manually."), theme.WARN
         return self._verdict_of(sync)
 

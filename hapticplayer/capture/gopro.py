@@ -12,12 +12,14 @@ import numpy as np
 
 from hapticplayer.capture.assemble import Reals, clean
 from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.clock_lag import ClockLag, unstamped
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.gopro_axes import (
     frame_a_from_stored,
     has_own_axes,
     is_order_known,
 )
+from hapticplayer.capture.gopro_cori import clock_by_cori
 from hapticplayer.capture.gopro_streams import (
     OTHER_CAMERA,
     RAW_MAGIC,
@@ -132,15 +134,17 @@ def _read(
     # float32: no sensor has 24 bits, and ten hours take half a gigabyte
     small_accel: Reals = accel.values[covered].astype(np.float32)
     small_rate: Reals = mean.astype(np.float32)
-    del accel, rate, mean, payloads
+    del accel, rate, mean
     imu, repairs = clean(time_s, small_accel, small_rate, field, source=source)
+    clock_map, lag = _own_clock(payloads, imu, times, clock)
     return Recording(
         imu=imu,
-        clock_map=ClockMap(),
+        clock_map=clock_map,
         camera=camera,
         notes=(
             *_how_read(imu),
-            *_notes(accel_first, camera, times, damaged),
+            *((lag.text,) if lag else ()),
+            *_notes(accel_first, camera, damaged),
             *field_notes,
             *(repair.text for repair in repairs),
             *gap_notes(imu),
@@ -149,8 +153,19 @@ def _read(
             "reader": "raw GPMF" if is_raw else Message("GPMF track"),
             "accelerometer_rate_hz": round(times.rate_hz, 3),
             "gyro_rate_hz": round(gyro_rate_hz, 3),
+            **({"clock_lag": lag.described()} if lag else {}),
         },
+        lag=lag,
     )
+
+
+def _own_clock(
+    payloads: Sequence[Payload], imu: ImuLog, times: SampleTimes, clock: Clock
+) -> tuple[ClockMap, ClockLag | None]:
+    """Return the clock map of the camera's motion, and what is known of its lag."""
+    if not times.is_stamped:
+        return ClockMap(), unstamped()
+    return clock_by_cori(payloads, imu, clock.frame0_us) or (ClockMap(), None)
 
 
 class _Kind(NamedTuple):
@@ -287,16 +302,8 @@ def _how_read(imu: ImuLog) -> tuple[str, ...]:
     )
 
 
-def _notes(
-    stream: Entry, camera: str, times: SampleTimes, damaged: int
-) -> tuple[str, ...]:
+def _notes(stream: Entry, camera: str, damaged: int) -> tuple[str, ...]:
     notes = []
-    if not times.is_stamped:
-        notes.append(
-            Message(
-                "This camera does not timestamp its samples: they may be 10 to 30 ms off."
-            )
-        )
     if not is_order_known(stream, camera):
         notes.append(
             Message(

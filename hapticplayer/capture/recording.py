@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture import formats
 from hapticplayer.capture.choices import LogChoices, LogQuestion
+from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.foreign import refuse_foreign, unknown, why_unreadable
 from hapticplayer.capture.formats import Confidence, RecordingFormat
 from hapticplayer.capture.limits import GAP_STEPS
@@ -34,6 +35,7 @@ class Recording:
         camera: that recorded it.
         notes: format, units, axes and warnings.
         provenance: the same in figures.
+        lag: of the motion against the frames of the same camera; None if unknown.
         is_gravity_free: the recorder removed gravity: `imu` holds p[k] itself, without
             angular rate.
     """
@@ -43,6 +45,7 @@ class Recording:
     camera: str
     notes: tuple[str, ...] = ()
     provenance: Dict[str, Any] = field(default_factory=dict)
+    lag: ClockLag | None = None
     is_gravity_free: bool = False
 
 

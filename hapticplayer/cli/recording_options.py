@@ -232,7 +232,7 @@ def sync_text(found: Mapping[str, Any]) -> str:
     if found["sound_late_s"]:
         skew_ms = 1e3 * found["sound_late_s"]
         first += f", {skew_ms:.0f} ms of the camera's skew taken off"
-    lines = [first, *_pictures_text(found)]
+    lines = [first, *_lag_text(found), *_pictures_text(found)]
     for count, pat in enumerate(found["pats"], start=1):
         lines.append(
             f"  pat {count}: heard at {pat['heard_s']:.3f} s, felt at "
@@ -241,6 +241,11 @@ def sync_text(found: Mapping[str, Any]) -> str:
             f"{rarity_text(pat['felt_rarity_hz'])} in the log"
         )
     return "\n".join(lines)
+
+
+def _lag_text(found: Mapping[str, Any]) -> list[str]:
+    lag = found.get("lag")
+    return [f"  {lag['text']}"] if lag else []
 
 
 def _pictures_text(found: Mapping[str, Any]) -> list[str]:

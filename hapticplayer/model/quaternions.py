@@ -44,6 +44,15 @@ def from_rotation_vector(phi_rad: Floats) -> Floats:
     return np.concatenate([np.cos(0.5 * angle), half_sinc * phi_rad], axis=-1)
 
 
+def to_rotation_vector(q: Floats) -> Floats:
+    """Return the rotation vectors (N, 3), rad, of at most half a turn, of (N, 4)."""
+    q = np.where(q[:, :1] < 0.0, -q, q)
+    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, q[:, :1])
+    safe = np.where(sine > 1e-12, sine, 1.0)
+    return np.where(sine > 1e-12, q[:, 1:] / safe * angle, 2.0 * q[:, 1:])
+
+
 def vertical(q: Floats) -> Floats:
     """Return the earth's up direction in the sensor frame, (..., 3)."""
     w, x, y, z = np.moveaxis(q, -1, 0)

@@ -19,7 +19,12 @@ from hapticplayer.errors import InputError, Message, UsageError, message_of
 from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
 from hapticplayer.model import ImuLog
 from hapticplayer.sequence import files
-from hapticplayer.sequence.synchronizing import SyncChoices, find_sync, watch
+from hapticplayer.sequence.synchronizing import (
+    SyncChoices,
+    find_sync,
+    notes_on_lag,
+    watch,
+)
 
 Curve = tuple[NDArray[np.float64], NDArray[np.float64]]
 
@@ -120,7 +125,7 @@ def recognise(
         duration_s=float(imu.time_s[-1] - imu.time_s[0]),
         begin_s=float(imu.time_s[0]),
         gaps=len(find_gaps(imu)),
-        notes=recording.notes,
+        notes=notes_on_lag(recording, found) if found else recording.notes,
         provenance=dict(recording.provenance),
         up=mean_up(imu),
         motion=_motion(recording),

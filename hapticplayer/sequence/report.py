@@ -135,9 +135,9 @@ def _drift(found: Mapping[str, Any]) -> Finding | None:
     ppm = _number(found, "drift_ppm")
     if ppm is None:
         return None
-    if found.get("method") == "embedded":
-        return Finding("drift", Mark.GOOD, 0.0, {"is_fitted": True})
     is_fitted = bool(found.get("drift_is_fitted"))
+    if found.get("method") == "embedded" and not is_fitted:
+        return Finding("drift", Mark.GOOD, 0.0, {"is_fitted": True})
     mark = marked("drift_ppm", abs(ppm))
     return Finding("drift", mark, ppm if is_fitted else None, {"is_fitted": is_fitted})
 

@@ -35,7 +35,8 @@ class SyncChoices:
         offset_s: media time of the log's time zero.
         sound_late_s: how much later than its frames the camera's sound comes; None
             for the stored skew of the clip's camera.
-        accepted: a result that a person has checked and accepted.
+        accepted: a result that a person has checked and accepted, or the clip's own
+            clock as it was found before.
     """
 
     method: str = AUTO
@@ -61,12 +62,26 @@ def synchronized(
     found = choices.accepted or find_sync(clip, recording, choices, progress)
     if not found.is_confident and choices.accepted is None:
         raise UsageError(uncertainty(found, clip.path.name))
-    described = {**found.described(), "seen_by_person": choices.accepted is not None}
+    is_seen = choices.accepted is not None and found.method != "embedded"
+    described = {**found.described(), "seen_by_person": is_seen}
+    provenance = {**recording.provenance, "synchronisation": described}
+    if found.lag is not None:
+        provenance["clock_lag"] = found.lag.described()
     return dataclasses.replace(
         recording,
         clock_map=found.clock_map,
-        provenance={**recording.provenance, "synchronisation": described},
+        notes=notes_on_lag(recording, found),
+        lag=found.lag or recording.lag,
+        provenance=provenance,
     )
+
+
+def notes_on_lag(recording: Recording, found: Synchronisation) -> tuple[str, ...]:
+    """Return the recording's notes, with what is known now of its lag."""
+    before, after = recording.lag, found.lag
+    if before is None or after is None:
+        return recording.notes
+    return tuple(after.text if n == before.text else n for n in recording.notes)
 
 
 def moved_to(found: Synchronisation, offset_s: float) -> Synchronisation:
@@ -113,7 +128,12 @@ def find_sync(
     given = None if offset_s is None else ClockMap(offset_s)
     known = own if own.confidence > 0.0 else None
     inputs = SyncInput(
-        recording.imu, hear, given, known, look or (lambda: watch(clip, progress))
+        recording.imu,
+        hear,
+        given,
+        known,
+        look or (lambda: watch(clip, progress)),
+        recording.lag,
     )
     return sync_method(choices.method).function()(inputs)
 

@@ -6173,12 +6173,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Der Drehratensensor ist am Ende seines Messbereichs</translation>
     </message>
     <message>
+        <source>The motion&apos;s timestamps are {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) off the frames, as the camera&apos;s own orientation at each frame (CORI) shows; this is corrected.</source>
+        <translation>Die Zeitstempel der Bewegung weichen um {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) von den Bildern ab, wie die Orientierung zeigt, die die Kamera zu jedem Bild speichert (CORI); das ist korrigiert.</translation>
+    </message>
+    <message>
         <source>The network does not know this address: correct it.</source>
         <translation>Das Netzwerk kennt diese Adresse nicht: Berichtigen Sie sie.</translation>
     </message>
     <message>
         <source>The sound system does not answer: restart it.</source>
         <translation>Das Tonsystem antwortet nicht: Starten Sie es neu.</translation>
+    </message>
+    <message>
+        <source>This camera does not timestamp its samples: they are {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off the frames, as the rotation in these shows; this is corrected.</source>
+        <translation>Diese Kamera stempelt ihre Messwerte nicht: Sie weichen um {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) von den Bildern ab, wie die Drehung in diesen zeigt; das ist korrigiert.</translation>
+    </message>
+    <message>
+        <source>This camera does not timestamp its samples: they may be 10 to 30 ms off, and the frames could not tell by how much: {why}.</source>
+        <translation>Diese Kamera stempelt ihre Messwerte nicht: Sie können um 10 bis 30 ms abweichen, und die Bilder zeigen nicht, um wie viel: {why}.</translation>
     </message>
     <message>
         <source>Three pats</source>
@@ -7237,6 +7249,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kalibrierung ist von {theirs}, die Aufnahme von {ours}; eine Kalibrierung hilft nur, wenn beide von demselben Sensor sind</translation>
     </message>
     <message>
+        <source>the camera rotates too slowly to show the time</source>
+        <translation>Die Kamera dreht sich zu langsam, um die Zeit zu zeigen</translation>
+    </message>
+    <message>
         <source>the camera&apos;s rotation in its frames against the gyro; needs the extra vision</source>
         <translation>die Drehung der Kamera in ihren Bildern gegen den Kreisel; braucht die Zugabe vision</translation>
     </message>
@@ -7345,6 +7361,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Bilder zeigen die Drehung der Kamera nur für {told_s:.1f} s</translation>
     </message>
     <message>
+        <source>the gyro explains {explained:.0%} of their rotation (video stabilised, or a calm camera)</source>
+        <translation>Das Gyroskop erklärt {explained:.0%} ihrer Drehung (Video stabilisiert oder Kamera ruhig)</translation>
+    </message>
+    <message>
         <source>the method pictures needs a clip</source>
         <translation>Das Verfahren pictures braucht ein Video</translation>
     </message>
@@ -7387,6 +7407,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the track needs more than {most} keyframes</source>
         <translation>die Spur braucht mehr als {most} Keyframes</translation>
+    </message>
+    <message>
+        <source>their rotation is not that of the gyro</source>
+        <translation>ihre Drehung ist nicht die des Gyroskops</translation>
     </message>
     <message>
         <source>there is no outlet {name!r}</source>

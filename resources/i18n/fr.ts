@@ -6173,12 +6173,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Le gyroscope est au bout de sa plage de mesure</translation>
     </message>
     <message>
+        <source>The motion&apos;s timestamps are {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) off the frames, as the camera&apos;s own orientation at each frame (CORI) shows; this is corrected.</source>
+        <translation>Les horodatages du mouvement s&apos;écartent des images de {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms), comme le montre l&apos;orientation que la caméra enregistre à chaque image (CORI)&#xa0;; c&apos;est corrigé.</translation>
+    </message>
+    <message>
         <source>The network does not know this address: correct it.</source>
         <translation>Le réseau ne connaît pas cette adresse&#xa0;: corrigez-la.</translation>
     </message>
     <message>
         <source>The sound system does not answer: restart it.</source>
         <translation>Le système audio ne répond pas&#xa0;: redémarrez-le.</translation>
+    </message>
+    <message>
+        <source>This camera does not timestamp its samples: they are {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off the frames, as the rotation in these shows; this is corrected.</source>
+        <translation>Cette caméra n&apos;horodate pas ses mesures&#xa0;: elles s&apos;écartent des images de {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms), comme le montre la rotation dans celles-ci&#xa0;; c&apos;est corrigé.</translation>
+    </message>
+    <message>
+        <source>This camera does not timestamp its samples: they may be 10 to 30 ms off, and the frames could not tell by how much: {why}.</source>
+        <translation>Cette caméra n&apos;horodate pas ses mesures&#xa0;: elles peuvent s&apos;écarter de 10 à 30 ms, et les images ne montrent pas de combien&#xa0;: {why}.</translation>
     </message>
     <message>
         <source>Three pats</source>
@@ -7237,6 +7249,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’étalonnage vient de {theirs}, l’enregistrement de {ours}&#xa0;; un étalonnage n’aide que si les deux viennent du même capteur</translation>
     </message>
     <message>
+        <source>the camera rotates too slowly to show the time</source>
+        <translation>la caméra tourne trop lentement pour indiquer le temps</translation>
+    </message>
+    <message>
         <source>the camera&apos;s rotation in its frames against the gyro; needs the extra vision</source>
         <translation>la rotation de la caméra dans ses images face au gyromètre&#xa0;; nécessite l&apos;option vision</translation>
     </message>
@@ -7345,6 +7361,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les images ne montrent la rotation de la caméra que pendant {told_s:.1f} s</translation>
     </message>
     <message>
+        <source>the gyro explains {explained:.0%} of their rotation (video stabilised, or a calm camera)</source>
+        <translation>le gyroscope explique {explained:.0%} de leur rotation (vidéo stabilisée ou caméra calme)</translation>
+    </message>
+    <message>
         <source>the method pictures needs a clip</source>
         <translation>la méthode pictures nécessite une vidéo</translation>
     </message>
@@ -7387,6 +7407,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the track needs more than {most} keyframes</source>
         <translation>la piste nécessite plus de {most} images clés</translation>
+    </message>
+    <message>
+        <source>their rotation is not that of the gyro</source>
+        <translation>leur rotation n&apos;est pas celle du gyroscope</translation>
     </message>
     <message>
         <source>there is no outlet {name!r}</source>

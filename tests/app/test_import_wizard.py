@@ -27,6 +27,7 @@ from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import PictureEvidence, Synchronisation
+from hapticplayer.capture.vision import is_available
 from hapticplayer.errors import Message
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
@@ -153,7 +154,9 @@ def test_a_real_camera_is_recognised_and_imported(wizard, wait_for, shared_data)
     assert "854 \u00d7 480, 29.97 fps" in facts
     assert "198.7 Hz" in facts
     assert "z pointed up" in facts
-    assert "10 to 30 ms" in wizard.files.notes.text()
+    assert "does not timestamp" in wizard.files.notes.text()
+    assert "does not timestamp" in wizard.sync.verdict.text()
+    assert ("this is corrected" in wizard.sync.verdict.text()) == is_available()
     for _ in range(3):
         wizard.next.click()
     wait_for(lambda: wizard.stack.currentIndex() == REPORT)

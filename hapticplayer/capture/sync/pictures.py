@@ -60,13 +60,13 @@ def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
     Raises:
         InputError: when the frames or the log tell of no rotation at all.
     """
-    watched = _usable(imu, frames)
+    watched = usable(imu, frames)
     gyro = Gyro(imu)
     fits = candidates(watched, gyro)
     if not fits:
         return Synchronisation(ClockMap(confidence=0.0), "pictures")
     line = fit_line(watched, gyro, fits[0])
-    found = _result(fits, line)
+    found = finding(fits, line)
     if not found.is_confident:
         return found
     mounting = _mounting(watched, gyro, line.at(watched.begin_s))
@@ -79,7 +79,7 @@ def find_mounting(imu: ImuLog, frames: FrameRotation, clock: ClockMap) -> FoundM
     Raises:
         InputError: when the frames or the log tell of no rotation at all.
     """
-    watched = _usable(imu, frames)
+    watched = usable(imu, frames)
     log_s = (watched.begin_s - clock.offset_s) / clock.rate
     return _mounting(watched, Gyro(imu), log_s - watched.begin_s)
 
@@ -93,7 +93,12 @@ def _mounting(watched: Watched, gyro: Gyro, shifts_s: Floats) -> FoundMounting:
     return FoundMounting(best, left[second] / max(left[best], 1e-6), second)
 
 
-def _usable(imu: ImuLog, frames: FrameRotation) -> Watched:
+def usable(imu: ImuLog, frames: FrameRotation) -> Watched:
+    """Return the frames' rotation, ready to be compared with the log's gyro.
+
+    Raises:
+        InputError: when the frames or the log tell of no rotation at all.
+    """
     if not imu.angular_rate_radps.any():
         raise InputError(
             "has no angular rate, which frames could be compared with",
@@ -110,21 +115,15 @@ def _usable(imu: ImuLog, frames: FrameRotation) -> Watched:
     return Watched.of(frames)
 
 
-def _result(fits: list[Fit], line: Line) -> Synchronisation:
+def finding(fits: list[Fit], line: Line) -> Synchronisation:
+    """Return what a line means, whose fit is the first of several."""
     read_out_s, read_out_sd_s = read_out(line)
     # rows that were read earlier than the middle show an earlier time
     shift_s = line.shift_s - line.row * read_out_s
     sigma_s = math.hypot(line.shift_sigma_s, line.row * read_out_sd_s, _FLOOR_S)
     evidence = _evidence(fits, line, (read_out_s, read_out_sd_s))
-    rate = 1.0 / (1.0 + line.drift)
-    clock = ClockMap(
-        -(shift_s - line.drift * line.middle_s) * rate,
-        rate,
-        line.spread_s,
-        _confidence(evidence),
-    )
     return Synchronisation(
-        clock,
+        line.clock_map(shift_s, _confidence(evidence)),
         "pictures",
         margin=evidence.margin,
         rivals=tuple(Rival(-one.shift_s, 1.0 - one.unexplained) for one in fits[1:]),

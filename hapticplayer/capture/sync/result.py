@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
+from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.model import ClockMap
 
 ENOUGH_CONFIDENCE = 0.5
@@ -112,6 +113,7 @@ class Synchronisation:
         pictures: result of the frames.
         mounting: which mounting they tell.
         second: what another method found, which agrees, or does not.
+        lag: of the camera's own motion, if its clock is used.
     """
 
     clock_map: ClockMap
@@ -127,6 +129,7 @@ class Synchronisation:
     pictures: PictureEvidence | None = None
     mounting: FoundMounting | None = None
     second: "Synchronisation | None" = None
+    lag: ClockLag | None = None
 
     @property
     def is_confident(self) -> bool:
@@ -166,6 +169,7 @@ class Synchronisation:
             "pictures": self.pictures.described() if self.pictures else None,
             "mounting": self.mounting.described() if self.mounting else None,
             "second": self.second.described() if self.second else None,
+            "lag": self.lag.described() if self.lag else None,
             "pats": [
                 {
                     "heard_s": round(pat.heard_s, 4),

@@ -10,6 +10,7 @@ from hapticplayer.capture.sync.rotation_match import (
     Gyro,
     Watched,
 )
+from hapticplayer.model import ClockMap
 from hapticplayer.model.arrays import Floats
 
 WINDOW_S = 4.0
@@ -51,6 +52,12 @@ class Line(NamedTuple):
     def at(self, media_s: Floats) -> Floats:
         """Return the shift at media times."""
         return np.asarray(self.shift_s + self.drift * (media_s - self.middle_s))
+
+    def clock_map(self, shift_s: float, confidence: float) -> ClockMap:
+        """Return the clock map with another shift at the middle."""
+        rate = 1.0 / (1.0 + self.drift)
+        offset_s = -(shift_s - self.drift * self.middle_s) * rate
+        return ClockMap(offset_s, rate, self.spread_s, confidence)
 
     @property
     def spread_s(self) -> float:

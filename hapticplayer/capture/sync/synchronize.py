@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import InputError, UsageError
@@ -55,6 +56,7 @@ class SyncInput(NamedTuple):
         own: clock map known to the recording.
         look: tells the camera's rotation from the clip's frames; raises InputError
             where that is not possible. None without a clip.
+        lag: of the recording's own clock, as far as it is known.
     """
 
     imu: ImuLog
@@ -62,6 +64,7 @@ class SyncInput(NamedTuple):
     given: ClockMap | None = None
     own: ClockMap | None = None
     look: "Callable[[], FrameRotation] | None" = None
+    lag: ClockLag | None = None
 
 
 def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> Sound:
@@ -201,14 +204,28 @@ def by_given_offset(inputs: SyncInput) -> Synchronisation:
 
 
 def by_own_clock(inputs: SyncInput) -> Synchronisation:
-    """Use the clock of the recording, which is the clip's."""
+    """Use the clock of the recording, which is the clip's.
+
+    Where its lag is not known, the frames measure it, if they can.
+    """
     if inputs.own is None:
         raise UsageError(
             "{name} does not know the clip's clock; use --method pats or give "
             "--offset S",
             name=Path(inputs.imu.source).name,
         )
-    return Synchronisation(inputs.own, "embedded")
+    lag = inputs.lag
+    if lag is not None and not lag.is_measured and inputs.look is not None:
+        from hapticplayer.capture.sync.own_clock import by_frames
+
+        return by_frames(inputs.imu, inputs.own, inputs.look)
+    return Synchronisation(
+        inputs.own,
+        "embedded",
+        has_drift=lag is not None and lag.is_measured,
+        offset_sigma_s=0.0 if lag is None else lag.sigma_s,
+        lag=lag,
+    )
 
 
 def by_pats(inputs: SyncInput) -> Synchronisation:

@@ -16,7 +16,12 @@ from scipy.interpolate import make_interp_spline
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.quaternions import conjugate, multiply, rotate
+from hapticplayer.model.quaternions import (
+    conjugate,
+    multiply,
+    rotate,
+    to_rotation_vector,
+)
 
 _DEGREE = 5
 
@@ -105,7 +110,7 @@ class Trajectory:
         """
         before = quaternion_from_angles(self._angles(time_s - step_s))
         after = quaternion_from_angles(self._angles(time_s))
-        return rotation_vector(multiply(conjugate(before), after)) / step_s
+        return to_rotation_vector(multiply(conjugate(before), after)) / step_s
 
 
 def quaternion_from_angles(angles_rad: Floats) -> Floats:
@@ -116,15 +121,6 @@ def quaternion_from_angles(angles_rad: Floats) -> Floats:
     about_x = np.stack([np.cos(pitch), np.sin(pitch), zero, zero], axis=1)
     about_y = np.stack([np.cos(roll), zero, np.sin(roll), zero], axis=1)
     return multiply(multiply(about_z, about_x), about_y)
-
-
-def rotation_vector(q: Floats) -> Floats:
-    """Return the rotation vectors (N, 3) in rad of unit quaternions (N, 4)."""
-    q = np.where(q[:, :1] < 0.0, -q, q)
-    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
-    angle = 2.0 * np.arctan2(sine, q[:, :1])
-    safe = np.where(sine > 1e-12, sine, 1.0)
-    return np.where(sine > 1e-12, q[:, 1:] / safe * angle, 2.0 * q[:, 1:])
 
 
 def _body_rate(angles: Floats, rates: Floats) -> Floats:

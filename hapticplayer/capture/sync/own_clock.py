@@ -1,0 +1,141 @@
+"""Measures the lag of a camera's own motion against its frames.
+
+Clock and axes are nearly known here, so that only shifts of some ms have to be compared.
+"""
+
+import dataclasses
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from hapticplayer.capture.clock_lag import FRAMES, ClockLag, unstamped
+from hapticplayer.capture.sync.pictures import finding, spans_to_watch, usable
+from hapticplayer.capture.sync.result import Synchronisation
+from hapticplayer.capture.sync.rotation_line import Line, fit_line
+from hapticplayer.capture.sync.rotation_match import Fit, Gyro, fit_at
+from hapticplayer.capture.vision import FrameRotation
+from hapticplayer.errors import InputError, Message
+from hapticplayer.model import ClockMap, ImuLog
+
+MOST_LAG_S = 0.05
+"""Cameras are 10 to 30 ms off; a larger one is not believed."""
+
+_REACH_S, _STEP_S = 0.06, 0.004
+_FEW = 0.5  # of the windows
+_MARGIN_S = 0.5  # of the log around the parts that are looked at
+
+Spans = Sequence[tuple[float, float]]
+
+
+class OwnFit(NamedTuple):
+    """The best fit near the camera's own clock."""
+
+    fit: Fit
+    line: Line
+
+
+def fit_own_clock(imu: ImuLog, frames: FrameRotation) -> OwnFit | None:
+    """Return shift and drift near zero; None where the best is at no small shift.
+
+    Args:
+        imu: motion with the camera's axes.
+        frames: the camera's rotation from frame to frame.
+
+    Raises:
+        InputError: when the frames or the log tell of no rotation at all.
+    """
+    spans_s = spans_to_watch(float(frames.end_s[-1])) if len(frames) else []
+    frames = _within(frames, spans_s)
+    watched = usable(imu, frames)
+    gyro = Gyro(_near(imu, spans_s))
+    count = round(_REACH_S / _STEP_S)
+    fits = [
+        fit_at(watched, gyro, _STEP_S * step, np.eye(3))
+        for step in range(-count, count + 1)
+    ]
+    best = min(fits, key=lambda fit: fit.unexplained)
+    if best is fits[0] or best is fits[-1]:
+        return None
+    line = fit_line(watched, gyro, best)
+    best = fit_at(watched, gyro, line.at(watched.begin_s), np.eye(3))
+    return OwnFit(best, line) if abs(line.shift_s) <= MOST_LAG_S else None
+
+
+def sigma_of_windows_s(line: Line) -> float:
+    """Return the SD of a line's shift as its windows differ, without any floor."""
+    trust = 1.0 / line.window_sigma_s**2
+    square = float(trust @ line.window_error_s**2) / max(1, len(trust) - 1)
+    return float(np.sqrt(max(1.0, square) / trust.sum()))
+
+
+def by_frames(
+    imu: ImuLog, own: ClockMap, look: Callable[[], FrameRotation]
+) -> Synchronisation:
+    """Return the clock of a camera without timestamps as the frames correct it.
+
+    Where they cannot tell, it stays as it is, and `lag` says why.
+    """
+    found, why = _compared(imu, look)
+    if found is None or not found.is_confident:
+        lag = unstamped(why or _doubt(found))
+        return Synchronisation(own, "embedded", offset_sigma_s=lag.sigma_s, lag=lag)
+    clock = dataclasses.replace(found.clock_map, confidence=own.confidence)
+    assert found.pictures is not None
+    media_s = found.pictures.middle_s
+    log_s = (media_s - clock.offset_s) / clock.rate
+    lag = ClockLag(FRAMES, log_s - media_s, found.offset_sigma_s)
+    return dataclasses.replace(found, clock_map=clock, method="embedded", lag=lag)
+
+
+def _compared(
+    imu: ImuLog, look: Callable[[], FrameRotation]
+) -> tuple[Synchronisation | None, Message | str]:
+    """Return the result of the frames, or why there is none."""
+    try:
+        frames = look()
+        fitted = fit_own_clock(imu, frames)
+    except InputError as problem:
+        return None, problem.what
+    if fitted is None:
+        return None, Message("their rotation is not that of the gyro")
+    return finding([fitted.fit], fitted.line), ""
+
+
+def _doubt(found: Synchronisation | None) -> Message:
+    assert found is not None
+    assert found.pictures is not None
+    if found.pictures.telling_share < _FEW:
+        return Message("the camera rotates too slowly to show the time")
+    return Message(
+        "the gyro explains {explained:.0%} of their rotation (video stabilised, or a "
+        "calm camera)",
+        explained=max(0.0, found.pictures.explained),
+    )
+
+
+def _within(frames: FrameRotation, spans_s: Spans) -> FrameRotation:
+    """Return the intervals inside of parts of the clip."""
+    inside = np.zeros(len(frames), dtype=bool)
+    for begin_s, end_s in spans_s:
+        inside |= (frames.begin_s >= begin_s) & (frames.end_s <= end_s)
+    if inside.all():
+        return frames
+    columns = (getattr(frames, field.name) for field in dataclasses.fields(frames))
+    return FrameRotation(*(column[inside] for column in columns))
+
+
+def _near(imu: ImuLog, spans_s: Spans) -> ImuLog:
+    """Return the samples around parts of the clip; an integral of hours takes memory."""
+    near = np.zeros(len(imu), dtype=bool)
+    for begin_s, end_s in spans_s:
+        near |= (imu.time_s >= begin_s - _MARGIN_S) & (imu.time_s <= end_s + _MARGIN_S)
+    if near.all() or near.sum() < 2:
+        return imu
+    return ImuLog(
+        imu.time_s[near],
+        imu.specific_force_mps2[near],
+        imu.angular_rate_radps[near],
+        sampling=imu.sampling,
+        source=imu.source,
+    )
