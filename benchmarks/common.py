@@ -252,7 +252,7 @@ def interleaved(
     Args:
         contenders: by name.
         rounds: how many.
-        warm_up: whether each runs once more before, without a result.
+        warm_up: whether each also runs before, without a result.
     """
     names = list(contenders)
     found: dict[str, list[T]] = {name: [] for name in names}

@@ -95,7 +95,7 @@ def from_json(value: Any) -> Message:
             },
         )
     except (LookupError, TypeError, AttributeError, RecursionError) as problem:
-        raise ValueError(f"is no message ({problem})") from None
+        raise ValueError(f"is not a valid message ({problem})") from None
 
 
 def _plain(value: object) -> object:

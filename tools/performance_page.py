@@ -29,7 +29,7 @@ In brackets the target; a figure that missed it is bold.
 
 ## From a fault to no force, ms
 
-Real faults at random moments under a turning force of 4 N, read from the device's side.
+Real faults at random moments under a rotating force of 4 N, read from the device's side.
 
 {faults}
 

@@ -90,15 +90,15 @@ def written_report(
 
 
 def exported(folder: Path, target: Path, form: str, *, progress: Progress) -> list[str]:
-    """Export a study into a new folder, and return the remarks."""
-    remarks: list[str] = export_study(open_study(folder), target, form, progress)[
+    """Export a study into a new folder, and return the notices."""
+    notices: list[str] = export_study(open_study(folder), target, form, progress)[
         "remarks"
     ]
-    return remarks
+    return notices
 
 
 Export = Callable[[Path, str, Progress], list[str]]
-"""Exports the data into a new folder in the format of this name; returns remarks."""
+"""Exports the data into a new folder in the format of this name; returns notices."""
 
 _POLL_MS = 50
 _SCREEN_DPI = 100.0
@@ -192,10 +192,10 @@ class AnalysisPage(QWidget):
         def work(progress: Progress) -> list[str]:
             return self._export(target, form, progress)
 
-        def done(remarks: list[str]) -> None:
+        def done(notices: list[str]) -> None:
             self._saved(target)
-            if remarks:
-                self._say(joined("; ", remarks))
+            if notices:
+                self._say(joined("; ", notices))
 
         self.jobs.run(self.tr("Exporting the data"), work, done)
         self._begin()

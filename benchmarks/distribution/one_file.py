@@ -285,8 +285,8 @@ def _opened_ms(
     player.play()
     until(player, clock, lambda: felt_since(player, begin_s))
     ticks = player.ticks_since(begin_s)
-    pushed = np.linalg.norm(ticks["force_n"], axis=1) > 0.0
-    first_s = float(ticks["monotonic_s"][pushed][0])
+    active = np.linalg.norm(ticks["force_n"], axis=1) > 0.0
+    first_s = float(ticks["monotonic_s"][active][0])
     player.pause()
     return 1e3 * (first_s - begin_s)
 

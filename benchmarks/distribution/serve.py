@@ -123,9 +123,9 @@ def _opened_ms(player: Player, way: Callable[[], Source]) -> float:
     player.play()
     until(player, _CLOCK, lambda: felt_since(player, begin_s))
     ticks = player.ticks_since(begin_s)
-    pushed = np.linalg.norm(ticks["force_n"], axis=1) > 0.0
+    active = np.linalg.norm(ticks["force_n"], axis=1) > 0.0
     player.pause()
-    return 1e3 * (float(ticks["monotonic_s"][pushed][0]) - begin_s)
+    return 1e3 * (float(ticks["monotonic_s"][active][0]) - begin_s)
 
 
 # --- seeks -------------------------------------------------------------------------

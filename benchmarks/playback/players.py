@@ -1,7 +1,7 @@
 """CPU and memory of playing 30 s of a moving clip with sound, beside mpv and ffplay.
 
 Same window size (the whole screen under Xvfb), same null sink; from start to exit. The
-loop, its guard and the simulated device are measured apart; once more with the live
+loop, its guard and the simulated device are measured apart; again with the live
 plots on, in a window. `720p30` has 20 Mbit/s of grain, where decoding is nearly all
 there is; the others scroll at usual bit rates. Start to first frame: until a pixel of
 the X server's memory has its colour. `--memory 20` plays looped, us and mpv side by

@@ -1,6 +1,6 @@
 """From a real fault to no force on the motors, beside the limit of each fault.
 
-The window (offscreen) plays a turning force of 4 N into the simulated Falcon, which is
+The window (offscreen) plays a rotating force of 4 N into the simulated Falcon, which is
 a process of its own and records when the force on its motors changed. Faults come at
 random moments. A sleeper of the highest priority on each core tells what the machine
 itself lost between fault and zero: that is subtracted for the verdict, and shown. After

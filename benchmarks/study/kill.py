@@ -179,8 +179,8 @@ class _Sessions:
 
 def unfinished(study: Study) -> str:
     """Return the session that was just begun, if there is one."""
-    sessions, remarks = study.sessions()
-    assert not remarks, remarks
+    sessions, notices = study.sessions()
+    assert not notices, notices
     left = [s.code for s in sessions if s.state is SessionState.UNFINISHED]
     assert len(left) <= 1
     return left[0] if left else ""

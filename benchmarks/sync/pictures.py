@@ -40,7 +40,7 @@ GROSS_S = 0.1
 LIMITS_MS = {"median": 2.5, "p95": 5.0, "largest": 8.0}
 MOST_CPU_S = 16.0
 SURE = (0.5, 0.9)
-# name, whether its frames can be believed
+# name, whether its frames can be trusted
 REAL = (("karma.mp4", True), ("max-heromode.mp4", False))
 
 

@@ -78,7 +78,7 @@ def say(text: str) -> None:
 
 
 def say_aside(text: str) -> None:
-    """Print a remark that is no result."""
+    """Print a notice beside the result."""
     _write_aside(f"note: {without_controls(text)}\n")
 
 

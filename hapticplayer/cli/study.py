@@ -197,7 +197,7 @@ def new(options: argparse.Namespace) -> int:
 def status(options: argparse.Namespace) -> int:
     """Say who took part, what is missing, and how balanced it is."""
     study = open_study(options.study)
-    sessions, remarks = study.sessions()
+    sessions, notices = study.sessions()
     report = {
         "title": study.definition.title,
         "conditions": len(study.definition.conditions),
@@ -207,11 +207,11 @@ def status(options: argparse.Namespace) -> int:
         "deleted": study.deleted_count(),
         "balance": _balance(study),
         "unreviewed_texts": len(_unreviewed(study)),
-        "remarks": remarks,
+        "remarks": notices,
     }
     say(json.dumps(report) if options.json else _status_text(report))
-    for remark in remarks:
-        say_aside(remark)
+    for notice in notices:
+        say_aside(notice)
     return 0
 
 
@@ -332,8 +332,8 @@ def export(options: argparse.Namespace) -> int:
         else f"{options.output}: {report['participants']} participants, "
         f"{len(report['files'])} files"
     )
-    for remark in report["remarks"]:
-        say_aside(remark)
+    for notice in report["remarks"]:
+        say_aside(notice)
     return 0
 
 
@@ -344,8 +344,8 @@ def merge(options: argparse.Namespace) -> int:
         say(json.dumps(asdict(merged)))
     else:
         say(f"{len(merged.added)} sessions added, {len(merged.same)} were here already")
-    for remark in merged.remarks:
-        say_aside(remark)
+    for notice in merged.notices:
+        say_aside(notice)
     for conflict in merged.conflicts:
         complain(conflict)
     return 1 if merged.conflicts else 0

@@ -214,7 +214,9 @@ def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
 
 def _dictionary(tables: Iterable[DataTable], feedbacks: Mapping[str, str]) -> DataTable:
     """Return the data dictionary: the meaning of each column."""
-    meant = {"feedback": "|".join(f"{key}: {text}" for key, text in feedbacks.items())}
+    meanings = {
+        "feedback": "|".join(f"{key}: {text}" for key, text in feedbacks.items())
+    }
     columns = (
         DataColumn("file", "name of the table"),
         DataColumn("column", "name of the column"),
@@ -222,7 +224,7 @@ def _dictionary(tables: Iterable[DataTable], feedbacks: Mapping[str, str]) -> Da
         DataColumn("unit_or_levels", "SI unit, or the possible values"),
     )
     rows = [
-        (t.name, c.name, c.meaning, c.levels or meant.get(c.name, ""))
+        (t.name, c.name, c.meaning, c.levels or meanings.get(c.name, ""))
         for t in tables
         for c in t.columns
     ]

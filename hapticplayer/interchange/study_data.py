@@ -37,20 +37,20 @@ class StudyData:
         definition: of the study.
         answers: of all participants with answers.
         sessions: of the same participants.
-        remarks: list to which exporters add what is damaged or left out.
+        notices: list to which exporters add what is damaged or left out.
         progress: called with the fraction done and the step; raises to cancel.
     """
 
     definition: Definition
     answers: Answers
     sessions: list[StoredSession]
-    remarks: list[str]
+    notices: list[str]
     progress: Progress
 
     def ticks(self, session: StoredSession, path: Path) -> Iterator[NDArray[Any]]:
         """Yield the intact ticks of a session's record, with progress."""
         fraction = self.sessions.index(session) / len(self.sessions)
-        for ticks in tick_chunks(path, self.remarks):
+        for ticks in tick_chunks(path, self.notices):
             self.progress(fraction, Message("writing {code}", code=session.code))
             yield ticks
 
@@ -59,7 +59,7 @@ class StudyData:
         fraction = self.sessions.index(session) / len(self.sessions)
         step = Message("reading records of {code}", code=session.code)
         self.progress(fraction, step)
-        return felt_trials(session, self.remarks)
+        return felt_trials(session, self.notices)
 
 
 @dataclass(frozen=True, slots=True)

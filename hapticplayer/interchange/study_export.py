@@ -76,17 +76,17 @@ def export_study(
         )
     known = {participant.code for participant in answers.participants}
     sessions = [s for s in study.sessions()[0] if s.code in known]
-    remarks: list[str] = list(answers.remarks)
+    notices: list[str] = list(answers.notices)
     left_out = sum(not answer.reviewed for answer in answers.open_answers)
     if left_out:
-        remarks.append(
+        notices.append(
             Message(
                 "{count} text answers were left out: they have not been reviewed",
                 count=left_out,
             )
         )
     with private.folder_written_aside(target.absolute()) as folder:
-        data = StudyData(study.definition, answers, sessions, remarks, progress)
+        data = StudyData(study.definition, answers, sessions, notices, progress)
         EXPORTERS[form].write(data, folder)
     return {
         "format": form,
@@ -96,5 +96,5 @@ def export_study(
             for path in target.rglob("*")
             if path.is_file()
         ),
-        "remarks": remarks,
+        "remarks": notices,
     }

@@ -137,7 +137,7 @@ def _write_session(session: StoredSession, folder: Path, data: StudyData) -> Non
     markers = markers_of(session)
     if not tick_files(session):
         what = Message("{code}: no record of a device, markers only", code=session.code)
-        data.remarks.append(what)
+        data.notices.append(what)
         _write_markers_alone(folder / f"{session.code}_markers.xdf", markers)
     for number, path in enumerate(tick_files(session), 1):
         target = folder / f"{session.code}_run-{number}.xdf"

@@ -83,7 +83,7 @@ def _end_of_boxes(stream: BinaryIO, size_bytes: int) -> int:
 def _boxes(
     stream: BinaryIO, size_bytes: int, nested: frozenset[bytes]
 ) -> Iterator[_Box]:
-    """Step over boxes and into the nested ones, whose ends are not believed."""
+    """Step over boxes and into the nested ones, whose ends are not trusted."""
     at = 0
     while at < size_bytes:
         stream.seek(at)

@@ -32,7 +32,7 @@ MAX_TELEMETRY_BYTES = 1024**3
 """All telemetry of one file; 48 h of a GoPro are about 0.8 GB."""
 
 MAX_REMOTE_SAMPLES = 20_000_000
-"""In the index of a clip whose size somebody else states; FFmpeg keeps 480 MB for them."""
+"""In the index of a clip whose size a server states; FFmpeg keeps 480 MB for them."""
 
 INDEX_TAIL = 4096
 """Last entries of each stream's index that are held against the file's size."""

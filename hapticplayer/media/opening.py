@@ -52,7 +52,7 @@ def open_media(path: AnyClip) -> InputContainer:
     """
     file = path if isinstance(path, ClipBytes) else resolve_regular(path)
     with media_errors(
-        file, Message("it is no video or sound that can be read"), CONVERT
+        file, Message("it is not a video or sound file that can be read"), CONVERT
     ):
         _check_tables(file)
         container = _opened(file)

@@ -42,7 +42,7 @@ class ClockMap:
         finite = math.isfinite(self.offset_s) and math.isfinite(self.rate)
         if not finite or self.rate <= 0.0:
             raise InputError(
-                "offset {offset_s} s with rate {rate} is no clock map; give finite "
+                "offset {offset_s} s with rate {rate} is not a valid clock map; give finite "
                 "numbers and a positive rate",
                 offset_s=self.offset_s,
                 rate=self.rate,

@@ -101,16 +101,16 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
     if count < _BINS_PER_WINDOW:
         return none
     used = count * per_bin
-    turning = _spread(imu.angular_rate_radps[:used], count)
-    calm = turning[1] < _BINS_PER_WINDOW * STILL_RATE_STD_LIMIT_RADPS**2
+    rate = _spread(imu.angular_rate_radps[:used], count)
+    calm = rate[1] < _BINS_PER_WINDOW * STILL_RATE_STD_LIMIT_RADPS**2
     if not may_be_still(calm):
         return none
-    pushed = _spread(imu.specific_force_mps2[:used], count)
+    accel = _spread(imu.specific_force_mps2[:used], count)
     if not may_be_still(
-        calm & (pushed[1] < _BINS_PER_WINDOW * STILL_ACCEL_STD_LIMIT_MPS2**2)
+        calm & (accel[1] < _BINS_PER_WINDOW * STILL_ACCEL_STD_LIMIT_MPS2**2)
     ):
         return none
-    both = zip(turning, pushed, strict=True)
+    both = zip(rate, accel, strict=True)
     norm, deviation = _windows(*(np.stack(pair) for pair in both))
     ends_s = imu.time_s[per_bin - 1 : used : per_bin]
     span_s = (
@@ -129,7 +129,7 @@ def find_still(imu: ImuLog, interval_s: float | None = None) -> StillSpans:
     still = np.cumsum(edges[:-1]) > 0
     if imu.valid is not None:
         still &= imu.valid[:used].reshape(count, per_bin).all(axis=1)
-    return StillSpans(per_bin, still, pushed[0], turning[0], bin_s)
+    return StillSpans(per_bin, still, accel[0], rate[0], bin_s)
 
 
 def mean_rate(still: StillSpans, chosen: NDArray[np.bool_]) -> tuple[Floats, float]:

@@ -114,9 +114,9 @@ def moved_along(ticks: NDArray[Any]) -> float:
 
     Between force and displacement from the mean position, over ticks with a force.
     """
-    pushed = ticks[np.linalg.norm(ticks["force_n"], axis=1) > 0.0]
-    if not len(pushed):
+    active = ticks[np.linalg.norm(ticks["force_n"], axis=1) > 0.0]
+    if not len(active):
         return 0.0
-    way = pushed["position_m"] - pushed["position_m"].mean(axis=0)
-    size = np.linalg.norm(pushed["force_n"]) * np.linalg.norm(way)
-    return float(np.sum(pushed["force_n"] * way) / size) if size else 0.0
+    way = active["position_m"] - active["position_m"].mean(axis=0)
+    size = np.linalg.norm(active["force_n"]) * np.linalg.norm(way)
+    return float(np.sum(active["force_n"] * way) / size) if size else 0.0

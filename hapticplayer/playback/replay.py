@@ -18,7 +18,7 @@ FROM_LOG = "log"
 """Name of the feedback that a log adds."""
 
 MAX_LINES = 20_000_000
-"""Five hours of force at 1 kHz; a larger log is no log of one session."""
+"""Five hours of force at 1 kHz; a larger log is not of one session."""
 
 MAX_LINE = 65_536
 _SAME_DURATION_S = 0.1
@@ -88,7 +88,7 @@ def _parsed(text: bytes, path: Path, number: int) -> dict[str, Any]:
     except (ValueError, RecursionError) as problem:
         raise _refusal(Message("is no JSON"), path, number) from problem
     if not isinstance(line, dict):
-        raise _refusal(Message("is no log"), path, number)
+        raise _refusal(Message("is not a playback log"), path, number)
     return line
 
 

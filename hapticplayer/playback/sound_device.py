@@ -53,7 +53,7 @@ class DacClock:
     for some ten seconds afterwards, while not one sample is late (its client fits a
     line to few answers). The samples themselves tell the time without a break, except
     where the output ran dry, which it reports. So a stated time that leaves their line
-    is believed only once it is steady.
+    is used only once it is steady.
     """
 
     def __init__(self, rate_hz: int) -> None:

@@ -112,7 +112,7 @@ def _from_video(path: Path) -> Source:
     """Return a video with the force in it or beside it, or without any."""
     if path.suffix == ".json":
         raise MediaError(
-            "is no video", where=str(path), remedy="give the folder of the sequence"
+            "is not a video", where=str(path), remedy="give the folder of the sequence"
         )
     if (packed := read_packed(path)) is not None:
         check = VideoCheck(path.resolve(), packed.payload)  # while the rest is opened

@@ -1,4 +1,4 @@
-"""Tells whether the rows of a force track were meant for a clip."""
+"""Checks whether the rows of a force track belong to a clip."""
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack

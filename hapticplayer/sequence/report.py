@@ -22,7 +22,7 @@ from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import Feedback, ForceTrack, ImuLog, MotionTrack
 
 LARGE_LEAK_MPS2 = 0.05
-"""Felt as a steady pull at the default gain."""
+"""Noticed as a steady pull at the default gain."""
 
 _UNCOVERED_S = 0.5  # shorter ends without motion are not noticed
 _RATE_PARTS = 10

@@ -60,7 +60,7 @@ class Manifest:
 
 
 def read_manifest(content: bytes, where: str) -> Manifest:
-    """Return the manifest that somebody has sent.
+    """Return the manifest that a server has sent.
 
     Raises:
         NetworkError: when it is not one that this program can play.

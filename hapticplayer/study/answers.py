@@ -127,7 +127,7 @@ class Answers:
         open_answers: text answers.
         judgements: answers of consistency trials.
         repeated: ratings that were replaced by those of a repeated trial.
-        remarks: one sentence for each thing that could not be read or was left out.
+        notices: one sentence for each thing that could not be read or was left out.
         conduct: of the study.
     """
 
@@ -139,7 +139,7 @@ class Answers:
     open_answers: tuple[TextAnswer, ...] = ()
     judgements: tuple[Judgement, ...] = ()
     repeated: int = 0
-    remarks: tuple[str, ...] = ()
+    notices: tuple[str, ...] = ()
     conduct: Conduct = field(default_factory=Conduct)
 
 
@@ -157,7 +157,7 @@ def read_answers(study_folder: str | Path, progress: Progress | None = None) -> 
     """Return all answers of the study in a folder.
 
     The last answers to a repeated trial count. Trials that are damaged or not part of
-    the definition are left out and listed in `remarks`.
+    the definition are left out and listed in `notices`.
 
     Args:
         study_folder: with its definition.
@@ -172,18 +172,18 @@ def read_answers(study_folder: str | Path, progress: Progress | None = None) -> 
 
 def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
     """Return all answers of an opened study, see `read_answers`."""
-    sessions, remarks = study.sessions()
-    remarks += _session_remarks(sessions)
+    sessions, notices = study.sessions()
+    notices += _session_notices(sessions)
     sessions = [s for s in sessions if any(answered_trials(s.records))]
     definition = study.definition
-    collected = [_SessionAnswers(session, definition, remarks) for session in sessions]
+    collected = [_SessionAnswers(session, definition, notices) for session in sessions]
     is_rating = definition.trial is TrialKind.RATING
     felt = {}
     for number, session in enumerate(sessions if progress else ()):
         assert progress is not None
         step = Message("reading records of {code}", code=session.code)
         progress(number / len(sessions), step)
-        felt[session.code] = felt_trials(session, remarks)
+        felt[session.code] = felt_trials(session, notices)
     return Answers(
         participants=tuple(one.participant() for one in collected),
         ratings=tuple(r for one in collected for r in one.ratings()),
@@ -193,12 +193,12 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         open_answers=tuple(a for one in collected for a in one.open_answers()),
         judgements=tuple(j for one in collected for j in one.judgements()),
         repeated=sum(one.repeated for one in collected) * len(definition.factors),
-        remarks=tuple(remarks),
+        notices=tuple(notices),
         conduct=conduct_of(definition, sessions, felt),
     )
 
 
-def _session_remarks(sessions: list[StoredSession]) -> Iterator[str]:
+def _session_notices(sessions: list[StoredSession]) -> Iterator[str]:
     """Yield how many sessions are empty, unfinished or simulated."""
     answered = [s for s in sessions if any(answered_trials(s.records))]
     if empty := len(sessions) - len(answered):
@@ -233,14 +233,14 @@ class _SessionAnswers:
     Args:
         session: as stored.
         definition: the current one of the study, which gives names and order.
-        remarks: list to which a sentence is added for each trial that is left out.
+        notices: list to which a sentence is added for each trial that is left out.
 
     Attributes:
         repeated: number of trials that were answered again.
     """
 
     def __init__(
-        self, session: StoredSession, definition: Definition, remarks: list[str]
+        self, session: StoredSession, definition: Definition, notices: list[str]
     ) -> None:
         self._session, self._definition = session, definition
         self._sheet = page_values(session.records, SHEET)
@@ -252,7 +252,7 @@ class _SessionAnswers:
                 self.repeated += trial.condition in self._trials
                 self._trials[trial.condition] = trial
             else:
-                remarks.append(
+                notices.append(
                     Message(
                         "session {code}: {key} was left out; it is not in the definition",
                         code=session.code,

@@ -23,18 +23,18 @@ _LONGEST_TRIAL_S = 3600.0
 """What is held in memory at once: 0.6 GB."""
 
 
-def felt_trials(session: StoredSession, remarks: list[str]) -> dict[TrialKey, Felt]:
+def felt_trials(session: StoredSession, notices: list[str]) -> dict[TrialKey, Felt]:
     """Return what the hand got in each answered trial that has a record.
 
     Args:
         session: with its records; sessions without any have no entries.
-        remarks: list to which damaged records are added.
+        notices: list to which damaged records are added.
     """
     found: dict[TrialKey, Felt] = {}
     trials = list(answered_trials(session.records))
     for path in tick_files(session):
         mine = [one for one in trials if _record(one) == path.name]
-        for trial, ticks in _trial_ticks(path, mine, remarks):
+        for trial, ticks in _trial_ticks(path, mine, notices):
             limits = _limits(trial.playback)
             made = felt(ticks, float(trial.playback["duration_s"]), limits)
             if made is not None:
@@ -43,7 +43,7 @@ def felt_trials(session: StoredSession, remarks: list[str]) -> dict[TrialKey, Fe
 
 
 def _trial_ticks(
-    path: Path, trials: list[AnsweredTrial], remarks: list[str]
+    path: Path, trials: list[AnsweredTrial], notices: list[str]
 ) -> Iterator[tuple[AnsweredTrial, NDArray[Any]]]:
     """Yield each trial with its ticks, holding those of one trial at a time."""
     spans = sorted(
@@ -54,7 +54,7 @@ def _trial_ticks(
     if not spans:
         return
     parts: list[NDArray[Any]] = []
-    chunks: Iterator[NDArray[Any] | None] = tick_chunks(path, remarks)
+    chunks: Iterator[NDArray[Any] | None] = tick_chunks(path, notices)
     for chunk in chain(chunks, [None]):
         while spans:
             (begun_s, ended_s), number = spans[0]

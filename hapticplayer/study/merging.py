@@ -21,13 +21,13 @@ class Merged:
         added: codes of new sessions.
         same: codes of sessions that were already here.
         conflicts: one sentence for each session that was not merged.
-        remarks: one sentence for each added session with other clips.
+        notices: one sentence for each added session with other clips.
     """
 
     added: tuple[str, ...]
     same: tuple[str, ...]
     conflicts: tuple[str, ...]
-    remarks: tuple[str, ...] = ()
+    notices: tuple[str, ...] = ()
 
 
 def merge_sessions(study: Study, other: Study) -> Merged:
@@ -62,8 +62,8 @@ def merge_sessions(study: Study, other: Study) -> Merged:
             conflicts.append(f"{code}: {problem}")
         else:
             (same if code in here else added).append(code)
-    remarks = _other_clips(study, here, added)
-    return Merged(tuple(added), tuple(same), tuple(conflicts), remarks)
+    notices = _other_clips(study, here, added)
+    return Merged(tuple(added), tuple(same), tuple(conflicts), notices)
 
 
 def _other_clips(study: Study, here: set[str], added: list[str]) -> tuple[str, ...]:

@@ -42,14 +42,14 @@ class StoredSession:
         plan: of the session.
         definition: of the study when the session began.
         records: of the journal.
-        remarks: one sentence for each damage.
+        notices: one sentence for each damage.
     """
 
     folder: Path
     plan: Plan
     definition: Definition
     records: Records
-    remarks: tuple[str, ...]
+    notices: tuple[str, ...]
 
     @property
     def code(self) -> str:
@@ -96,14 +96,14 @@ def read_session(folder: Path, study_definition: bytes = b"") -> StoredSession:
     """
     records = read_journal(folder / ANSWERS)
     name = f"{folder.name}/{ANSWERS}"
-    remarks = [f"{name}: {what}" for what in records.damaged]
-    plan = _plan(folder, records, remarks)
-    content = _definition(folder, plan, study_definition, remarks)
+    notices = [f"{name}: {what}" for what in records.damaged]
+    plan = _plan(folder, records, notices)
+    content = _definition(folder, plan, study_definition, notices)
     definition = parse_definition(content, f"{folder.name}/{DEFINITION_COPY}")
-    return StoredSession(folder, plan, definition, records, tuple(remarks))
+    return StoredSession(folder, plan, definition, records, tuple(notices))
 
 
-def _plan(folder: Path, records: Records, remarks: list[str]) -> Plan:
+def _plan(folder: Path, records: Records, notices: list[str]) -> Plan:
     where = f"{folder.name}/{PLAN}"
     try:
         return parse_plan_file(read_file(folder / PLAN), where)
@@ -111,14 +111,14 @@ def _plan(folder: Path, records: Records, remarks: list[str]) -> Plan:
         first = next((r for r in records.intact if r.kind == "plan"), None)
         if first is None:
             raise
-        remarks.append(
+        notices.append(
             Message("{reason}; the copy in the journal was used", reason=problem)
         )
         return plan_of_record(first.content["plan"], f"{folder.name}/{ANSWERS}")
 
 
 def _definition(
-    folder: Path, plan: Plan, study_definition: bytes, remarks: list[str]
+    folder: Path, plan: Plan, study_definition: bytes, notices: list[str]
 ) -> bytes:
     try:
         content = read_file(folder / DEFINITION_COPY)
@@ -133,7 +133,7 @@ def _definition(
             where=where,
             remedy="copy the session again",
         )
-    remarks.append(
+    notices.append(
         Message("{file}: is damaged; the definition of the study was used", file=where)
     )
     return study_definition

@@ -86,27 +86,27 @@ class Study:
         return read_session(folder, self.content)
 
     def sessions(self) -> tuple[list[StoredSession], list[str]]:
-        """Return all sessions by time, and remarks.
+        """Return all sessions by time, and notices.
 
-        The remarks name files by their path in the study, for reports.
+        The notices name files by their path in the study, for reports.
         """
         found: list[StoredSession] = []
-        remarks: list[str] = []
+        notices: list[str] = []
         for code in self.codes():
             try:
                 found.append(self.session(code))
             except StudyError as problem:
                 where = problem.where.removeprefix(f"{self.folder}{os.sep}")
                 what = StudyError(problem.what, where=where, remedy=problem.remedy)
-                remarks.append(
+                notices.append(
                     Message(
                         "session {code} cannot be used: {what}", code=code, what=what
                     )
                 )
             else:
-                remarks += found[-1].remarks
+                notices += found[-1].notices
         found.sort(key=lambda session: (session.plan.created_utc, session.code))
-        return found, remarks
+        return found, notices
 
     def listed_orders(self) -> list[tuple[Condition, ...]]:
         """Return the orders of `orders.csv`; empty for other methods."""

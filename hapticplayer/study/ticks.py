@@ -28,18 +28,18 @@ def tick_files(session: StoredSession) -> list[Path]:
     return sorted(session.folder.glob(pattern))
 
 
-def tick_chunks(path: Path, remarks: list[str]) -> Iterator[NDArray[Any]]:
-    """Yield the intact ticks of a record; damage is added to the remarks."""
+def tick_chunks(path: Path, notices: list[str]) -> Iterator[NDArray[Any]]:
+    """Yield the intact ticks of a record; damage is added to the notices."""
     name = f"{path.parent.name}/{path.name}"
     try:
         with RecordReader(path) as reader:
             if not set(_WANTED) <= set(reader.dtype.names or ()):
                 what = Message("lacks what is to be exported")
-                remarks.append(joined(": ", (name, what)))
+                notices.append(joined(": ", (name, what)))
                 return
             for frame in reader.frames():
                 yield frame.ticks
             if reader.notice:
-                remarks.append(joined(": ", (name, reader.notice)))
+                notices.append(joined(": ", (name, reader.notice)))
     except InputError as problem:
-        remarks.append(joined(": ", (name, problem.what)))
+        notices.append(joined(": ", (name, problem.what)))

@@ -5357,11 +5357,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist kein JSON-Objekt</translation>
     </message>
     <message>
-        <source>is no log</source>
+        <source>is not a playback log</source>
         <translation>ist kein Protokoll</translation>
     </message>
     <message>
-        <source>is no video</source>
+        <source>is not a video</source>
         <translation>ist kein Video</translation>
     </message>
     <message>
@@ -5473,7 +5473,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sie ist abgeschnitten</translation>
     </message>
     <message>
-        <source>it is no video or sound that can be read</source>
+        <source>it is not a video or sound file that can be read</source>
         <translation>es ist kein Video oder Ton, der gelesen werden kann</translation>
     </message>
     <message>
@@ -6797,7 +6797,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>an {where} nimmt nichts mehr TCode an; schließen Sie es an und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
-        <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
+        <source>offset {offset_s} s with rate {rate} is not a valid clock map; give finite numbers and a positive rate</source>
         <translation>Versatz {offset_s} s mit Rate {rate} ist keine Zuordnung der Uhren; geben Sie endliche Zahlen und eine positive Rate an</translation>
     </message>
     <message>

@@ -5357,11 +5357,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas un objet JSON</translation>
     </message>
     <message>
-        <source>is no log</source>
+        <source>is not a playback log</source>
         <translation>n’est pas un journal</translation>
     </message>
     <message>
-        <source>is no video</source>
+        <source>is not a video</source>
         <translation>n’est pas une vidéo</translation>
     </message>
     <message>
@@ -5473,7 +5473,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il est tronqué</translation>
     </message>
     <message>
-        <source>it is no video or sound that can be read</source>
+        <source>it is not a video or sound file that can be read</source>
         <translation>ce n’est ni une vidéo ni un son qui puisse être lu</translation>
     </message>
     <message>
@@ -6797,7 +6797,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>plus rien n&apos;accepte TCode à {where}&#xa0;; branchez-le et choisissez l&apos;appareil à nouveau</translation>
     </message>
     <message>
-        <source>offset {offset_s} s with rate {rate} is no clock map; give finite numbers and a positive rate</source>
+        <source>offset {offset_s} s with rate {rate} is not a valid clock map; give finite numbers and a positive rate</source>
         <translation>le décalage {offset_s} s avec la cadence {rate} ne met pas les horloges en correspondance&#xa0;; donnez des nombres finis et une cadence positive</translation>
     </message>
     <message>

@@ -154,7 +154,7 @@ def test_a_new_exporter_is_in_the_menu_and_is_used(
     report_of, tmp_path, monkeypatch, wait_for
 ):
     def write(data, folder):
-        data.remarks.append("nothing is left out")
+        data.notices.append("nothing is left out")
         (folder / "n.txt").write_text(str(len(data.sessions)))
 
     monkeypatch.setitem(EXPORTERS, "dummy", Exporter("dummy", "a number", write))

@@ -22,7 +22,7 @@ from tools.pages.stage import Pictures, Stage
 
 WIDTH_PX, HEIGHT_PX = 1280, 800
 AT_S, PLAYED_MS = 4.0, 2500  # of the demo: the plots have something to show
-LATEST_S = 9.0  # then it goes on from there again
+LATEST_S = 9.0  # then it continues from there
 STEADY, PATIENCE = 10, 200  # looks: the whole window knows; a machine is too slow
 
 

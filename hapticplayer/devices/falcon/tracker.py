@@ -15,14 +15,14 @@ _PERIOD_S = 0.001
 
 
 class Tracker:
-    """Where the grip is, as far as the replies can be believed.
+    """Where the grip is, as far as the replies can be trusted.
 
     Attributes:
-        pose: of the last believed reply of homed encoders; None before.
+        pose: of the last trusted reply of homed encoders; None before.
         is_homed: whether the last reply's encoders were all homed.
-        replied_s: time of the last believed reply; 0 before.
+        replied_s: time of the last trusted reply; 0 before.
         buttons: of that reply.
-        rejected: replies in a row, up to now, that were not believed.
+        rejected: replies in a row, up to now, that were not trusted.
     """
 
     def __init__(self, kinematics: Kinematics) -> None:

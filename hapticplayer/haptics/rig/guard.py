@@ -25,7 +25,7 @@ class RigGuard:
         self._period_s = 1.0 / sender.settings.rate_hz
 
     def check(self) -> bool:
-        """Beat, and send if the loop has been silent; return whether that goes on."""
+        """Beat, and send if the loop has been silent; return whether it is still sending."""
         now_s = self._clock.now_s()
         self._block.beat_guard(now_s)
         if now_s - self._block.last_tick_s() <= TAKE_OVER_S:

@@ -102,7 +102,7 @@ class RigLoop(TrackFollower):
         self.count += 1
 
     def _send(self, rig: RigState) -> bool:
-        """Send a packet; return whether somebody listens."""
+        """Send a packet; return whether a receiver listens."""
         try:
             is_heard = self.sender.send(rig.motion, rig.packet_s)
         except DeviceError as problem:

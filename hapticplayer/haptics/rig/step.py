@@ -34,7 +34,7 @@ FADE_S = 0.5
 RAMP_S = 0.5
 NEUTRAL_S = 2.0
 TAKE_OVER_S = GAP_TRIP_S
-"""After such a silence of the loop its guard ramps; the loop goes on where it is then."""
+"""After such a silence of the loop its guard ramps; the loop continues from there."""
 
 CAPS = RigMotion(
     *(20.0, 20.0, 20.0),  # m/s^2: two g

@@ -11,7 +11,7 @@ does so too. A spike is a fault of the sampling, and these facts tell it from mo
 - It is on one axis. What several axes of accelerometer and gyro show at the same
   moment is motion, unless all of them drop towards zero: that is a reading that was
   skipped or scaled twice (stock firmware of the SparkFun Ultimate IMU divides the old
-  gyro value by 14.375 once more).
+  gyro value by 14.375 again).
 
 In doubt the sample stays. In averaged samples a real impact may fill a single one, so
 only drops towards zero are removed there: remove spikes first, average then.

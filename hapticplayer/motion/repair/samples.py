@@ -98,7 +98,7 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
         magnetic_field_ut: (N, 3) or None.
         sampling: what one sample stands for.
         source: where it came from, for messages.
-        is_rate_unit_known: somebody has given the unit of the angular rate, so that a
+        is_rate_unit_known: a person has given the unit of the angular rate, so that a
             contradiction is reported, not refused.
 
     Raises:

@@ -1,7 +1,7 @@
 """Strictly increasing times from those that a logger wrote.
 
 A clock that was set back in the middle of a recording is refused: no order of the
-rows would be right. Lesser flaws are repaired and reported.
+rows would be right. Smaller flaws are repaired and reported.
 """
 
 import enum

@@ -126,7 +126,7 @@ def check_rate_unit(
         force: (N, 3) finite.
         rate: (N, 3) finite.
         source: for the error message.
-        is_known: somebody has given the unit, so that nothing is refused.
+        is_known: a person has given the unit, so that nothing is refused.
 
     Returns:
         A note where the unit is in doubt, else None.

@@ -62,7 +62,7 @@ STATIONARY_NODE_SPACING_RATIO = 2.0
 # of it 7 %.
 MIN_JUDGED_RATE_RADPS = 0.3
 # Solutions for the gyro's scale, each about the one before, at most; a change that calls
-# for no other; and the largest scale error that is believed: no data sheet allows more.
+# for no other; and the largest scale error that is accepted: no data sheet allows more.
 SCALE_SOLUTIONS, SETTLED_GYRO_SCALE_CHANGE, MAX_GYRO_SCALE_ERROR = 4, 0.003, 0.15
 
 

@@ -52,7 +52,7 @@ class SmootherParameters:
         velocity_floor_mps: added in quadrature.
         scale_evidence: a wrong scale of the gyro is looked for from this gain in the
             logarithm of the evidence on; what is found must explain the velocity, too.
-        gyro_evidence: a noisier gyro is believed from this gain on: odds of 12 to 1.
+        gyro_evidence: a noisier gyro is accepted from this gain on: odds of 12 to 1.
         floor_sigmas: then the plain estimate is preferred where the smoother differs
             from it by more than so many times its own error.
         bound_half_width_s: half width of the span that the velocity is averaged over.

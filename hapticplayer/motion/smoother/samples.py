@@ -108,7 +108,7 @@ def at_middles(samples: InertialSamples, bias_radps: Floats) -> InertialSamples:
 
     Args:
         samples: of one block.
-        bias_radps: (3,) of the gyro, roughly.
+        bias_radps: (3,) of the gyro, estimated.
     """
     if not samples.averaged:
         return samples

@@ -104,7 +104,7 @@ class RemoteFalcon:
         """Take the answers that have come; False when the other end is gone.
 
         Behind a fresh answer to the command `awaited` (a serial number) there is none:
-        to ask once more would cost a call and an exception at every tick.
+        to ask again would cost a call and an exception at every tick.
         """
         for _ in range(_MOST_REPLIES):
             try:

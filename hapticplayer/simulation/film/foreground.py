@@ -14,7 +14,7 @@ from hapticplayer.simulation.rides.scenes import Vehicle
 Reals = NDArray[np.floating[Any]]
 
 Foreground = Callable[[Pixels, float, float], None]
-"""Is laid over a canvas, moved down by pixels, steered to the left by an angle in rad."""
+"""Is laid over a canvas, moved down by pixels, turned to the left by an angle in rad."""
 
 
 class Painting:

@@ -71,8 +71,8 @@ class Service:
         )
 
     def answer(self, text: str | bytes, now_s: float) -> str:
-        """Obey a message and return the state."""
-        self._obey(text, now_s)
+        """Execute a message and return the state."""
+        self._execute(text, now_s)
         if self.corrupt > 0:
             self.corrupt -= 1
             return NONSENSE
@@ -84,7 +84,7 @@ class Service:
         }
         return json.dumps(state)
 
-    def _obey(self, text: str | bytes, now_s: float) -> None:
+    def _execute(self, text: str | bytes, now_s: float) -> None:
         try:
             commands = json.loads(text)["inverse3"][0].get("commands", {})
             field = "vector" if self.version >= "3.5" else "values"

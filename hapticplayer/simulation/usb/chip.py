@@ -49,7 +49,7 @@ class Chip:
         self._sent_modem = _MODEM_FIXED
 
     def control(self, request: int, value: int, index: int) -> None:
-        """Obey a vendor request."""
+        """Execute a vendor request."""
         with self._lock:
             self._check()
             now_s = self._clock.now_s()

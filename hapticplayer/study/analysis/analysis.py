@@ -223,7 +223,7 @@ def missing(analysis: Analysis) -> dict[str, Any]:
 def warnings_of(analysis: Analysis) -> list[str]:
     """Return warnings about missing data and violated assumptions."""
     return [
-        *analysis.answers.remarks,
+        *analysis.answers.notices,
         *_missing_warnings(analysis),
         *_participant_warnings(analysis),
         *(

@@ -182,7 +182,7 @@ def tables(analysis: ConsistencyAnalysis) -> dict[str, list[list[Any]]]:
 
 def warnings_of(analysis: ConsistencyAnalysis) -> list[str]:
     """Return warnings about missing data and unreliable curves."""
-    warned = list(analysis.answers.remarks)
+    warned = list(analysis.answers.notices)
     if analysis.missing:
         warned.append(
             f"{analysis.missing} of {analysis.planned} answers are missing, "

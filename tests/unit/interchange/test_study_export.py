@@ -93,7 +93,7 @@ def test_texts_without_a_review_are_not_exported(study, tmp_path):
         report = export_study(study, tmp_path / form, form)
         whole = b"".join(p.read_bytes() for p in (tmp_path / form).rglob("*.*"))
         assert b"Anna" not in whole
-        assert any("not been reviewed" in remark for remark in report["remarks"])
+        assert any("not been reviewed" in notice for notice in report["remarks"])
     texts = table(tmp_path / "csv" / "texts.csv")
     assert [row["text"] for row in texts] == ['yes; "very"\nso']
 
@@ -135,7 +135,7 @@ def test_a_session_without_a_device_has_its_markers_in_xdf(study, tmp_path):
     (markers,), _ = pyxdf.load_xdf(str(tmp_path / "out" / f"{code}_markers.xdf"))
     assert len(markers["time_series"]) == 13  # no beginnings, for it is scripted
     assert markers["time_series"][-1] == ["session end"]
-    assert any(code in remark and "no record" in remark for remark in report["remarks"])
+    assert any(code in notice and "no record" in notice for notice in report["remarks"])
 
 
 def test_texts_of_any_language_survive_xdf(tmp_path):

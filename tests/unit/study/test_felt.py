@@ -174,15 +174,15 @@ def test_a_session_without_records_has_no_figures(session):
     assert [one.felt for one in answers.conduct.playbacks] == [None] * 3
 
 
-def test_a_damaged_record_is_a_remark(session):
+def test_a_damaged_record_is_a_notice(session):
     path = session.folder / "ticks-01.hprec"
     path.write_bytes(path.read_bytes()[:3_000_000])
-    remarks = []
-    assert (1, 1) in felt_trials(session, remarks)
-    assert "truncated" in remarks[0]
+    notices = []
+    assert (1, 1) in felt_trials(session, notices)
+    assert "truncated" in notices[0]
     path.write_bytes(b"nothing")
-    assert felt_trials(session, remarks) == {}
-    assert "not a recording" in remarks[1]
+    assert felt_trials(session, notices) == {}
+    assert "not a recording" in notices[1]
 
 
 def test_a_trial_whose_playback_was_lost_has_no_figures(session):

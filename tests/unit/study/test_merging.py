@@ -52,9 +52,9 @@ def test_sessions_that_played_other_clips_are_named(study, other, manual_clock):
     merged = merge_sessions(study, other)
     assert len(merged.added) == 2
     assert merged.conflicts == ()
-    (remark,) = merged.remarks
+    (notice,) = merged.notices
     assert (
-        remark == f"{last.code}: played another sequence 'bike' than the sessions here"
+        notice == f"{last.code}: played another sequence 'bike' than the sessions here"
     )
 
 

@@ -100,7 +100,7 @@ def test_flipped_bytes_lose_at_most_the_records_they_hit(study, scripted):
         path.write_bytes(spoilt)
         found = read_answers(study.folder)
         path.write_bytes(content)
-        assert found.remarks, path.name
+        assert found.notices, path.name
         assert len(found.participants) == 1
         lost = [
             (a, b)
@@ -129,7 +129,7 @@ def test_a_session_without_an_intact_plan_is_named(study, scripted):
     (folder / "answers.jsonl").write_text("nonsense")
     answers = read_answers(study.folder)
     assert [p.code for p in answers.participants] == [whole]
-    assert any(broken in remark for remark in answers.remarks)
+    assert any(broken in notice for notice in answers.notices)
 
 
 def test_a_deleted_participant_leaves_a_count_and_nothing_else(study, scripted):
@@ -173,10 +173,10 @@ def test_a_session_damaged_beyond_use_is_deleted_all_the_same(study, scripted):
 def test_unreadable_files_are_named_relative_to_the_study(study, scripted):
     code = scripted(study)
     (study.session_folder(code) / "answers.jsonl").unlink()
-    (remark,) = read_answers(study.folder).remarks
-    assert code in remark
-    assert "answers.jsonl" in remark
-    assert str(study.folder) not in remark
+    (notice,) = read_answers(study.folder).notices
+    assert code in notice
+    assert "answers.jsonl" in notice
+    assert str(study.folder) not in notice
 
 
 def test_a_participant_in_a_running_session_is_not_deleted(study, manual_clock):
@@ -236,7 +236,7 @@ def test_incomplete_and_simulated_sessions_are_reported(study, scripted, manual_
     journal.append("answers", **name, values=VALUES)
     journal.close()
     found = collect_answers(study)
-    assert found.remarks == (
+    assert found.notices == (
         "1 of 3 sessions have no answers",
         "1 of 3 sessions have answers but were not completed",
         "1 of 3 sessions are simulated",
