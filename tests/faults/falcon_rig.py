@@ -1,11 +1,11 @@
 """The Falcon's own driver under the contract's faults, which happen on its USB.
 
-`FalconGrip` has the handles of `haptic_rig.Grip`, but each of them does something to
-the simulated chip, board or encoders below pyusb. All in virtual time: what two threads
-do in a process is done here between two ticks.
+Each handle does something to the simulated chip, board or encoders below pyusb. All in
+virtual time: what two threads do in a process is done here between two ticks.
 """
 
-import math
+import numpy as np
+from haptic_rig import DriverGrip
 
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.kinematics import Kinematics, OutOfReachError
@@ -56,52 +56,45 @@ class VirtualLink:
             self._waiting = None
 
 
-class FalconGrip:
+class FalconGrip(DriverGrip):
     """A Falcon whose grip stands where a test puts it."""
 
     def __init__(self, clock):
-        self.clock = clock
         self.kinematics = Kinematics()
         self.mechanics = BenchMechanics()
         self.board = Board(self.mechanics, Stage.RUNNING)
         self.chip = Chip(self.board, clock)
         self.port = SimulatedPort(self.chip)
         self.bus = SimulatedBus([self.port])
-        self.driver = FalconDriver(
+        driver = FalconDriver(
             lambda: open_falcon(backend=self.bus),
             clock=clock,
             make_link=lambda ftdi, at: VirtualLink(ftdi, at, self.chip),
         )
-        self.name, self.capabilities = "falcon", self.driver.capabilities
-        self.velocity_mps = (0.0, 0.0, 0.0)
-        self.sent = []
-        self.position_m = (0.0, 0.0, 0.0)
-        self.driver.open()
+        super().__init__(driver, clock)
 
-    def exchange(self, force_n, now_s):
-        if self.velocity_mps != (0.0, 0.0, 0.0):
-            pairs = zip(self.position_m, self.velocity_mps, strict=True)
-            self.position_m = tuple(p + PERIOD_S * v for p, v in pairs)
-        reading = self.driver.exchange(force_n, now_s)
-        self.sent.append(force_n)
-        return reading
+    def are_motors_off(self):
+        return self.mechanics.commands[-1][1] == (0, 0, 0)
 
-    @property
-    def position_m(self):
-        return self._position_m
+    def motor_forces_n(self):
+        """Return the magnitude of what the motors made of each frame, N."""
+        jacobian = np.array(self.kinematics.jacobian(self._centred(self.position_m)))
+        words = np.array([words for _, words in self.mechanics.commands])
+        # J^T F = tau
+        return np.linalg.norm(np.linalg.solve(jacobian.T, -words.T / 1e4), axis=0)
 
-    @position_m.setter
-    def position_m(self, position_m):
-        """Turn the encoders there; what no leg reaches is a leap of all of them."""
-        self._position_m = position_m
+    def _centred(self, position_m):
         x, y, z = position_m
-        place = (x, y, z + self.kinematics.geometry.centre_z_m)
+        return (x, y, z + self.kinematics.geometry.centre_z_m)
+
+    def _place(self, position_m):
+        """Turn the encoders there; what no leg reaches is a leap of all of them."""
         try:
-            self.mechanics.counts = self.kinematics.counts(
-                self.kinematics.inverse(place)
-            )
+            angles = self.kinematics.inverse(self._centred(position_m))
         except OutOfReachError:
-            self.mechanics.counts = (LEAP_COUNTS, LEAP_COUNTS, LEAP_COUNTS)
+            self.mechanics.counts = (LEAP_COUNTS,) * 3
+        else:
+            self.mechanics.counts = self.kinematics.counts(angles)
 
     def _set_plugged(self, is_plugged):
         assert not is_plugged
@@ -118,31 +111,3 @@ class FalconGrip:
 
     def _set_buttons(self, buttons):
         self.mechanics.buttons = buttons
-
-    is_plugged = property(fset=_set_plugged)
-    answers = property(fset=_set_answers)
-    malformed = property(fset=_set_malformed)
-    is_homed = property(fset=_set_homed)
-    buttons = property(fset=_set_buttons)
-
-    def motor_forces_n(self, since_s=-math.inf):
-        """Return (time, magnitude) of what the motors made of each frame, N."""
-        jacobian = self.driver_jacobian()
-        found = []
-        for at_s, words in self.mechanics.commands:
-            if at_s >= since_s:
-                torque = [-word / 10_000.0 for word in words]
-                found.append((at_s, _solved(jacobian, torque)))
-        return found
-
-    def driver_jacobian(self):
-        x, y, z = self.position_m
-        geometry = self.kinematics.geometry
-        return self.kinematics.jacobian((x, y, z + geometry.centre_z_m))
-
-
-def _solved(jacobian, torque):
-    """Return |F| with J^T F = tau."""
-    import numpy as np
-
-    return float(np.linalg.norm(np.linalg.solve(np.array(jacobian).T, torque)))

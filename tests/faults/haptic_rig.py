@@ -1,6 +1,7 @@
 """The real loop on a virtual clock, with a device and a player that can fail at will."""
 
 import math
+from functools import cache
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices.capabilities import FALCON
@@ -41,10 +42,7 @@ class Grip:
         if not self.is_plugged:
             raise DeviceError("the device is gone")
         self.sent.append(force_n)
-        self.position_m = tuple(
-            p + PERIOD_S * v
-            for p, v in zip(self.position_m, self.velocity_mps, strict=True)
-        )
+        self.position_m = next_position(self)
         if not self.answers:
             return self.last
         if self.malformed:
@@ -56,6 +54,49 @@ class Grip:
             self.position_m, self.buttons, self.is_homed, replied_s=now_s
         )
         return self.last
+
+
+def next_position(grip):
+    pairs = zip(grip.position_m, grip.velocity_mps, strict=True)
+    return tuple(p + PERIOD_S * v for p, v in pairs)
+
+
+def handle(method):
+    """Return an attribute that only a test sets."""
+    return property(fset=lambda grip, value: getattr(grip, method)(value))
+
+
+class DriverGrip:
+    """A device's own driver with the handles of `Grip`.
+
+    Each of them is a method of the subclass, which does it to the driver's other side.
+    """
+
+    is_plugged, answers = handle("_set_plugged"), handle("_set_answers")
+    malformed, is_homed = handle("_set_malformed"), handle("_set_homed")
+    buttons = handle("_set_buttons")
+
+    def __init__(self, driver, clock):
+        self.driver, self.clock = driver, clock
+        self.name, self.capabilities = driver.name, driver.capabilities
+        self.velocity_mps, self.position_m, self.sent = ZERO, ZERO, []
+        driver.open()
+
+    def exchange(self, force_n, now_s):
+        if self.velocity_mps != ZERO:
+            self.position_m = next_position(self)
+        reading = self.driver.exchange(force_n, now_s)
+        self.sent.append(force_n)
+        return reading
+
+    @property
+    def position_m(self):
+        return self._position_m
+
+    @position_m.setter
+    def position_m(self, position_m):
+        self._position_m = position_m
+        self._place(position_m)
 
 
 class SlowClock(ManualClock):
@@ -100,6 +141,14 @@ class Rig(LoopRig):
             self.loop.tick(now_s, 0.0, missed)
         return self.device.sent[before:]
 
+    def ticks_to(self, mode, most):
+        """Tick until the loop is in a mode; return how many periods that took."""
+        for count in range(1, most + 1):
+            self.tick()
+            if self.mode is mode:
+                return count
+        raise AssertionError(f"still {self.mode.name} ({self.cause.name})")
+
     def playback(self, now_s):
         return PlaybackClock(
             self.epoch, self.media_from_s, self.media0_s, self.rate, now_s + 0.150
@@ -125,6 +174,7 @@ class Rig(LoopRig):
         return self
 
 
+@cache
 def swaying():
     """A force of 2 to 4 N that turns and grows and shrinks without end."""
     times = [0.005 * k for k in range(round(TRACK_S / 0.005) + 1)]

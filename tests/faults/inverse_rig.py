@@ -1,17 +1,17 @@
 """The Inverse3's own driver under the contract's faults, which happen in its service.
 
-`InverseGrip` has the handles of `haptic_rig.Grip`; the service answers on a virtual
-clock: what comes over a WebSocket in a process comes here with the next tick.
+The service answers on a virtual clock: what comes over a WebSocket in a process comes
+here with the next tick.
 """
 
 from collections import deque
 
+from haptic_rig import DriverGrip
+
 from hapticplayer.devices.inverse3.driver import Inverse3Driver
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.limiter import ZERO
 from hapticplayer.simulation.inverse3.service import Service, simulation_of
-
-ALWAYS = 10**9
-PERIOD_S = 0.001
 
 
 class VirtualLink:
@@ -56,39 +56,25 @@ class VirtualLink:
             raise DeviceError("the service has closed the connection; start it again")
 
 
-class InverseGrip:
+class InverseGrip(DriverGrip):
     """An Inverse3 whose grip stands where a test puts it."""
 
     def __init__(self, clock, version="3.5.0"):
-        self.clock = clock
-        self.service = Service(simulation_of(None), version)
-        self.link = None
-        self.driver = Inverse3Driver(self._connected, clock=clock)
-        self.name, self.capabilities = "inverse3", self.driver.capabilities
-        self.velocity_mps = (0.0, 0.0, 0.0)
-        self.position_m = (0.0, 0.0, 0.0)
-        self.sent = []
-        self.driver.open()
+        self.service, self.link = Service(simulation_of(None), version), None
+        super().__init__(Inverse3Driver(self._connected, clock=clock), clock)
 
-    def exchange(self, force_n, now_s):
-        if self.velocity_mps != (0.0, 0.0, 0.0):
-            pairs = zip(self.position_m, self.velocity_mps, strict=True)
-            self.position_m = tuple(p + PERIOD_S * v for p, v in pairs)
-        reading = self.driver.exchange(force_n, now_s)
-        self.sent.append(force_n)
-        return reading
+    @property
+    def applied_n(self):
+        return self.service.simulation.applied_n
+
+    def are_motors_off(self):
+        return self.applied_n == ZERO
 
     def _connected(self):
         self.link = VirtualLink(self.service, self.clock)
         return self.link
 
-    @property
-    def position_m(self):
-        return self._position_m
-
-    @position_m.setter
-    def position_m(self, position_m):
-        self._position_m = position_m
+    def _place(self, position_m):
         self.service.simulation = Placed(position_m, self.service.simulation)
 
     def _set_plugged(self, is_plugged):
@@ -107,22 +93,16 @@ class InverseGrip:
     def _set_buttons(self, buttons):
         self.service.simulation.buttons = buttons
 
-    is_plugged = property(fset=_set_plugged)
-    answers = property(fset=_set_answers)
-    malformed = property(fset=_set_malformed)
-    is_homed = property(fset=_set_homed)
-    buttons = property(fset=_set_buttons)
-
 
 class Placed:
     """A grip that a test holds; what trembles a little, as every hand does."""
 
-    velocity_mps = (0.0, 0.0, 0.0)
+    velocity_mps = ZERO
 
     def __init__(self, position_m, before):
         self._position_m = position_m
         self.is_homed, self.buttons = before.is_homed, before.buttons
-        self.refused, self.applied_n = 0, (0.0, 0.0, 0.0)
+        self.refused, self.applied_n = 0, ZERO
         self._count = 0
 
     @property

@@ -1,28 +1,18 @@
-"""The safety contract with the Falcon's own driver; faults happen on its USB."""
+"""Faults that only the Falcon's USB has."""
 
 import math
 
 import pytest
 from falcon_rig import FalconGrip
-from haptic_cases import CASES
 from haptic_rig import Rig, SlowClock
 
 from hapticplayer.devices.falcon.driver import State
-from hapticplayer.haptics.contract import Cause, Mode, Reaction
-from hapticplayer.haptics.limiter import ZERO, Limits
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.messages import Word
 
-PHASES = 5
-STRIDE = 37
-# The answer to a frame comes with the chip's latency timer, one or two periods later.
-SLACK = 3
-RAMP_TICKS = 20
 CAP_N = Limits().force_cap_n
 ROUNDING_N = 0.01  # of motor words, in newtons
-# No encoder says "not a number", and none leaps through the air to the edge.
-NOT_ON_USB = ("position-not-finite", "pushed-out")
-# A place that is lost for good is a fault of the driver, earlier than 20 bad answers.
-ALSO = {"encoder-leaps": (Cause.UNPLUGGED,)}
 
 
 @pytest.fixture
@@ -33,15 +23,6 @@ def rig():
     made.close()
 
 
-def ticks_to(rig, mode, most):
-    """Tick until the loop is in a mode; return how many periods that took."""
-    for count in range(1, most + 1):
-        rig.tick()
-        if rig.mode is mode:
-            return count
-    raise AssertionError(f"still {rig.mode.name} ({rig.cause.name}) after {most}")
-
-
 def assert_the_motors_are_off(rig, ticks=10):
     """After what was on its way has arrived, every frame is zero."""
     count = len(rig.device.mechanics.commands)
@@ -50,35 +31,12 @@ def assert_the_motors_are_off(rig, ticks=10):
     assert all(words == (0, 0, 0) for _, words in late)
 
 
-@pytest.mark.parametrize("name", [name for name in CASES if name not in NOT_ON_USB])
-@pytest.mark.parametrize("phase", range(PHASES))
-def test_the_force_is_gone_in_the_stated_time_and_three_periods(name, phase, rig):
-    case = CASES[name]
-    rig.following(phase * STRIDE % 700)
-    case.inject(rig)
-    expected = Mode.TRIPPED if case.reaction is Reaction.TRIP else Mode.RAMPING
-    if case.gap_s > 0.001 or case.passes_s:
-        rig.tick(1, case.gap_s)
-        assert rig.mode is expected
-    else:
-        assert ticks_to(rig, expected, case.notice + SLACK) <= case.notice + SLACK
-    assert rig.cause in (case.cause, *ALSO.get(name, ()))
-    if case.reaction is Reaction.TRIP:
-        assert_the_motors_are_off(rig, 5)
-        return
-    began_s = rig.clock.now_s()
-    assert ZERO in rig.tick(RAMP_TICKS + 2)
-    commands = rig.device.mechanics.commands
-    assert any(words == (0, 0, 0) for at_s, words in commands if at_s >= began_s)
-
-
 def test_the_motors_get_what_was_sent_within_the_cap(rig):
     rig.tick(900)
-    forces = [size for _, size in rig.device.motor_forces_n()]
-    assert max(forces) <= CAP_N + ROUNDING_N
-    assert max(forces) > 3.5
+    most_n = rig.device.motor_forces_n().max()
+    assert 3.5 < most_n <= CAP_N + ROUNDING_N
     sent = [math.hypot(*force) for force in rig.device.sent]
-    assert max(forces) == pytest.approx(max(sent), abs=ROUNDING_N)
+    assert most_n == pytest.approx(max(sent), abs=ROUNDING_N)
 
 
 @pytest.mark.parametrize("moment", range(40))
@@ -86,7 +44,7 @@ def test_the_cable_may_be_pulled_at_any_moment(moment, rig):
     rig.following()
     rig.clock.advance(moment * 25e-6)
     rig.device.chip.unplug()
-    assert ticks_to(rig, Mode.TRIPPED, 2) <= 2
+    assert rig.ticks_to(Mode.TRIPPED, 2) <= 2
     assert rig.cause is Cause.UNPLUGGED
     message = rig.player.receive()
     assert message.word is Word.LOST
@@ -106,7 +64,7 @@ def test_stalls_of_the_bus(stall_ms, mode, cause, rig):
     rig.following()
     rig.device.chip.stalled_until_s = rig.clock.now_s() + stall_ms / 1000.0
     seen, causes = [], []
-    for _ in range(stall_ms + SLACK):
+    for _ in range(stall_ms + 3):
         rig.tick()
         seen.append(rig.mode)
         causes.append(rig.cause)
@@ -190,7 +148,7 @@ def test_a_hand_slowly_at_the_edge_is_not_pushed_outward(rig):
 def test_lost_homing_is_zero_with_the_next_frame(rig):
     rig.following()
     rig.device.is_homed = False
-    rig.tick(SLACK)
+    rig.tick(3)
     assert_the_motors_are_off(rig)
     rig.device.is_homed = True
     rig.tick(400)

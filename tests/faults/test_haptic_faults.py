@@ -15,7 +15,7 @@ from hapticplayer.haptics.contract import RULES, Cause, Mode, Reaction
 from hapticplayer.haptics.limiter import ZERO, Limits
 from hapticplayer.haptics.messages import Word
 
-PHASES = 20
+PHASES = 8
 LIMITS = Limits()
 RAMP_TICKS = 20
 TRIPS = [n for n, c in CASES.items() if c.mend and c.reaction is Reaction.TRIP]
