@@ -1,5 +1,6 @@
 """Fixtures that all tests share: seeded data with closed-form truth, real files."""
 
+import gc
 import os
 import resource
 import signal
@@ -29,6 +30,17 @@ for _number in (signal.SIGQUIT, signal.SIGHUP):
     signal.signal(_number, signal.SIG_DFL)
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection(session):
+    """Let no collection of garbage walk through all tests and modules again."""
+    gc.disable()
+    found = yield
+    gc.collect()
+    gc.freeze()
+    gc.enable()
+    return found
 
 
 def pytest_terminal_summary(terminalreporter) -> None:

@@ -1,7 +1,5 @@
 """A short clip, and the demo."""
 
-import fcntl
-import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +10,7 @@ from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation import recordings as demos
 from hapticplayer.simulation.rides.recording import SimulatedRecording, simulate
 from tests.e2e.command import hapticplayer
+from tests.once import made_once
 
 
 @pytest.fixture(scope="session")
@@ -29,16 +28,12 @@ def small_simulate(scene: str, seed: int) -> SimulatedRecording:
 
 @pytest.fixture(scope="session")
 def demo(tmp_path_factory) -> Path:
-    """The demo with small frames, drawn once for all processes of a run."""
-    root = tmp_path_factory.getbasetemp()
-    if "PYTEST_XDIST_WORKER" in os.environ:
-        root = root.parent
-    target = root / "demo"
-    with (root / "demo.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if not target.exists():
-            with pytest.MonkeyPatch.context() as patch:
-                patch.setattr(demos, "simulate", small_simulate)
-                done = hapticplayer("simulate", "demo", "-o", target)
-            assert done.returncode == 0, done.stderr
-    return target
+    """The demo with small frames."""
+
+    def draw(target):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(demos, "simulate", small_simulate)
+            done = hapticplayer("simulate", "demo", "-o", target)
+        assert done.returncode == 0, done.stderr
+
+    return made_once(tmp_path_factory, "demo", draw)

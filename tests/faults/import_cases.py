@@ -1,6 +1,7 @@
 """Damage to the files of a recording, and what must hold in every case."""
 
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -71,8 +72,10 @@ def check_sound(recording: Recording) -> None:
     assert np.isfinite(recording.clock_map.offset_s)
 
 
-def clean_files(one: Written, seconds: float = MUTATED_S) -> Files:
-    return one.write(sample(seconds, apart=one.apart))
+@cache
+def clean_files(key: str) -> Files:
+    one = FORMATS[key]
+    return one.write(sample(MUTATED_S, apart=one.apart))
 
 
 def mutated(files: Files, rng: np.random.Generator) -> Files:
@@ -118,9 +121,8 @@ def damaged_zip(files: Files, rng: np.random.Generator) -> bytes:
 
 def mutation(key: str, number: int, folder: Path) -> Path:
     """Write the numbered mutation of a format; every tenth damages a zip itself."""
-    one = FORMATS[key]
     rng = np.random.default_rng([number, sorted(FORMATS).index(key)])
-    files = clean_files(one)
+    files = clean_files(key)
     if number % 10 == 9 and key != "GoPro, raw":
         folder.mkdir(parents=True, exist_ok=True)
         path = folder / "recording.zip"

@@ -13,7 +13,7 @@ import pytest
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.log import PlaybackLog
 
-MUTATIONS = 25
+MUTATIONS = 12
 
 
 @pytest.fixture(scope="module", params=cases.CONTAINERS)

@@ -85,10 +85,13 @@ def error_s(found: Synchronisation, clock: ClockMap) -> float:
     return found.media_s((middle_s - clock.offset_s) / clock.rate) - middle_s
 
 
-@pytest.mark.parametrize("rate_hz", [200.0, 30.0])
 @pytest.mark.parametrize(
-    ("offset_s", "drift_ppm", "axes"),
-    [(0.0, 0.0, "x,y,z"), (-37.3, 80.0, "-z,y,x"), (52.1, -80.0, "y,-x,z")],
+    ("rate_hz", "offset_s", "drift_ppm", "axes"),
+    [
+        (200.0, 0.0, 0.0, "x,y,z"),
+        (200.0, -37.3, 80.0, "-z,y,x"),
+        (30.0, 52.1, -80.0, "y,-x,z"),
+    ],
 )
 def test_offset_is_found_whatever_the_axes(rate_hz, offset_s, drift_ppm, axes) -> None:
     ride, clock = Ride(1), ClockMap(offset_s, 1.0 + 1e-6 * drift_ppm)
@@ -129,7 +132,7 @@ def test_rolling_shutter_does_not_bias(read_out_s) -> None:
     assert found.pictures.read_out_s == pytest.approx(read_out_s, abs=0.005)
 
 
-@pytest.mark.parametrize("seed", range(10, 20))
+@pytest.mark.parametrize("seed", range(10, 14))
 def test_log_of_another_ride_is_not_believed(seed) -> None:
     found = synchronize_pictures(Ride(seed).log(ClockMap()), Ride(1).frames())
 

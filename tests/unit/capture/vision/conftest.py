@@ -1,4 +1,4 @@
-"""Films of the simulator whose rotation is known, made once per session."""
+"""Films of the simulator whose rotation is known, made once."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -11,6 +11,7 @@ from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation.film.film import Film
 from hapticplayer.simulation.film.view import Pose
 from hapticplayer.simulation.rides.catalogue import SCENES
+from tests.once import made_once
 
 FRAME_RATE_HZ = 30
 SEED = 1
@@ -28,16 +29,16 @@ def film(scene: str) -> Film:
 def ride_film(tmp_path_factory: pytest.TempPathFactory) -> MakeFilm:
     """Return what writes a part of a ride's film, from a time on."""
     pytest.importorskip("cv2", reason="OpenCV is not installed")
-    folder = tmp_path_factory.mktemp("films")
 
     def make(scene: str, begin_s: float, duration_s: float) -> Path:
-        path = folder / f"{scene}-{begin_s}-{duration_s}.mp4"
-        if not path.exists():
-            first = round(begin_s * FRAME_RATE_HZ)
-            last = first + round(duration_s * FRAME_RATE_HZ)
+        first = round(begin_s * FRAME_RATE_HZ)
+        last = first + round(duration_s * FRAME_RATE_HZ)
+
+        def write(path: Path) -> None:
             frames = film(scene).frames(first, last)
             write_clip(path, frames, frame_rate_hz=FRAME_RATE_HZ)
-        return path
+
+        return made_once(tmp_path_factory, f"{scene}-{first}-{last}.mp4", write)
 
     return make
 

@@ -16,6 +16,7 @@ from hapticplayer.media.frames import FrameConverter
 from hapticplayer.model import ImuLog
 from tests.unit.capture.vision.conftest import FRAME_RATE_HZ, film, turning
 
+RIDE_S = 6
 FOCAL_GAIN = np.tan(np.radians(40.0)) / np.tan(np.radians(42.0))
 """Of the assumed field of view, 80 degrees, and that of the simulator's camera, 84."""
 
@@ -41,21 +42,21 @@ def write(path: Path, frames: list[np.ndarray]) -> Path:
     [("horse", (0, 1), 0.99, 1.5), ("bike", (1,), 0.97, 1.5)],
 )
 def test_rotation_of_a_ride(ride_film, scene, axes, least, most_error_degps) -> None:
-    found = rotation(ride_film(scene, 10.0, 6.0))
+    found = rotation(ride_film(scene, 10.0, RIDE_S))
 
     trajectory = film(scene).scene.trajectory
     step_s = 1.0 / FRAME_RATE_HZ
     truth = trajectory.mean_rate_radps(10.0 + found.end_s, step_s)
     found_rate = high_passed(found.rotation_rad) / step_s
     truth = high_passed(truth)
-    assert len(found) == 6 * FRAME_RATE_HZ - 1
+    assert len(found) == RIDE_S * FRAME_RATE_HZ - 1
     assert np.degrees(np.std(found_rate - truth, axis=0)).max() < most_error_degps
     for axis in axes:
         assert np.corrcoef(found_rate[:, axis], truth[:, axis])[0, 1] > least
 
 
 def test_each_axis_has_its_sign_and_gain(tmp_path, standing_m) -> None:
-    time_s = np.arange(90) / FRAME_RATE_HZ
+    time_s = np.arange(60) / FRAME_RATE_HZ
     angles = 0.1 * np.sin(2 * np.pi * np.outer(time_s, (0.7, 1.1, 1.7)))
     turned = Rotation.from_rotvec(angles)
     truth = (turned[:-1].inv() * turned[1:]).as_rotvec()
@@ -81,10 +82,10 @@ def test_nothing_is_told_of_a_cut_or_a_blank_frame(tmp_path) -> None:
 
 
 def test_spans_are_looked_at_and_nothing_else(ride_film) -> None:
-    clip = ride_film("bike", 10.0, 6.0)
+    clip = ride_film("bike", 10.0, RIDE_S)
 
     whole = rotation(clip)
-    parts = rotation(clip, spans_s=[(1.0, 2.0), (4.0, 5.0)])
+    parts = rotation(clip, spans_s=[(1.0, 2.0), (3.0, 4.0)])
 
     assert len(parts) == 2 * FRAME_RATE_HZ
     assert parts.begin_s[0] == pytest.approx(1.0)
@@ -95,7 +96,7 @@ def test_spans_are_looked_at_and_nothing_else(ride_film) -> None:
 
 
 def test_progress_grows_to_the_end_and_cancels(ride_film) -> None:
-    clip = ride_film("bike", 10.0, 6.0)
+    clip = ride_film("bike", 10.0, RIDE_S)
     shares: list[float] = []
     rotation(clip, progress=lambda share, _step: shares.append(share))
 
@@ -122,9 +123,9 @@ def test_frames_are_not_kept(ride_film, monkeypatch) -> None:
         return grey
 
     monkeypatch.setattr(FrameConverter, "convert_grey", counted)
-    rotation(ride_film("bike", 10.0, 6.0))
+    rotation(ride_film("bike", 10.0, RIDE_S))
 
-    assert len(made) == 6 * FRAME_RATE_HZ
+    assert len(made) == RIDE_S * FRAME_RATE_HZ
     assert most_alive <= 3
 
 
@@ -135,7 +136,7 @@ def test_log_of_a_ride_is_laid_over_its_film(ride_film) -> None:
     rate = trajectory.mean_rate_radps(ride_s, step_s) @ axes_matrix("y,-x,z")
     imu = ImuLog(ride_s - begin_s - offset_s, np.zeros_like(rate), rate)
 
-    found = synchronize_pictures(imu, rotation(ride_film("horse", begin_s, 12.0)))
+    found = synchronize_pictures(imu, rotation(ride_film("horse", begin_s, RIDE_S)))
 
     assert found.is_confident
     assert found.clock_map.offset_s == pytest.approx(offset_s, abs=0.005)

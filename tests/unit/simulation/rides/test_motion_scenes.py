@@ -138,7 +138,7 @@ def test_integrated_truth_does_not_drift(name: str) -> None:
 
 @pytest.mark.parametrize("name", MOTION_SCENES)
 def test_vertical_and_motion_add_up_to_the_force(name: str) -> None:
-    motion = simulate_motion(name, 2, duration_s=20.0, sensor="ideal")
+    motion = ride(name)
     np.testing.assert_allclose(
         motion.imu.specific_force_mps2,
         motion.acceleration_mps2 + G * motion.vertical,
@@ -158,17 +158,17 @@ def test_spline_is_precise_far_from_the_start() -> None:
     assert np.abs(motion.velocity_mps[:, 0] - 34.0).max() < 1e-6
 
 
-def test_an_hour_is_like_a_minute() -> None:
+def test_half_an_hour_is_like_a_minute() -> None:
     """No build-up: speeds, levels and standstills stay, in the last minute too."""
-    motion = simulate_motion("car-brisk", 5, duration_s=3600.0, sensor="ideal")
-    assert len(motion.imu) == 720_001
+    motion = simulate_motion("car-brisk", 5, duration_s=1800.0, sensor="ideal")
+    assert len(motion.imu) == 360_001
     speed = np.linalg.norm(motion.truth.velocity_mps, axis=1)
     assert speed.max() < 22.0
     along, left = along_and_left(motion, 0.7)
     for part in (slice(0, 48_000), slice(-48_000, None)):
         assert 0.24 < np.abs(along[part]).max() < 0.40
         assert 0.24 < np.abs(left[part]).max() < 0.40
-    last_stands = [part for part in stretches(speed < 1e-6) if part.start > 600_000]
+    last_stands = [part for part in stretches(speed < 1e-6) if part.start > 300_000]
     assert max(part.stop - part.start for part in last_stands) > 1.0 * RATE_HZ
 
 
@@ -342,7 +342,7 @@ def test_mountain_biker_falls_and_lands() -> None:
 # --- seeds, names and durations ---------------------------------------------
 
 
-@pytest.mark.parametrize("name", MOTION_SCENES)
+@pytest.mark.parametrize("name", ["car-hard", "walk", "handheld-brisk", "bicycle"])
 def test_same_seed_gives_the_same_bytes(name: str) -> None:
     first, again = (simulate_motion(name, 9, duration_s=5.0) for _ in range(2))
     other = simulate_motion(name, 10, duration_s=5.0)

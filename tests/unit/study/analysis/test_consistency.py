@@ -78,7 +78,7 @@ def test_no_other_curve_is_more_likely_by_scipys_optimiser():
 
 def test_intervals_hold_the_true_criteria_as_often_as_they_say():
     held = []
-    for seed in range(40):
+    for seed in range(24):
         found = analyse_consistency(judged(seed, clips=("bike",)), quick())
         curve = found.axes["delay_s"].curves[ALL]
         for name, true in (("lower", LOWER_S), ("upper", UPPER_S)):

@@ -1,6 +1,6 @@
 """The statistics against scipy, scikit-posthocs, pingouin and statsmodels.
 
-120 seeded studies with ties (integers of five steps) and holes. Agreement within 1e-9
+60 seeded studies with ties (integers of five steps) and holes. Agreement within 1e-9
 relative or absolute: both sides are closed forms of the same ranks in doubles.
 """
 
@@ -41,7 +41,7 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")
     import pingouin
 
-SETS = 120
+SETS = 60
 EXHAUSTIVE = stats.PermutationMethod(n_resamples=np.inf)
 close = pytest.approx
 
@@ -180,7 +180,7 @@ def test_wilcoxon_is_that_of_scipy_and_pingouin(samples):
         # pingouin ranks unrounded differences, where 7/3 - 5/3 and 5/3 - 1 may differ
         if len(set(np.abs(second - first))) == len(set(np.abs(apart))):
             assert found["rank_biserial"] == exactly(other["RBC"])
-    assert exact > 20
+    assert exact > 10
 
 
 def _p_of_all_signs(differences) -> float:
@@ -236,7 +236,7 @@ def test_the_effect_size_leaves_zeros_out():
 def test_intervals_of_r_leave_zero_out_where_tests_reject():
     rng = np.random.default_rng(3)
     seen = []
-    for _ in range(200):
+    for _ in range(100):
         first, second = rng.normal(0.6, 1.0, rng.integers(2, 30)), rng.normal(size=12)
         signed = stats.wilcoxon(first, method="asymptotic")
         w_plus = stats.rankdata(np.abs(first))[first > 0].sum()
@@ -249,7 +249,7 @@ def test_intervals_of_r_leave_zero_out_where_tests_reject():
         ):
             assert (low > 0.0 or high < 0.0) == (reference.pvalue < 0.05)
             seen.append(reference.pvalue < 0.05)
-    assert 100 < sum(seen) < 300
+    assert 50 < sum(seen) < 150
 
 
 @pytest.mark.parametrize("shift", [0.0, 1.0, 2.5])
@@ -291,7 +291,7 @@ def test_mann_whitney_is_that_of_scipy_and_pingouin(samples):
             counted = stats.mannwhitneyu(before, new, method=EXHAUSTIVE)
             assert found["p"] == exactly(counted.pvalue)
             exact += 1
-    assert exact > 20
+    assert exact > 10
 
 
 def test_mann_whitney_without_ties_is_scipys_exact_one():
