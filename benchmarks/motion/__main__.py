@@ -1,4 +1,4 @@
-"""Gravity removal: error, short clips, run time, flaws, numerics, budget, constants."""
+"""Gravity removal and motion from frames: errors, run time, flaws, numerics, budget."""
 
 import sys
 
@@ -12,5 +12,6 @@ PLACES = {
     "numerics": "motion.numerics",
     "budget": "motion.budget",
     "sensitivity": "motion.sensitivity",
+    "pictures": "motion.pictures",
 }
 sys.exit(command("motion", __doc__, PLACES))

@@ -67,7 +67,7 @@ def picture_clip(
     ridden = RIDES[scene](np.random.default_rng([seed, 0]))
     rng = np.random.default_rng([seed, 70])
     duration_s = min(CLIP_S, ridden.duration_s)
-    read_out_s = float(rng.uniform(0.0, MOST_READ_OUT_S))
+    read_out_s = _read_out_s(rng)
     audio = ride_sound(ridden, np.random.default_rng([seed, 4]))
     axes = all_mountings()[int(rng.integers(24))]
     askew = Rotation.from_rotvec(ASKEW_RAD * rng.standard_normal(3)).as_matrix()
@@ -75,11 +75,8 @@ def picture_clip(
         float(rng.uniform(-MOST_OFFSET_S, MOST_OFFSET_S)),
         1.0 + float(rng.uniform(-MOST_DRIFT, MOST_DRIFT)),
     )
-    path = _film_path(scene, seed, duration_s)
-    if draw and not path.exists():
-        _write_film(path, ridden, seed, read_out_s)
     return PictureClip(
-        path,
+        film_of(scene, seed) if draw else _film_path(scene, seed, duration_s),
         audio[: round(duration_s * RATE_HZ)],
         _logged(ridden, seed, rate_hz, (axes, askew, clock)),
         clock,
@@ -87,6 +84,20 @@ def picture_clip(
         read_out_s,
         duration_s,
     )
+
+
+def film_of(scene: str, seed: int) -> Path:
+    """Return the film of a ride, drawn at the first time."""
+    ridden = RIDES[scene](np.random.default_rng([seed, 0]))
+    path = _film_path(scene, seed, min(CLIP_S, ridden.duration_s))
+    if not path.exists():
+        read_out_s = _read_out_s(np.random.default_rng([seed, 70]))
+        _write_film(path, ridden, seed, read_out_s)
+    return path
+
+
+def _read_out_s(rng: np.random.Generator) -> float:
+    return float(rng.uniform(0.0, MOST_READ_OUT_S))
 
 
 def _logged(

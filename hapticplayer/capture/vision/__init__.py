@@ -1,8 +1,9 @@
-"""What frames tell of the camera's rotation; the only place for OpenCV.
+"""What frames tell of the camera's motion; the only place for OpenCV.
 
 OpenCV comes with the optional extra `hapticplayer[vision]`.
 """
 
-from hapticplayer.capture.vision.rotation import FrameRotation, is_available, rotation
+from hapticplayer.capture.vision.rotation import FrameRotation, rotation
+from hapticplayer.capture.vision.watching import is_available
 
 __all__ = ["FrameRotation", "is_available", "rotation"]

@@ -27,7 +27,7 @@ class Carrier:
 
     def holds(self, matches: Matches) -> NDArray[np.bool_]:
         """Return which matches (M,) lie in such cells."""
-        cell = self._cells(matches)
+        cell = self.cells(matches)
         stays = self._still > _STILL_SHARE
         follows = self._agree > _FOLLOWS * self._size
         known = self._size > _ENOUGH_PX2
@@ -35,7 +35,7 @@ class Carrier:
 
     def learn(self, matches: Matches, turned_px: Floats) -> None:
         """Take the flow that the rotation alone would have brought (M, 2), px."""
-        cell = self._cells(matches)
+        cell = self.cells(matches)
         flow = matches.after - matches.before
         is_slow = np.hypot(*flow.T) < _SLOW_PX + np.hypot(*turned_px.T)
         self._still[cell] += _MEMORY * (is_slow - self._still[cell])
@@ -45,6 +45,7 @@ class Carrier:
         self._agree[cell] += is_slow * (flow * turned_px).sum(axis=1)
         self._size[cell] += is_slow * (turned_px**2).sum(axis=1)
 
-    def _cells(self, matches: Matches) -> NDArray[np.intp]:
+    def cells(self, matches: Matches) -> NDArray[np.intp]:
+        """Return in which cell each match (M,) begins."""
         column, row = (matches.before // CELL_PX).astype(np.intp).T
         return np.asarray(row * self._columns + column)

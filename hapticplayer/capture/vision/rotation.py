@@ -1,38 +1,21 @@
 """Rotation of a camera from frame to frame, estimated from its frames."""
 
-import importlib
-import importlib.util
 import os
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture.vision.carrier import Carrier
-from hapticplayer.capture.vision.egomotion import AHEAD, egomotion, rotation_flow
-from hapticplayer.capture.vision.features import CELL_PX, FeatureTracker, Matches
-from hapticplayer.errors import InputError, Message
-from hapticplayer.media.clip_info import probe
-from hapticplayer.media.frames import FrameConverter
-from hapticplayer.media.video import VideoDecoder
+from hapticplayer.capture.vision.watching import (
+    TO_FRAME_A,
+    Progress,
+    Seen,
+    Spans,
+    View,
+    watched,
+)
 from hapticplayer.model.arrays import Floats
 
-LONG_SIDE_PX = 320
-"""Frames are looked at in this size."""
-
-FIELD_OF_VIEW_RAD = np.radians(80.0)
-"""Assumed along the longer side; another one scales rotation about two axes."""
-
-_FEWEST = 12
-_MANY_SHARE = 0.3  # of the cells, from which on quality does not suffer
-_LEAST_AGREEMENT = 0.3
 _VALUES = 12  # of each interval, in `_table`
-_MEMORY = 0.15  # share of the newest in the mean direction of travel
-_TO_FRAME_A = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-
-Progress = Callable[[float, str], None]
-Spans = Sequence[tuple[float, float]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,122 +49,32 @@ class FrameRotation:
         return len(self.begin_s)
 
 
-def is_available() -> bool:
-    """Whether the optional library is installed."""
-    return importlib.util.find_spec("cv2") is not None
-
-
 def rotation(
     clip: str | os.PathLike[str],
     *,
     spans_s: Spans | None = None,
     progress: Progress = lambda _share, _step: None,
 ) -> FrameRotation:
-    """Follow the frames of a clip; memory does not grow with their size or number.
-
-    Args:
-        clip: the video.
-        spans_s: begin and end in media time of what is looked at; None for all.
-        progress: called with the share done and a step; raises Cancelled to stop.
-
-    Raises:
-        InputError: without OpenCV.
-        MediaError: when the clip cannot be decoded.
-    """
-    cv2 = _opencv()
-    spans_s = spans_s or [(0.0, probe(clip).duration_s)]
-    whole_s = sum(end_s - begin_s for begin_s, end_s in spans_s) or 1.0
-    rows: list[Floats] = []
-    done_s = 0.0
-    with VideoDecoder(clip) as decoder:
-        width, height = _small(decoder.width, decoder.height)
-        for begin_s, end_s in spans_s:
-            decoder.seek(begin_s)
-            watcher = _Watcher(cv2, width, height)
-            converter = FrameConverter()
-            for frame in decoder.frames():
-                if frame.pts_s > end_s:
-                    break
-                done = (done_s + max(0.0, frame.pts_s - begin_s)) / whole_s
-                progress(min(1.0, done), Message("following the frames"))
-                grey = converter.convert_grey(frame, width, height)
-                row = watcher.row(frame.pts_s, grey)
-                if row is not None:
-                    rows.append(row)
-            done_s += end_s - begin_s
-    return _table(rows)
+    """Follow the frames of a clip; arguments and errors as of `watching.watched`."""
+    steps = watched(clip, spans_s=spans_s, progress=progress)
+    return _table([_row(view, seen) for view, seen in steps])
 
 
-def _opencv() -> Any:
-    if not is_available():
-        raise InputError(
-            "rotation from frames needs OpenCV, which is not installed",
-            remedy="install hapticplayer[vision], which synchronises without pats "
-            "and finds the mounting of a sensor",
-        )
-    cv2 = importlib.import_module("cv2")
-    cv2.setNumThreads(1)  # the same result everywhere, and the window keeps its cores
-    return cv2
-
-
-def _small(width: int, height: int) -> tuple[int, int]:
-    """Return the size to look at, px."""
-    scale = LONG_SIDE_PX / max(width, height)
-    least = 2 * CELL_PX
-    return max(least, round(scale * width)), max(least, round(scale * height))
-
-
-class _Watcher:
-    """Follows the frames of one span."""
-
-    def __init__(self, cv2: Any, width: int, height: int) -> None:
-        self._tracker = FeatureTracker(cv2)
-        self._carrier = Carrier(width, height)
-        self._middle_px = np.array([0.5 * width - 0.5, 0.5 * height - 0.5])
-        focal = 0.5 * max(width, height) / np.tan(0.5 * FIELD_OF_VIEW_RAD)
-        self._px = float(1.0 / focal)
-        self._height = height * self._px
-        self._many = _MANY_SHARE * (width // CELL_PX) * (height // CELL_PX)
-        self._travel = AHEAD
-        self._last_s = 0.0
-
-    def row(self, pts_s: float, grey: Any) -> Floats | None:
-        """Return the row of `_table` of the interval that ends here, None at first."""
-        matches = self._tracker.step(grey)
-        begin_s, self._last_s = self._last_s, pts_s
-        if matches is None:
-            return None
-        values = np.zeros(_VALUES - 2)
-        if len(matches.before) >= _FEWEST:
-            values = self._estimated(matches)
-        return np.concatenate([[begin_s, pts_s], values])
-
-    def _estimated(self, matches: Matches) -> Floats:
-        """Return rotation, quality, row and skew."""
-        before, after = (
-            (px - self._middle_px) * self._px for px in (matches.before, matches.after)
-        )
-        loose = ~self._carrier.holds(matches)
-        if int(loose.sum()) < _FEWEST:
-            loose[:] = True
-        found = egomotion(before[loose], after[loose], self._travel, self._px)
-        turned = rotation_flow((before + after) / 2.0) @ found.rotation_rad
-        self._carrier.learn(matches, turned / self._px)
-        share = float(found.is_inlier.mean())
-        if share < _LEAST_AGREEMENT:
-            quality = 0.0
-        else:
-            quality = share * min(1.0, float(loose.sum()) / self._many)
-            travel = self._travel + _MEMORY * (found.travel - self._travel)
-            self._travel = travel / np.linalg.norm(travel)
-        return np.concatenate(
-            [
-                _TO_FRAME_A @ found.rotation_rad,
-                [quality],
-                np.abs(_TO_FRAME_A) @ found.height / self._height,
-                _TO_FRAME_A @ found.skew_rad * self._height,
-            ]
-        )
+def _row(view: View, seen: Seen) -> Floats:
+    """Return the row of `_table`: times, rotation, quality, row and skew."""
+    times = [seen.begin_s, seen.end_s]
+    if seen.found is None:
+        return np.concatenate([times, np.zeros(_VALUES - 2)])
+    height = view.height_px * view.px
+    return np.concatenate(
+        [
+            times,
+            TO_FRAME_A @ seen.found.rotation_rad,
+            [seen.quality],
+            np.abs(TO_FRAME_A) @ seen.found.height / height,
+            TO_FRAME_A @ seen.found.skew_rad * height,
+        ]
+    )
 
 
 def _table(rows: list[Floats]) -> FrameRotation:

@@ -1,0 +1,205 @@
+"""Follows the frames of a clip: what moved where, and how the camera rotated."""
+
+import importlib
+import importlib.util
+import os
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.capture.vision.carrier import Carrier
+from hapticplayer.capture.vision.egomotion import (
+    AHEAD,
+    Egomotion,
+    egomotion,
+    rotation_flow,
+)
+from hapticplayer.capture.vision.features import CELL_PX, FeatureTracker, Matches
+from hapticplayer.errors import InputError, Message
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.video import VideoDecoder
+from hapticplayer.model.arrays import Floats
+
+LONG_SIDE_PX = 320
+"""Frames are looked at in this size."""
+
+FIELD_OF_VIEW_RAD = np.radians(80.0)
+"""Assumed along the longer side; another one scales rotation about two axes."""
+
+TO_FRAME_A = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
+"""From the axes of `egomotion`: x right, y down, z ahead."""
+
+FEWEST = 12
+"""Matches from which a rotation is told."""
+
+_MANY_SHARE = 0.3  # of the cells, from which on quality does not suffer
+_LEAST_AGREEMENT = 0.3
+_MEMORY = 0.15  # share of the newest in the mean direction of travel
+
+Progress = Callable[[float, str], None]
+Spans = Sequence[tuple[float, float]]
+
+
+class View(NamedTuple):
+    """How frames are looked at.
+
+    Attributes:
+        width_px: of the small frames.
+        height_px: of the small frames.
+        px: size of a pixel at z = 1.
+    """
+
+    width_px: int
+    height_px: int
+    px: float
+
+    @classmethod
+    def of(cls, width: int, height: int) -> "View":
+        """Return the view of frames of a size."""
+        scale, least = LONG_SIDE_PX / max(width, height), 2 * CELL_PX
+        small = (max(least, round(scale * side)) for side in (width, height))
+        width_px, height_px = small
+        focal_px = 0.5 * max(width_px, height_px) / np.tan(0.5 * FIELD_OF_VIEW_RAD)
+        return cls(width_px, height_px, float(1.0 / focal_px))
+
+    @property
+    def cells(self) -> int:
+        """How many cells a frame has."""
+        return -(-self.width_px // CELL_PX) * -(-self.height_px // CELL_PX)
+
+    def points(self, places_px: Floats) -> Floats:
+        """Return places (M, 2) in the frame at z = 1."""
+        sides = np.array([self.width_px, self.height_px])
+        return np.asarray((places_px - (0.5 * sides - 0.5)) * self.px)
+
+
+class Seen(NamedTuple):
+    """What a frame and the next one show; axes as in `egomotion`.
+
+    Attributes:
+        begin_s: media time of the first frame.
+        end_s: media time of the second one.
+        before: (M, 2) points of what is not fixed to the camera.
+        after: (M, 2) the same points of the second frame.
+        cell: (M,) where each is.
+        found: the camera's motion, None where too little is seen.
+        quality: 0 (not observable, as at a cut) to 1.
+        travel: (3,) mean direction of travel so far.
+    """
+
+    begin_s: float
+    end_s: float
+    before: Floats
+    after: Floats
+    cell: NDArray[np.intp]
+    found: Egomotion | None
+    quality: float
+    travel: Floats
+
+
+def is_available() -> bool:
+    """Whether the optional library is installed."""
+    return importlib.util.find_spec("cv2") is not None
+
+
+def watched(
+    clip: str | os.PathLike[str],
+    *,
+    spans_s: Spans | None = None,
+    progress: Progress = lambda _share, _step: None,
+) -> Iterator[tuple[View, Seen]]:
+    """Yield what each pair of frames shows; memory does not grow with their number.
+
+    Args:
+        clip: the video.
+        spans_s: begin and end in media time of what is looked at; None for all.
+        progress: called with the share done and a step; raises Cancelled to stop.
+
+    Raises:
+        InputError: without OpenCV.
+        MediaError: when the clip cannot be decoded.
+    """
+    cv2 = opencv()
+    spans_s = spans_s or [(0.0, probe(clip).duration_s)]
+    whole_s = sum(end_s - begin_s for begin_s, end_s in spans_s) or 1.0
+    done_s = 0.0
+    with VideoDecoder(clip) as decoder:
+        view = View.of(decoder.width, decoder.height)
+        for begin_s, end_s in spans_s:
+            decoder.seek(begin_s)
+            watcher = _Watcher(cv2, view)
+            converter = FrameConverter()
+            for frame in decoder.frames():
+                if frame.pts_s > end_s:
+                    break
+                done = (done_s + max(0.0, frame.pts_s - begin_s)) / whole_s
+                progress(min(1.0, done), Message("following the frames"))
+                grey = converter.convert_grey(frame, view.width_px, view.height_px)
+                seen = watcher.step(frame.pts_s, grey)
+                if seen is not None:
+                    yield view, seen
+            done_s += end_s - begin_s
+
+
+def opencv() -> Any:
+    """Return OpenCV's module; raises InputError where it is not installed."""
+    if not is_available():
+        raise InputError(
+            "following frames needs OpenCV, which is not installed",
+            remedy="install hapticplayer[vision], which synchronises without pats, "
+            "finds the mounting of a sensor and suggests motion for a plain video",
+        )
+    cv2 = importlib.import_module("cv2")
+    cv2.setNumThreads(1)  # the same result everywhere, and the window keeps its cores
+    return cv2
+
+
+class _Watcher:
+    """Follows the frames of one span."""
+
+    def __init__(self, cv2: Any, view: View) -> None:
+        self._tracker = FeatureTracker(cv2)
+        self._carrier = Carrier(view.width_px, view.height_px)
+        self._view = view
+        self._many = (
+            _MANY_SHARE * (view.width_px // CELL_PX) * (view.height_px // CELL_PX)
+        )
+        self._travel = AHEAD
+        self._last_s = 0.0
+
+    def step(self, pts_s: float, grey: Any) -> Seen | None:
+        """Take the next frame; return what it shows, None at first."""
+        matches = self._tracker.step(grey)
+        begin_s, self._last_s = self._last_s, pts_s
+        if matches is None:
+            return None
+        loose = ~self._carrier.holds(matches)
+        if int(loose.sum()) < FEWEST:
+            loose[:] = True
+        before, after = (
+            self._view.points(px) for px in (matches.before, matches.after)
+        )
+        found, quality = None, 0.0
+        if len(before) >= FEWEST:
+            found, quality = self._found(matches, before, after, loose)
+        cell = self._carrier.cells(matches)[loose]
+        seen = (before[loose], after[loose], cell)
+        return Seen(begin_s, pts_s, *seen, found, quality, self._travel)
+
+    def _found(
+        self, matches: Matches, before: Floats, after: Floats, loose: NDArray[np.bool_]
+    ) -> tuple[Egomotion, float]:
+        """Return the motion and its quality, and learn from it."""
+        px = self._view.px
+        found = egomotion(before[loose], after[loose], self._travel, px)
+        turned = rotation_flow((before + after) / 2.0) @ found.rotation_rad
+        self._carrier.learn(matches, turned / px)
+        share = float(found.is_inlier.mean())
+        if share < _LEAST_AGREEMENT:
+            return found, 0.0
+        travel = self._travel + _MEMORY * (found.travel - self._travel)
+        self._travel = travel / np.linalg.norm(travel)
+        return found, share * min(1.0, float(loose.sum()) / self._many)
