@@ -3,9 +3,11 @@
 A static world moves in the frame by a part that depends on the rotation alone, and by a
 part along lines through the focus of expansion that depends on the distance of each point
 (H. C. Longuet-Higgins and K. Prazdny, The interpretation of a moving retinal image, 1980).
-Only what is across those lines is fitted, so that distances need not be known (A. R. Bruss
-and B. K. P. Horn, Passive navigation, 1983). The direction of travel barely changes from
-frame to frame in the camera's own frame, which tells a turn from a step aside.
+What is across those lines is fitted, so that distances need not be known (A. R. Bruss
+and B. K. P. Horn, Passive navigation, 1983). What is along them counts as little as the
+parallax is large: all of it for a camera that only rotates, next to nothing for one that
+travels. The direction of travel may swing in the camera's own frame, as it does on a horse
+or on foot: held tighter, the swing is taken for a rotation.
 
 Coordinates are the camera's: x right, y down, z ahead; points are at z = 1.
 """
@@ -24,7 +26,8 @@ _FINE_PX = (2.0, 1.0, 0.5, 0.3, 0.3, 0.3)
 """Scales of the robust weight, from coarse to fine."""
 
 _NOISE_PX = 0.15  # of a match
-_CHANGE_RAD = 0.01  # of the direction of travel, from its recent mean
+_CHANGE_RAD = 0.3  # SD of the direction of travel, from its recent mean
+_PARALLAX_QUANTILE = 0.8  # of what lies along the lines, taken for its SD
 _SLOWEST = 0.05  # distance from the focus of expansion at which its lines lose meaning
 _INLIER = 0.25  # least weight
 _MOST_STEP_RAD = 0.3
@@ -65,10 +68,9 @@ def egomotion(before: Floats, after: Floats, travel: Floats, px: float) -> Egomo
     expected = travel
     at = _linearised(middle, flow, rotation, travel)
     for scale_px in _FINE_PX:
-        trust = _weight(at.error**2, scale_px * px) / (_NOISE_PX * px) ** 2
-        right = -(at.jacobian * trust[:, None]).T @ at.error
+        normal, right = _equations(at, scale_px * px, _NOISE_PX * px)
         right[3:] += at.tangent.T @ (expected - travel) / _CHANGE_RAD**2
-        step = np.linalg.solve(_normal(at.jacobian, trust), right)
+        step = np.linalg.solve(normal, right)
         aside = np.clip(step[3:], -_MOST_STEP_RAD, _MOST_STEP_RAD)
         rotation, travel = rotation + step[:3], travel + at.tangent @ aside
         travel = travel / np.linalg.norm(travel)
@@ -79,14 +81,23 @@ def egomotion(before: Floats, after: Floats, travel: Floats, px: float) -> Egomo
 
 
 class _Linearised(NamedTuple):
-    """Flow across the lines of travel that is left (M,), and how it changes.
+    """Flow that the rotation leaves across and along the lines of travel, M matches.
 
-    By rotation and by the two directions of `tangent` (3, 2): (M, 5).
+    Attributes:
+        error: (M,) across.
+        jacobian: (M, 5) its change by the rotation and by the directions of `tangent`.
+        tangent: (3, 2) the directions in which the travel may change.
+        along: (M,) along.
+        along_jacobian: (M, 3) its change by the rotation.
+        length: (M,) distance from the focus of expansion, times the share ahead.
     """
 
     error: Floats
     jacobian: Floats
     tangent: Floats
+    along: Floats
+    along_jacobian: Floats
+    length: Floats
 
 
 def _linearised(
@@ -94,11 +105,34 @@ def _linearised(
 ) -> _Linearised:
     of_rotation = rotation_flow(points)
     left = flow - of_rotation @ rotation
-    across, moment = _across(points, left, travel)
+    across, moment, length = _across(points, left, travel)
+    along = np.stack([across[:, 1], -across[:, 0]], axis=1)
     tangent = _tangent(travel)
-    by_rotation = -np.einsum("mi,mij->mj", across, of_rotation)
-    jacobian = np.column_stack([by_rotation, moment @ tangent])
-    return _Linearised(np.einsum("mi,mi->m", across, left), jacobian, tangent)
+    return _Linearised(
+        np.einsum("mi,mi->m", across, left),
+        np.column_stack(
+            [-np.einsum("mi,mij->mj", across, of_rotation), moment @ tangent]
+        ),
+        tangent,
+        np.einsum("mi,mi->m", along, left),
+        -np.einsum("mi,mij->mj", along, of_rotation),
+        length,
+    )
+
+
+def _equations(at: _Linearised, scale: float, noise: float) -> tuple[Floats, Floats]:
+    """Return the normal equations (5, 5), (5,) of a step; see `_normal` for the priors."""
+    agrees = _weight(at.error**2, scale)
+    trust = agrees / noise**2
+    parallax = np.quantile(np.abs(at.along) / at.length, _PARALLAX_QUANTILE)
+    spread = parallax * at.length
+    is_usual = _weight(at.along**2 / (scale**2 + (2.0 * spread) ** 2), 1.0)
+    along_trust = agrees * is_usual / (noise**2 + spread**2)
+    normal = _normal(at.jacobian, trust)
+    normal[:3, :3] += (at.along_jacobian * along_trust[:, None]).T @ at.along_jacobian
+    right = -(at.jacobian * trust[:, None]).T @ at.error
+    right[:3] -= (at.along_jacobian * along_trust[:, None]).T @ at.along
+    return normal, np.asarray(right)
 
 
 def _normal(jacobian: Floats, trust: Floats) -> Floats:
@@ -153,18 +187,22 @@ def rotation_flow(points: Floats) -> Floats:
     return np.stack([across, down], axis=1)
 
 
-def _across(points: Floats, left: Floats, travel: Floats) -> tuple[Floats, Floats]:
+def _across(
+    points: Floats, left: Floats, travel: Floats
+) -> tuple[Floats, Floats, Floats]:
     """Return the unit vectors across the lines of travel (M, 2).
 
-    And the derivative (M, 3) of the flow across by the direction of travel.
+    And the derivative (M, 3) of the flow across by the direction of travel, and how
+    far each point is from the focus of expansion (M,).
     """
     x, y = points.T
     along = np.stack([x * travel[2] - travel[0], y * travel[2] - travel[1]], axis=1)
-    length = np.sqrt((along**2).sum(axis=1) + _SLOWEST**2)[:, None]
+    distance = np.sqrt((along**2).sum(axis=1) + _SLOWEST**2)
+    length = distance[:, None]
     across = np.stack([-along[:, 1], along[:, 0]], axis=1) / length
     u, v = left.T
     moment = np.stack([-v, u, x * v - y * u], axis=1) / length
-    return across, moment
+    return across, moment, distance
 
 
 def _tangent(direction: Floats) -> Floats:

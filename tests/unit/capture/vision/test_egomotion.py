@@ -65,3 +65,40 @@ def test_a_third_of_wrong_matches_changes_little() -> None:
     assert found.rotation_rad == pytest.approx(rotation, abs=5e-4)
     assert found.is_inlier[50:].mean() > 0.95
     assert found.is_inlier[:50].mean() < 0.3
+
+
+@pytest.mark.parametrize("swing_m", [0.0, 0.06])
+def test_a_swing_of_the_travel_is_not_taken_for_rotation(swing_m) -> None:
+    phase = 2 * np.pi * np.arange(60) / 16.0  # 1.9 steps a second
+    rng = np.random.default_rng(8)
+    travel, errors = AHEAD, []
+    for at in phase:  # heaving while the camera pitches, a quarter of a period apart
+        rotation = np.array([0.008 * np.sin(at), 1e-4, 1e-4])
+        moved = (0.0, swing_m * np.cos(at), 0.2)
+        before, after = matched(rotation, moved, seed=rng.integers(1000))
+        found = egomotion(
+            before, after + 0.1 * PX * rng.normal(size=(150, 2)), travel, PX
+        )
+        travel = travel + 0.15 * (found.travel - travel)
+        travel /= np.linalg.norm(travel)
+        errors.append(found.rotation_rad[0] - rotation[0])
+
+    # what is in phase with the heave shifts the rotation in time
+    in_phase = 2 * np.mean(errors * np.cos(phase))
+    assert abs(in_phase) < 2e-4  # 2.6e-3 where the travel is held
+    assert np.std(errors) < 2e-4
+
+
+def test_without_travel_it_is_as_good_as_rotation_alone() -> None:
+    rotation = np.array([0.01, -0.02, 0.005])
+    rng = np.random.default_rng(2)
+    errors = []
+    for seed in range(30):
+        before, after = matched(rotation, (0.0, 0.0, 0.0), seed=seed)
+        after = after + 0.2 * PX * rng.normal(size=after.shape)
+        alone = rotation_alone((before + after) / 2, after - before, PX)
+        both = egomotion(before, after, AHEAD, PX).rotation_rad
+        errors.append([alone - rotation, both - rotation])
+
+    alone_rad, both_rad = np.std(errors, axis=0)
+    assert (both_rad < 1.5 * alone_rad).all()
