@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from app.experimenter.library_page import LibraryPage
     from app.experimenter.rendering_page import RenderingPage
     from app.player.outlets_page import OutletsPage
+    from app.player.setup_page import SetupPage
     from app.player.share_page import SharePage
 
     Working = (
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
         | LibraryPage
         | OutletsPage
         | RenderingPage
+        | SetupPage
         | SharePage
     )
 
@@ -61,17 +63,25 @@ class DeviceDialogs(QObject):
 
         before = self._session.player.snapshot().device
         self._release()
-        page = SetupPage(clock, outlet or before, self.plugged, self._window)
+        self._lend()
+        page = SetupPage(
+            *(clock, outlet or before, self.plugged, self._window),
+            is_free=self._are_lent_free,
+        )
         wanted, shown, others = list[str](), list[str](), list[bool]()
         page.wanted.connect(wanted.append)
         page.demonstration_wanted.connect(shown.append)
         page.others_wanted.connect(lambda: others.append(True))
 
-        def go_on() -> None:
+        def go_on(_result: int) -> None:
+            if page in self._working:
+                self._working.remove(page)
             chosen = next(iter(wanted + shown), "")
             is_beside = bool(outlet) or _is_outlet(chosen)
             if chosen and is_beside:
                 self._use_beside(chosen, outlet)
+            if not shown:
+                self._take_back()
             self.device_wanted.emit(before if is_beside else chosen or before)
             if shown:
                 self.get_to_know(clock, chosen)
@@ -79,6 +89,7 @@ class DeviceDialogs(QObject):
                 self.outlets(clock)
 
         page.finished.connect(go_on)
+        self._working.append(page)
         page.open()
 
     def _use_beside(self, name: str, before: str) -> None:
@@ -105,7 +116,9 @@ class DeviceDialogs(QObject):
         from app.player.device_page import DevicePage
 
         self._release()
+        self._lend()
         dialog = DevicePage(clock, device, self._window)
+        dialog.finished.connect(lambda _: self._take_back())
         dialog.finished.connect(lambda _: self._session.choose_device(before))
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
         dialog.finished.connect(dialog.deleteLater)
@@ -164,6 +177,25 @@ class DeviceDialogs(QObject):
         self._session.stop()
         self._session.choose_device(NO_DEVICE)
         self._session.player.wait_released()
+
+    def _lend(self) -> None:
+        """Let go of what plays beside the device, too."""
+        outlets = self._session.player.outlets
+        for one in outlets:
+            outlets.lend(one.name)
+
+    def _are_lent_free(self) -> bool:
+        outlets = self._session.player.outlets
+        return all(outlets.is_free(one.name) for one in outlets)
+
+    def _take_back(self) -> None:
+        """Play on it again."""
+        outlets = self._session.player.outlets
+        for name in [one.name for one in outlets if one.is_lent]:
+            try:
+                outlets.take_back(name)
+            except HapticPlayerError as problem:
+                self._session.gateway.report(problem)
 
     def _open_working(self, dialog: "Working") -> None:
         self._working.append(dialog)

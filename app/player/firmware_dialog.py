@@ -3,20 +3,17 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QWidget
 
 from app.bridge.languages import translated
 from app.player import setup_texts
-from app.widgets.buttons import text_button
+from app.player.question import ask
 from app.widgets.files import file_dialog
-from app.widgets.layout import STRETCH, fill_page, paragraph, row_of
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.errors import HapticPlayerError, message_of
 
 translate = QCoreApplication.translate
-
-_WIDTH_PX = 460
 
 
 def ask_for_firmware(
@@ -63,23 +60,6 @@ def offer_firmware(
     _ask(parent, setup_texts.licence(), accept, install)
 
 
-class Question(QDialog):
-    """A text with two answers."""
-
-    def __init__(self, parent: QWidget, text: str, yes: str) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(translate("FirmwareDialog", "The Falcon's firmware"))
-        self.text = paragraph(text)
-        self.text.setMinimumWidth(_WIDTH_PX)
-        self.yes = text_button(yes, "", "primary")
-        self.no = text_button(translate("FirmwareDialog", "Cancel"), "")
-        self.yes.clicked.connect(self.accept)
-        self.no.clicked.connect(self.reject)
-        fill_page(self, self.text, row_of(STRETCH, self.no, self.yes), spacing=14)
-
-
 def _ask(parent: QWidget, text: str, yes: str, agreed: Callable[[], None]) -> None:
-    question = Question(parent, text, yes)
-    question.accepted.connect(agreed)
-    question.open()
+    title = translate("FirmwareDialog", "The Falcon's firmware")
+    ask(parent, title, text, yes, agreed)

@@ -1,7 +1,5 @@
 """More devices: what plays beside the chosen one, each with its state, test and mute."""
 
-import threading
-
 from PySide6.QtCore import QCoreApplication, QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -24,6 +22,7 @@ from app.player.device_form import (
     takes_settings,
     variants,
 )
+from app.player.device_test_panel import DeviceTestPanel
 from app.player.health import mode_text
 from app.player.session import Session
 from app.widgets import theme
@@ -46,11 +45,8 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.devices.rig.settings import GAIN, LATENCY_MS
 from hapticplayer.errors import HapticPlayerError, message_of
-from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.processes import Health
-from hapticplayer.playback.forces import ForcePlayer
 from hapticplayer.playback.snapshot import OutletState, Snapshot
-from hapticplayer.rendering import rig_demonstration
 
 translate = QCoreApplication.translate
 
@@ -75,32 +71,6 @@ def figures_text(outlet: OutletState) -> str:
     return local(f"{1e3 * outlet.latency_s:.0f} ms, \u00d7\u2009{outlet.gain:.2f}")
 
 
-class RigTest:
-    """A test of a rig, from its beginning until its processes have ended.
-
-    `was_muted` is whether a person had silenced the outlet before.
-    """
-
-    def __init__(self, name: str, was_muted: bool) -> None:
-        self.name, self.was_muted = name, was_muted
-        self._releaser: threading.Thread | None = None
-
-    def release(self, player: ForcePlayer) -> None:
-        """Let the rig come to rest, in a thread of its own."""
-        self._releaser = threading.Thread(target=player.close, name="rig-test")
-        self._releaser.start()
-
-    @property
-    def is_at_rest(self) -> bool:
-        """Whether it is over."""
-        return self._releaser is not None and not self._releaser.is_alive()
-
-    def wait(self) -> None:
-        """Wait until it is over."""
-        if self._releaser is not None:
-            self._releaser.join()
-
-
 class OutletsPage(QDialog):
     """Stays beside the window; what stops the force there stops a test here, too.
 
@@ -119,8 +89,8 @@ class OutletsPage(QDialog):
         super().__init__(parent)
         self._clock, self._session, self._player = clock, session, session.player
         session.stopped.connect(self.end_test)
-        self.tested: ForcePlayer | None = None
-        self._test: RigTest | None = None
+        self._tested = ""
+        self.panel = DeviceTestPanel(clock, self._is_free)
         self._shown: list[str] = []
         self.states: dict[str, QLabel] = {}
         self.figures: dict[str, QLabel] = {}
@@ -166,48 +136,40 @@ class OutletsPage(QDialog):
     def chosen(self) -> dict[str, bool]:
         """Return the outlets, each with whether a person has muted it."""
         outlets = self._player.snapshot().outlets
-        muted = {outlet.name: outlet.is_muted for outlet in outlets}
-        if self._test is not None and self._test.name in muted:
-            muted[self._test.name] = self._test.was_muted
-        return muted
+        return {outlet.name: outlet.is_muted for outlet in outlets}
 
     def test(self, name: str) -> None:
-        """Move a rig gently along and about each axis; once more: stop."""
-        if self.tested is not None:
-            self.end_test()
-            return
-        if self._test is not None:  # the last one still comes to rest
-            return
-        self._player.pause()
-        try:
-            self.tested = ForcePlayer(self._clock, name, rig_demonstration()[0])
-        except HapticPlayerError as problem:
-            self._say(translated(message_of(problem)))
-            return
-        # the player's own packets to the same rig would alternate with these
-        self._test = RigTest(name, self.mutes[name].isChecked())
-        self.mute(name, is_muted=True)
-        self._say(
-            self.tr("The rig moves gently, one axis after the other. Esc stops it.")
-        )
+        """Test an outlet gently, after asking; nothing else plays on it meanwhile."""
+        if not self.panel.is_running:
+            self._tested = name
+            self.panel.set_device(name)
+            self.panel.ask()
 
     def end_test(self) -> None:
-        """Let the rig come to rest; its processes end when it has."""
-        player, self.tested = self.tested, None
-        if player is not None:
-            self._say(translated(player.problem))
-            player.stop()
-            if self._test is not None:
-                self._test.release(player)
+        """Let what is tested come to rest."""
+        self.panel.stop()
 
-    def _note_rest(self) -> None:
-        """Let an outlet play again once its test has come to rest."""
-        test = self._test
-        if test is None or not test.is_at_rest:
-            return
-        self._test = None
-        if test.name in self._names():
-            self.mute(test.name, is_muted=test.was_muted)
+    def _on_test_begun(self) -> None:
+        self._show_panel(is_wanted=True)
+        self._player.outlets.lend(self._tested)
+
+    def _is_free(self) -> bool:
+        return self._player.outlets.is_free(self._tested)
+
+    def _on_test_ended(self) -> None:
+        """Let the outlet play again, and say how the test has ended."""
+        self._show_panel(is_wanted=False)
+        self._say(self.panel.state.text())
+        if self._tested in self._names():
+            try:
+                self._player.outlets.take_back(self._tested)
+            except HapticPlayerError as problem:
+                self._say(translated(message_of(problem)))
+
+    def _show_panel(self, *, is_wanted: bool) -> None:
+        """Show the picture of a test in the place of the form."""
+        self.panel.setVisible(is_wanted)
+        self._form.setHidden(is_wanted)
 
     def reject(self) -> None:
         """Stop before anything else; Escape comes here too."""
@@ -218,9 +180,7 @@ class OutletsPage(QDialog):
         """Close; the outlets go on."""
         self.end_test()
         self._timer.stop()
-        if self._test is not None:
-            self._test.wait()
-            self._note_rest()
+        self.panel.wait()
         super().done(result)
 
     def close_jobs(self) -> None:
@@ -240,20 +200,16 @@ class OutletsPage(QDialog):
         if names != self._shown:
             self._shown = names
             self._fill_rows(now)
-        if self.tested is not None:
-            self.tested.poll()
-            if self.tested.is_over:
-                self.end_test()
-        self._note_rest()
+        is_playing = now.is_playing and self.panel.is_acting
+        if is_playing or (self.panel.is_running and self._tested not in names):
+            self.end_test()
         for outlet in now.outlets:
             self.states[outlet.name].setText(state_text(outlet))
             self.figures[outlet.name].setText(figures_text(outlet))
             self.mutes[outlet.name].setChecked(outlet.is_muted)
             self.meters[outlet.name].show_levels(outlet.levels)
-            may_test = outlet.mode is Mode.IDLE and not now.is_playing
-            self.tests[outlet.name].setEnabled(
-                self.tested is not None or (may_test and _is_rig(outlet.name))
-            )
+            may_test = not (now.is_playing or self.panel.is_running)
+            self.tests[outlet.name].setEnabled(may_test)
 
     @property
     def _is_rig(self) -> bool:
@@ -317,6 +273,20 @@ class OutletsPage(QDialog):
         gain = captioned(self.tr("Gain"), self.gain)
         latency = captioned(self.tr("Latency"), self.latency)
         self.kind.setAccessibleName(self.tr("Device to add"))
+        self._form = QWidget()
+        column_of(
+            row_of((self.kind, 1)),
+            row_of(where[0], (self.address, 1)),
+            row_of(*gain, *latency, STRETCH, add),
+            self.problem,
+            spacing=12,
+            of=self._form,
+        )
+        self.panel.test_button.hide()  # each row has its own, and STOP is that of all
+        self.panel.stop_button.hide()
+        self.panel.began.connect(self._on_test_begun)
+        self.panel.ended.connect(self._on_test_ended)
+        self.panel.hide()
         fill_page(
             self,
             paragraph(
@@ -326,10 +296,8 @@ class OutletsPage(QDialog):
                 )
             ),
             (scrolling(column_of(self.rows, STRETCH)), 1),
-            row_of((self.kind, 1)),
-            row_of(where[0], (self.address, 1)),
-            row_of(*gain, *latency, STRETCH, add),
-            self.problem,
+            (self.panel, 2),
+            self._form,
             row_of(stop, STRETCH, close),
         )
         resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
@@ -351,7 +319,7 @@ class OutletsPage(QDialog):
         figures.setToolTip(self.tr("Latency that is compensated, and gain"))
         self.mutes[name] = mute = QCheckBox(self.tr("Mute"))
         test = text_button(
-            self.tr("Test"), self.tr("Move the rig gently, or stop that")
+            self.tr("Test\u2026"), self.tr("Move it gently, after a question")
         )
         set_up = text_button(
             self.tr("Set up\u2026"), self.tr("What it needs, and how it is connected")

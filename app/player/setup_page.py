@@ -13,6 +13,7 @@ from app.player import setup_texts
 from app.player.check_list import CheckList
 from app.player.choices import PluggedFalcons
 from app.player.device_form import DeviceForm, entry_of, problem_of
+from app.player.device_test_panel import DeviceTestPanel
 from app.player.firmware_dialog import ask_for_firmware
 from app.player.homing_view import HomingDrawing, TravelEstimate, view_of
 from app.player.setup_texts import Trouble, trouble
@@ -37,13 +38,17 @@ from hapticplayer.errors import message_of
 POLL_MS = 33
 LOOK_MS = 1000
 """Period of looking for Falcons and of retries."""
-_WIDTH_PX, _HEIGHT_PX = 860, 480
+_WIDTH_PX, _HEIGHT_PX = 900, 500
+
+
+def _always() -> bool:
+    return True
 
 
 class SetupPage(QDialog):
     """What a device is and needs; holds a Falcon, without force, until one is done with it.
 
-    The window has to let go of its devices before.
+    The window has to let go of its devices before; `is_free` is whether they are at rest.
 
     Signals:
         wanted: a device is to be used.
@@ -62,8 +67,11 @@ class SetupPage(QDialog):
         plugged: PluggedFalcons,
         parent: QWidget | None = None,
         find_reach: Callable[[str], Reach] = reach_of,
+        *,
+        is_free: Callable[[], bool] = _always,
     ) -> None:
         super().__init__(parent)
+        self._is_lent_free = is_free
         self._clock, self._find_reach, self._plugged = clock, find_reach, plugged
         self._jobs = Jobs(self._on_trouble)
         self._progress: Progress | None = None
@@ -71,9 +79,10 @@ class SetupPage(QDialog):
         self._ways, self._result = TravelEstimate(), 0
         self._is_ending = False
         self.drawing, self.form = HomingDrawing(), DeviceForm(self)
+        self.panel = DeviceTestPanel(clock, self._is_free)
         self.device = self.form.kind
         self.title = paragraph()
-        self.what, self.text = paragraph(), paragraph()
+        self.what, self.text = paragraph(lines=2), paragraph(lines=4)
         self.checks, self.bar = CheckList(self), QProgressBar()
         self._make_buttons()
         self._lay_out()
@@ -83,7 +92,9 @@ class SetupPage(QDialog):
         self.form.changed.connect(self.begin)
         self._poll_timer = self._timer(POLL_MS, self._poll)
         self._look_timer = self._timer(LOOK_MS, self._look)
-        self.checks.follow(self._checked_name())
+        self.panel.began.connect(self._jobs.cancel)
+        self.panel.ended.connect(self._on_test_ended)
+        self._follow()
         self._look()
         self._show()
 
@@ -101,14 +112,14 @@ class SetupPage(QDialog):
 
     @property
     def is_busy(self) -> bool:
-        """Whether a Falcon is held, or about to be, or something is looked at."""
-        return self._jobs.is_busy or self.checks.is_busy
+        """Whether a device is held, or about to be, or something is looked at."""
+        return self._jobs.is_busy or self.checks.is_busy or self.panel.is_running
 
     def begin(self) -> None:
         """Take the chosen device, once the one before is let go of."""
         self._progress, self._trouble, self._ways = None, None, TravelEstimate()
         self._jobs.cancel()
-        self.checks.follow(self._checked_name())
+        self._follow()
         self._start()
         self._show()
 
@@ -124,8 +135,21 @@ class SetupPage(QDialog):
         self._progress, self._trouble = progress, None
         self._show()
 
+    def reject(self) -> None:
+        """Stop a test before anything else; Escape comes here too."""
+        if self.panel.is_acting:
+            self.panel.stop()
+        else:
+            super().reject()
+
+    def close_jobs(self) -> None:
+        """End what still moves: the window closes."""
+        self.panel.stop()
+        self.panel.wait()
+
     def done(self, result: int) -> None:
-        """Close, but not before the Falcon is let go of."""
+        """Close, but not before the device is let go of."""
+        self.panel.stop()
         self._look_timer.stop()
         self._is_ending, self._result = True, result
         self._jobs.cancel()
@@ -181,17 +205,21 @@ class SetupPage(QDialog):
         caption = QLabel(self.tr("Device"))
         caption.setBuddy(self.device)
         self.title.setMinimumHeight(QFontMetrics(self.title.font()).lineSpacing())
+        pictures = column_of((self.drawing, 1), (self.panel, 1), spacing=8)
         words = column_of(
             *(self.title, self.what, self.text, self.checks.label, self.bar, STRETCH),
             spacing=8,
         )
         fill_page(
             self,
-            row_of(caption, (self.device, 1)),
-            row_of(self.form.caption, (self.form.settings, 1)),
-            (row_of((self.drawing, 1), (words, 1), spacing=16), 1),
-            row_of(self.firmware, self.forces, self.others, STRETCH),
-            row_of(STRETCH, self.close_button, self.use),
+            row_of(
+                caption, (self.device, 1), self.form.caption, (self.form.settings, 1)
+            ),
+            (row_of((pictures, 1), (words, 1), spacing=16), 1),
+            row_of(
+                *(self.firmware, self.forces, self.others, STRETCH),
+                *(self.close_button, self.use),
+            ),
         )
         resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
 
@@ -204,7 +232,8 @@ class SetupPage(QDialog):
 
     def _start(self) -> None:
         is_stuck = self._trouble is not None and not self._trouble.is_watched
-        if self._jobs.is_busy or is_stuck or not _is_falcon(self.chosen):
+        is_held = self._jobs.is_busy or self.panel.is_running
+        if is_held or is_stuck or not _is_falcon(self.chosen):
             return
         reach = self._find_reach(self.chosen)
 
@@ -243,9 +272,21 @@ class SetupPage(QDialog):
     def _on_plugged(self) -> None:
         self.form.fill(self.chosen, self._plugged.falcons())
 
-    def _checked_name(self) -> str:
-        """Return what is looked at: nothing while its name is not right."""
-        return "" if problem_of(self.chosen) else self.chosen
+    def _follow(self) -> None:
+        """Look at what is chosen, unless its name is not right."""
+        is_right = problem_of(self.chosen) is None
+        self.checks.follow(self.chosen if is_right else "")
+        if is_right:
+            self.panel.set_device(self.chosen)
+
+    def _is_free(self) -> bool:
+        """Whether this page and the window have let go of the device."""
+        self._jobs.poll()
+        return not self._jobs.is_busy and self._is_lent_free()
+
+    def _on_test_ended(self) -> None:
+        self._progress = None
+        self._show()
 
     def _on_others(self) -> None:
         self.others_wanted.emit()
@@ -263,16 +304,24 @@ class SetupPage(QDialog):
 
     def _show(self) -> None:
         is_falcon, progress = _is_falcon(self.chosen), self._progress
-        for widget in (self.drawing, self.firmware):
-            widget.setVisible(is_falcon)
+        is_testing = self.panel.is_running
+        self.firmware.setVisible(is_falcon)
+        self.drawing.setVisible(is_falcon and not is_testing)
+        self.panel.picture.setVisible(is_testing or not is_falcon)
+        self.device.setEnabled(not is_testing)
+        self.form.settings.setEnabled(not is_testing)
         self.forces.setVisible(self.chosen.partition(":")[0] not in OUTLETS)
         for button in (self.forces, self.use):
-            button.setEnabled(self.is_ready)
+            button.setEnabled(self.is_ready and not is_testing)
+        self.panel.test_button.setEnabled(self.is_ready and not is_testing)
         loading = progress is not None and progress.step is Step.LOADING
         self.bar.setVisible(loading)
         guide = guide_of(entry_of(self.chosen))
         self.what.setText(translated(guide.what))
         connect = translated(guide.connect)
+        if is_testing:
+            self._say(self.tr("Test"), theme.TEXT, connect)
+            return
         if not is_falcon:
             self._say(*self._state(), connect)
             return

@@ -10,6 +10,7 @@ from hapticplayer.devices import find_device
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
+from hapticplayer.model.device import ChannelLevel
 from hapticplayer.playback.meters import Loudest
 from hapticplayer.rendering import adapted
 
@@ -57,6 +58,11 @@ class ForcePlayer:
     def pids(self) -> dict[str, int]:
         """Processes by what they are."""
         return self._processes.pids
+
+    @property
+    def levels(self) -> tuple[ChannelLevel, ...]:
+        """How loud the channels of a sound card are."""
+        return self._processes.levels
 
     def wait_ready(self) -> None:
         """Wait for the device; see `HapticsProcesses.wait_ready`."""

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import find_device, settings_of
+from hapticplayer.devices import NO_DEVICE, find_device, settings_of
 from hapticplayer.devices.rig.settings import RigSettings
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.contract import Cause, Mode
@@ -33,6 +33,7 @@ NO_TRACK = ""  # no force; what comes after it fades in
 NO_MOTION = Message(
     "a rig moves only with the realistic feedback of a sequence that has its motion"
 )
+LENT = Message("in test, or being set up")
 NOBODY_LISTENS = Message("nobody listens at {address}: start the rig's software")
 
 
@@ -73,7 +74,32 @@ class Outlet:
         self._entered_s = chosen.latency_s if chosen else 0.0
         self.latency_s = self._entered_s
         self.is_muted, self.feedback = False, ""
+        self.is_lent = self._is_stopped = False
         self._names: set[str] = set()
+
+    def lend(self) -> None:
+        """Let go of the device, so that a test can have it."""
+        if not self.is_lent:
+            self.is_lent = True
+            self.output.use(NO_DEVICE)
+
+    def take_back(self) -> None:
+        """Open the device again; what was stopped stays stopped."""
+        if self.is_lent:
+            self.is_lent = False
+            self.output.use(self.name)
+            if self._is_stopped:
+                self.stop()
+
+    def stop(self) -> None:
+        """Come to rest, until `rearm`."""
+        self._is_stopped = True
+        self.output.processes.stop_force()
+
+    def rearm(self) -> None:
+        """Fade in again after a stop."""
+        self._is_stopped = False
+        self.output.processes.rearm()
 
     def set_latencies(self, latencies: Latencies) -> None:
         """Take what was measured, unless a person entered a latency with the outlet."""
@@ -124,6 +150,8 @@ class Outlet:
         )
 
     def _note(self, tick: Any, feedback: str) -> Message | str:
+        if self.is_lent:
+            return LENT
         if not self.takes_motion:
             return ""
         if feedback not in {*self._names, NO_TRACK, Feedback.NONE.value}:
@@ -220,12 +248,32 @@ class Outlets:
     def stop(self) -> None:
         """Bring all of them to rest, until `rearm`."""
         for one in self:
-            one.output.processes.stop_force()
+            one.stop()
 
     def rearm(self) -> None:
         """Let all of them fade in again after a stop."""
         for one in self:
-            one.output.processes.rearm()
+            one.rearm()
+
+    def lend(self, name: str) -> None:
+        """Let go of a device, for a test or a set-up, until `take_back`."""
+        self[name].lend()
+        self._reporter.event("outlet", outlet=name, lent=True)
+
+    def is_free(self, name: str) -> bool:
+        """Whether a device that was lent has come to rest, so that others can open it."""
+        return not self[name].output.is_releasing
+
+    def take_back(self, name: str) -> None:
+        """Open a device again that was lent, with the tracks of the clip.
+
+        Raises:
+            HapticsError: when its processes cannot be started.
+        """
+        self._reporter.event("outlet", outlet=name, lent=False)
+        one = self[name]
+        one.take_back()
+        self._hand_over([one])
 
     def poll(self, clock: PlaybackClock, feedback: str) -> None:
         """Read what they have done since, beat, and publish the clock."""

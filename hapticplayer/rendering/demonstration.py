@@ -6,6 +6,7 @@ falls as half a cosine, slowly enough to let go.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,20 +48,21 @@ class DemonstrationStep:
 
 
 def demonstration(
-    capabilities: DeviceCapabilities,
+    capabilities: DeviceCapabilities, strengths: Sequence[float] = STRENGTHS
 ) -> tuple[ForceTrack, tuple[DemonstrationStep, ...]]:
     """Return a force track (frame D, N) and what is felt when.
 
     Args:
         capabilities: of the device; its axes are gone through in turns, a device
             without direction only gets the strengths.
+        strengths: of each turn, as shares of the largest force.
     """
     cap_n = min(DEFAULT_FORCE_LIMIT_N, capabilities.peak_force_n)
     first, axes = capabilities.first_axis, capabilities.axes
     names = list(_DIRECTIONS)[2 * first : 2 * (first + axes)] or [NO_DIRECTION]
     length_s = 2 * RISE_S + HOLD_S
     steps, begin_s = [], LEAD_S
-    for strength in STRENGTHS:
+    for strength in strengths:
         for name in names:
             end_s = begin_s + length_s
             steps.append(DemonstrationStep(begin_s, end_s, name, strength * cap_n))

@@ -527,6 +527,147 @@
     </message>
 </context>
 <context>
+    <name>DevicePicture</name>
+    <message>
+        <source>Grip</source>
+        <translation type="unfinished">Griff</translation>
+    </message>
+    <message>
+        <source>Force is off</source>
+        <translation type="unfinished">Kraft ist aus</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation type="unfinished">Testen</translation>
+    </message>
+    <message>
+        <source>Platform of the rig</source>
+        <translation>Plattform des Bewegungssitzes</translation>
+    </message>
+    <message>
+        <source>Force along one axis</source>
+        <translation>Kraft entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>Strength of the vibration</source>
+        <translation>Stärke der Vibration</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTestPanel</name>
+    <message>
+        <source>Test…</source>
+        <translation>Testen…</translation>
+    </message>
+    <message>
+        <source>Move it gently, after a question</source>
+        <translation>Sanft bewegen, nach einer Rückfrage</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished">STOPP</translation>
+    </message>
+    <message>
+        <source>Stop the force immediately (Esc)</source>
+        <translation type="unfinished">Kraft sofort abschalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Progress of the test</source>
+        <translation>Fortschritt des Tests</translation>
+    </message>
+    <message>
+        <source>Test the device</source>
+        <translation>Gerät testen</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>Test starten</translation>
+    </message>
+    <message>
+        <source>Waiting until the device is at rest</source>
+        <translation>Warten, bis das Gerät ruht</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished">Angehalten.</translation>
+    </message>
+    <message>
+        <source>Coming to rest</source>
+        <translation>Kommt zur Ruhe</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTestWords</name>
+    <message>
+        <source>Esc or STOP ends it immediately.</source>
+        <translation>Esc oder STOPP beendet es sofort.</translation>
+    </message>
+    <message>
+        <source>It will move gently for {seconds} s, along and about one axis after the other.</source>
+        <translation>Es bewegt sich {seconds} s lang sanft, entlang und um eine Achse nach der anderen.</translation>
+    </message>
+    <message>
+        <source>It will vibrate on the channels {channels}, one after the other, for {seconds} s, with up to {strength}.</source>
+        <translation>Es vibriert {seconds} s lang auf den Kanälen {channels}, einem nach dem anderen, mit bis zu {strength}.</translation>
+    </message>
+    <message>
+        <source>It will vibrate for {seconds} s, with up to {strength}.</source>
+        <translation>Es vibriert {seconds} s lang, mit bis zu {strength}.</translation>
+    </message>
+    <message>
+        <source>It will turn or pull to one side and to the other for {seconds} s, with up to {strength}.</source>
+        <translation>Es dreht oder zieht {seconds} s lang zur einen und zur anderen Seite, mit bis zu {strength}.</translation>
+    </message>
+    <message>
+        <source>It will push gently in each direction for {seconds} s, with up to {strength}.</source>
+        <translation>Es drückt {seconds} s lang sanft in jede Richtung, mit bis zu {strength}.</translation>
+    </message>
+    <message>
+        <source>{percent}&#xa0;% of its strength</source>
+        <translation>{percent}&#xa0;% seiner Stärke</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation type="unfinished">Startet</translation>
+    </message>
+    <message>
+        <source>Channel {label}: {what}</source>
+        <translation>Kanal {label}: {what}</translation>
+    </message>
+    <message>
+        <source>Surge: forwards and back</source>
+        <translation>Vor und zurück</translation>
+    </message>
+    <message>
+        <source>Sway: to the right and back</source>
+        <translation>Nach rechts und zurück</translation>
+    </message>
+    <message>
+        <source>Heave: up and back</source>
+        <translation>Nach oben und zurück</translation>
+    </message>
+    <message>
+        <source>Roll: leaning to the right and back</source>
+        <translation>Neigen nach rechts und zurück</translation>
+    </message>
+    <message>
+        <source>Pitch: nose up and back</source>
+        <translation>Nicken nach oben und zurück</translation>
+    </message>
+    <message>
+        <source>Yaw: turning to the left and back</source>
+        <translation>Drehen nach links und zurück</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished">Angehalten.</translation>
+    </message>
+    <message>
+        <source>Test finished.</source>
+        <translation>Test beendet.</translation>
+    </message>
+</context>
+<context>
     <name>Dialogs</name>
     <message>
         <source>Open a sequence folder</source>
@@ -1225,10 +1366,6 @@
     <message>
         <source>Install anyway</source>
         <translation>Trotzdem installieren</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -2337,10 +2474,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Es können keine weiteren Geräte hinzugefügt werden; entfernen Sie erst eines</translation>
     </message>
     <message>
-        <source>The rig moves gently, one axis after the other. Esc stops it.</source>
-        <translation>Die Plattform bewegt sich sanft, eine Achse nach der anderen. Esc hält sie an.</translation>
-    </message>
-    <message>
         <source>More devices</source>
         <translation>Weitere Geräte</translation>
     </message>
@@ -2397,12 +2530,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Stumm</translation>
     </message>
     <message>
-        <source>Test</source>
-        <translation>Testen</translation>
+        <source>Test…</source>
+        <translation>Testen…</translation>
     </message>
     <message>
-        <source>Move the rig gently, or stop that</source>
-        <translation>Die Plattform sanft bewegen, oder das anhalten</translation>
+        <source>Move it gently, after a question</source>
+        <translation>Sanft bewegen, nach einer Rückfrage</translation>
     </message>
     <message>
         <source>Set up…</source>
@@ -2670,6 +2803,13 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>This sequence cannot be played</source>
         <translation>Diese Sequenz kann nicht abgespielt werden</translation>
+    </message>
+</context>
+<context>
+    <name>Question</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -3349,6 +3489,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation type="unfinished">Testen</translation>
     </message>
     <message>
         <source>Looking for the device</source>
@@ -6601,6 +6745,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>mit seiner Bewegung importieren, oder eine gepackte Datei anbieten</translation>
     </message>
     <message>
+        <source>in test, or being set up</source>
+        <translation>wird getestet oder eingerichtet</translation>
+    </message>
+    <message>
         <source>in the sequence {key!r}, {one!r} and {other!r} are the same force</source>
         <translation>in der Sequenz {key!r} sind {one!r} und {other!r} dieselbe Kraft</translation>
     </message>
@@ -7271,6 +7419,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the cutoff</source>
         <translation>die Grenzfrequenz</translation>
+    </message>
+    <message>
+        <source>the device is not homed or not ready; set it up first</source>
+        <translation>das Gerät ist nicht referenziert oder nicht bereit; richten Sie es zuerst ein</translation>
     </message>
     <message>
         <source>the device is not open; choose the device again</source>

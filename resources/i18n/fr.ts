@@ -527,6 +527,147 @@
     </message>
 </context>
 <context>
+    <name>DevicePicture</name>
+    <message>
+        <source>Grip</source>
+        <translation type="unfinished">Poignée</translation>
+    </message>
+    <message>
+        <source>Force is off</source>
+        <translation type="unfinished">La force est coupée</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation type="unfinished">Tester</translation>
+    </message>
+    <message>
+        <source>Platform of the rig</source>
+        <translation>Plateforme du siège</translation>
+    </message>
+    <message>
+        <source>Force along one axis</source>
+        <translation>Force sur un axe</translation>
+    </message>
+    <message>
+        <source>Strength of the vibration</source>
+        <translation>Intensité de la vibration</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTestPanel</name>
+    <message>
+        <source>Test…</source>
+        <translation>Tester…</translation>
+    </message>
+    <message>
+        <source>Move it gently, after a question</source>
+        <translation>Le faire bouger doucement, après une question</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation type="unfinished">STOP</translation>
+    </message>
+    <message>
+        <source>Stop the force immediately (Esc)</source>
+        <translation type="unfinished">Couper la force immédiatement (Échap)</translation>
+    </message>
+    <message>
+        <source>Progress of the test</source>
+        <translation>Avancement du test</translation>
+    </message>
+    <message>
+        <source>Test the device</source>
+        <translation>Tester l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>Lancer le test</translation>
+    </message>
+    <message>
+        <source>Waiting until the device is at rest</source>
+        <translation>En attente du repos de l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished">Arrêté.</translation>
+    </message>
+    <message>
+        <source>Coming to rest</source>
+        <translation>Retour au repos</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceTestWords</name>
+    <message>
+        <source>Esc or STOP ends it immediately.</source>
+        <translation>Échap ou STOP l&apos;arrête aussitôt.</translation>
+    </message>
+    <message>
+        <source>It will move gently for {seconds} s, along and about one axis after the other.</source>
+        <translation>Il bougera doucement pendant {seconds} s, le long et autour d&apos;un axe après l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>It will vibrate on the channels {channels}, one after the other, for {seconds} s, with up to {strength}.</source>
+        <translation>Il vibrera sur les canaux {channels}, l&apos;un après l&apos;autre, pendant {seconds} s, jusqu&apos;à {strength}.</translation>
+    </message>
+    <message>
+        <source>It will vibrate for {seconds} s, with up to {strength}.</source>
+        <translation>Il vibrera pendant {seconds} s, jusqu&apos;à {strength}.</translation>
+    </message>
+    <message>
+        <source>It will turn or pull to one side and to the other for {seconds} s, with up to {strength}.</source>
+        <translation>Il tournera ou tirera d&apos;un côté puis de l&apos;autre pendant {seconds} s, jusqu&apos;à {strength}.</translation>
+    </message>
+    <message>
+        <source>It will push gently in each direction for {seconds} s, with up to {strength}.</source>
+        <translation>Il poussera doucement dans chaque direction pendant {seconds} s, jusqu&apos;à {strength}.</translation>
+    </message>
+    <message>
+        <source>{percent}&#xa0;% of its strength</source>
+        <translation>{percent}&#xa0;% de sa force</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation type="unfinished">Démarrage</translation>
+    </message>
+    <message>
+        <source>Channel {label}: {what}</source>
+        <translation>Canal {label}&#xa0;: {what}</translation>
+    </message>
+    <message>
+        <source>Surge: forwards and back</source>
+        <translation>Avant et retour</translation>
+    </message>
+    <message>
+        <source>Sway: to the right and back</source>
+        <translation>À droite et retour</translation>
+    </message>
+    <message>
+        <source>Heave: up and back</source>
+        <translation>Vers le haut et retour</translation>
+    </message>
+    <message>
+        <source>Roll: leaning to the right and back</source>
+        <translation>Roulis à droite et retour</translation>
+    </message>
+    <message>
+        <source>Pitch: nose up and back</source>
+        <translation>Tangage vers le haut et retour</translation>
+    </message>
+    <message>
+        <source>Yaw: turning to the left and back</source>
+        <translation>Lacet à gauche et retour</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished">Arrêté.</translation>
+    </message>
+    <message>
+        <source>Test finished.</source>
+        <translation>Test terminé.</translation>
+    </message>
+</context>
+<context>
     <name>Dialogs</name>
     <message>
         <source>Open a sequence folder</source>
@@ -1225,10 +1366,6 @@
     <message>
         <source>Install anyway</source>
         <translation>Installer quand même</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -2337,10 +2474,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Aucun autre appareil ne peut être ajouté&#xa0;; retirez-en un d’abord</translation>
     </message>
     <message>
-        <source>The rig moves gently, one axis after the other. Esc stops it.</source>
-        <translation>La plateforme bouge doucement, un axe après l’autre. Échap l’arrête.</translation>
-    </message>
-    <message>
         <source>More devices</source>
         <translation>Autres appareils</translation>
     </message>
@@ -2397,12 +2530,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Muet</translation>
     </message>
     <message>
-        <source>Test</source>
-        <translation>Tester</translation>
+        <source>Test…</source>
+        <translation>Tester…</translation>
     </message>
     <message>
-        <source>Move the rig gently, or stop that</source>
-        <translation>Bouger doucement la plateforme, ou l’arrêter</translation>
+        <source>Move it gently, after a question</source>
+        <translation>Le faire bouger doucement, après une question</translation>
     </message>
     <message>
         <source>Set up…</source>
@@ -2670,6 +2803,13 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>This sequence cannot be played</source>
         <translation>Cette séquence ne peut pas être lue</translation>
+    </message>
+</context>
+<context>
+    <name>Question</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Annuler</translation>
     </message>
 </context>
 <context>
@@ -3349,6 +3489,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Device</source>
         <translation>Appareil</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation type="unfinished">Tester</translation>
     </message>
     <message>
         <source>Looking for the device</source>
@@ -6601,6 +6745,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>importez-le avec son mouvement, ou servez un fichier partagé</translation>
     </message>
     <message>
+        <source>in test, or being set up</source>
+        <translation>en test ou en configuration</translation>
+    </message>
+    <message>
         <source>in the sequence {key!r}, {one!r} and {other!r} are the same force</source>
         <translation>dans la séquence {key!r}, {one!r} et {other!r} sont la même force</translation>
     </message>
@@ -7271,6 +7419,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the cutoff</source>
         <translation>la fréquence de coupure</translation>
+    </message>
+    <message>
+        <source>the device is not homed or not ready; set it up first</source>
+        <translation>l&apos;appareil n&apos;est pas initialisé ou pas prêt&#xa0;; configurez-le d&apos;abord</translation>
     </message>
     <message>
         <source>the device is not open; choose the device again</source>

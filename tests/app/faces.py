@@ -43,10 +43,10 @@ from app.player.condition_form import ConditionDialog
 from app.player.device_page import DevicePage
 from app.player.dialogs import about_dialog
 from app.player.fault_panel import FaultPanel
-from app.player.firmware_dialog import Question
 from app.player.keys_dialog import KeysDialog
 from app.player.latency_page import LatencyPage
 from app.player.outlets_page import OutletsPage
+from app.player.question import Question
 from app.player.rig_panel import RigPanel
 from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
@@ -102,8 +102,10 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "set-up-falcon": lambda: SetupPage(
             window.clock, "falcon", PluggedFalcons(list, window), window, _no_reach
         ),
-        "licence": lambda: Question(window, setup_texts.licence(), "OK"),
-        "unknown-image": lambda: Question(window, setup_texts.unknown_image(), "OK"),
+        "licence": lambda: Question(window, "Firmware", setup_texts.licence(), "OK"),
+        "unknown-image": lambda: Question(
+            window, "Firmware", setup_texts.unknown_image(), "OK"
+        ),
         "feedback": lambda: ConditionDialog(["mine"], window),
         "faults": lambda: FaultPanel(window.clock, window.session, window),
         "outlets": lambda: OutletsPage(window.clock, window.session, window),

@@ -2,7 +2,6 @@
 
 import contextlib
 import shutil
-import threading
 
 import faces
 import numpy as np
@@ -20,7 +19,6 @@ from app.bridge.settings import (
     outlets_of,
 )
 from app.player import application as program
-from app.player import outlets_page
 from app.player.device_form import outlet_text
 from app.player.outlets_page import OutletsPage, state_text
 from app.player.window import DEVICE, PlayerWindow
@@ -29,8 +27,10 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import RigTrack
+from hapticplayer.playback import device_test
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import OutletState
+from hapticplayer.rendering.rig import RigStep
 from hapticplayer.sequence import files
 from hapticplayer.simulation.rig.receiver import Ears
 
@@ -57,10 +57,6 @@ def add_rig(page, ears):
     page.address.setText(f"127.0.0.1:{port}")
     page.add()
     return f"rig:outsim,127.0.0.1:{port},gain=0.25,latency_ms=0"
-
-
-def wait_for_tests_to_end(wait_for):
-    wait_for(lambda: "rig-test" not in [t.name for t in threading.enumerate()])
 
 
 def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, ears, wait_for):
@@ -94,36 +90,76 @@ def test_muting_is_seen_by_the_player(window, page, ears):
     assert not playing_on(window)[name].is_muted
 
 
-def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
-    window, page, ears, wait_for, monkeypatch
-):
+@pytest.fixture
+def short_test(monkeypatch):
+    """A rig is tested for 1.5 s, upwards."""
     motion = np.zeros((150, 15))
     motion[60:90, 2] = 2.0
     track = RigTrack(np.arange(0.0, 1.5, 0.01), motion)
-    monkeypatch.setattr(outlets_page, "rig_demonstration", lambda: (track, ()))
+    steps = (RigStep(0.5, 1.0, "heave"),)
+    monkeypatch.setattr(device_test, "rig_demonstration", lambda: (track, steps))
+
+
+def begin_test(page, name, wait_for):
+    """Agree to the test of an outlet, and wait until it moves."""
+    page.tests[name].click()
+    assert not page.panel.is_running
+    assert "Nobody sits on it yet" in page.panel.question.text.text()
+    page.panel.question.yes.click()
+    wait_for(lambda: page.panel.test is not None and page.panel.test.done_s > 0.0)
+
+
+def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
+    window, page, ears, wait_for, short_test
+):
     name = add_rig(page, ears)
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
-    page.test(name)
-    assert playing_on(window)[name].is_muted  # its packets would alternate with these
-    wait_for(lambda: page.tested is None)
-    wait_for(lambda: not playing_on(window)[name].is_muted)
+    page.look()
+    begin_test(page, name, wait_for)
+    page.look()
+    assert page.panel.isVisible()
+    assert page.states[name].text() == "in test, or being set up"
+    assert not page.tests[name].isEnabled()
+    heights = []
+
+    def is_over():
+        heights.append(page.panel.picture.shown.pose.up_m)
+        return not page.panel.is_running
+
+    wait_for(is_over)
+    assert max(heights) > 0.002  # the picture has moved
+    assert page.problem.text() == "Test finished."
+    assert not page.panel.isVisible()
     list(ears.listen(0.0))
     (report,) = ears.report().values()
     assert report["peak_mps2"] > 0.1
     assert report["is_neutral"]
+    wait_for(lambda: playing_on(window)[name].health is Health.READY)
+    assert page.chosen() == {name: False}
 
 
-def test_escape_stops_everything(window, page, ears, wait_for):
+def test_a_person_may_decline(window, page, ears, wait_for):
     name = add_rig(page, ears)
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
-    page.test(name)
+    page.look()
+    page.tests[name].click()
+    page.panel.question.no.click()
+    assert not page.panel.is_running
+    assert playing_on(window)[name].health is Health.READY
+
+
+def test_escape_stops_a_test_and_everything_else(window, page, ears, wait_for):
+    name = add_rig(page, ears)
+    wait_for(lambda: playing_on(window)[name].health is Health.READY)
+    page.look()
+    begin_test(page, name, wait_for)
+    player = page.panel.test._player
     QTest.keyClick(page, Qt.Key.Key_Escape)
-    assert page.tested is None
+    assert player.health is Health.GONE
     wait_for(lambda: playing_on(window)[name].mode is Mode.TRIPPED)
     assert window.session.is_stopped
     window.session.rearm()
     wait_for(lambda: playing_on(window)[name].mode is Mode.IDLE)
-    wait_for_tests_to_end(wait_for)
 
 
 def test_names_and_states_are_words():
@@ -205,18 +241,9 @@ def test_escape_and_stop_bring_device_and_outlet_to_rest(
 # --- what is remembered --------------------------------------------------------
 
 
-def test_what_is_chosen_is_kept_and_a_test_mutes_nothing(
-    window, page, ears, settings, wait_for
-):
+def test_what_is_chosen_and_muted_is_kept(window, page, ears, settings, wait_for):
     name = add_rig(page, ears)
     assert outlets_of(settings) == {name: False}
-    wait_for(lambda: playing_on(window)[name].health is Health.READY)
-    page.look()
-    page.test(name)
-    assert playing_on(window)[name].is_muted
-    assert page.chosen() == {name: False}
-    page.end_test()
-    wait_for(lambda: not playing_on(window)[name].is_muted)
     page.look()
     page.mutes[name].click()
     assert Settings(settings._path).table(OUTLETS) == {name: True}

@@ -5,16 +5,19 @@ import socket
 from dataclasses import replace
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog
 
 from app.bridge.settings import outlets_of
 from app.player import check_list, choices
 from app.player.choices import PluggedFalcons
 from app.player.device_page import DevicePage
-from app.player.firmware_dialog import Question, offer_firmware
+from app.player.firmware_dialog import offer_firmware
 from app.player.homing_view import HomingDrawing, HomingView, TravelEstimate, view_of
 from app.player.outlets_page import OutletsPage
+from app.player.question import Question
 from app.player.setup_page import SetupPage
 from app.widgets import theme
 from hapticplayer.clock import SystemClock
@@ -28,6 +31,7 @@ from hapticplayer.devices.falcon.transport import open_falcon
 from hapticplayer.devices.guides import Guide
 from hapticplayer.devices.rig.packets import FORMATS
 from hapticplayer.errors import Message
+from hapticplayer.haptics.processes import Health
 from hapticplayer.simulation.usb import mechanics
 from hapticplayer.simulation.usb.board import Stage, synthetic_image
 from hapticplayer.simulation.usb.driver import make_set
@@ -292,6 +296,65 @@ def test_a_device_of_another_package_has_a_page(others, make_page, wait_for):
     assert "Pay it." in page.checks.label.text()
     choose(page, "plain")
     assert page.text.text() == "Connect it as its maker says."
+
+
+def begin_test(page, wait_for):
+    page.panel.test_button.click()
+    text = page.panel.question.text.text()
+    page.panel.question.yes.click()
+    wait_for(lambda: page.panel.test is not None and page.panel.test.done_s > 1.2)
+    return text
+
+
+def test_a_device_is_tested_after_asking_and_stopped_by_escape(make_page, wait_for):
+    page = make_page("simulated")
+    text = begin_test(page, wait_for)
+    assert text.startswith(
+        "Simulated\n\nIt will push gently in each direction for 18 s,"
+    )
+    assert "with up to 1.1\u00a0N" in text
+    assert "Esc or STOP ends it immediately." in text
+    wait_for(lambda: page.panel.state.text() == "To the right, 1.1 N")
+    wait_for(lambda: page.panel.picture.shown.grip.force_n[0] > 0.3)
+    assert not page.use.isEnabled()
+    assert not page.device.isEnabled()
+    player = page.panel.test._player
+    QTest.keyClick(page, Qt.Key.Key_Escape)
+    assert not page.panel.is_acting
+    wait_for(lambda: player.health is Health.GONE)
+    wait_for(lambda: not page.panel.is_running)
+    assert page.isVisible()  # the first Escape ends the test, the next one the page
+    assert page.panel.state.text() == "Stopped."
+    wait_for(page.use.isEnabled)
+
+
+def test_a_falcon_is_tested_only_when_it_is_homed(make_page, wait_for):
+    page = make_page()
+    wait_for(lambda: page.drawing.view.arrow == 1)
+    assert not page.panel.test_button.isEnabled()
+    wait_for(lambda: page.is_ready)
+    wait_for(page.panel.test_button.isEnabled)
+    page.panel.begin()
+    assert not page.panel._is_free()  # before the page has let go of it
+    wait_for(page.panel._is_free)
+    page.panel.stop()
+    wait_for(lambda: page.is_ready)  # and holds it again
+
+
+def test_a_test_waits_until_the_window_has_let_go(make_window, wait_for):
+    window = make_window("none")
+    window.player.set_outlets(["simulated"])
+    states = window.player.snapshot
+    wait_for(lambda: states().outlets[0].health is Health.READY)
+    window.commands.set_up_device.trigger()
+    page = window.findChild(SetupPage)
+    choose(page, "simulated")
+    assert states().outlets[0].health is Health.NONE
+    begin_test(page, wait_for)
+    page.reject()
+    wait_for(lambda: not page.panel.is_running)
+    page.reject()
+    wait_for(lambda: states().outlets[0].health is Health.READY)
 
 
 def test_a_rig_is_set_up_and_plays_beside_the_device(make_window, wait_for):

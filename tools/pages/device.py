@@ -3,8 +3,8 @@
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
 from app.player.device_page import DevicePage, homing_text
-from app.player.firmware_dialog import Question
 from app.player.latency_page import LatencyPage
+from app.player.question import Question
 from app.player.setup_page import SetupPage
 from app.player.video_surface import SurfaceSink
 from hapticplayer.clock import Clock, SystemClock
@@ -54,7 +54,7 @@ def pictures(stage: Stage) -> Pictures:
         ("licence", setup_texts.licence()),
         ("unknown", setup_texts.unknown_image()),
     ):
-        with stage.shown(Question(None, text, "OK")) as question:
+        with stage.shown(Question(None, "Firmware", text, "OK")) as question:
             yield f"firmware-{name}", question.grab()
     yield from _forces(stage)
     yield from _latencies(stage)

@@ -14,7 +14,7 @@ from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
 from hapticplayer.model.device import ChannelLevel
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
-from hapticplayer.playback.outlets import NO_MOTION, Outlets
+from hapticplayer.playback.outlets import LENT, NO_MOTION, Outlets
 from hapticplayer.playback.player import Player
 
 RIG, OTHER = "rig:outsim,gain=0.5,latency_ms=40", "rig:beamng"
@@ -252,3 +252,41 @@ def test_the_player_keeps_what_is_not_changed(manual_clock):
     state = {one.name: one for one in player.snapshot().outlets}["gamepad"]
     assert (state.feedback, state.is_muted) == ("random", False)
     player.close()
+
+
+# --- lent to a test ------------------------------------------------------------
+
+
+def test_an_outlet_is_lent_and_comes_back_with_its_tracks(outlets):
+    before = processes_of(outlets, RIG)
+    outlets.lend(RIG)
+    outlets[RIG].output.wait_released()
+    assert before.done[-1] == "close"
+    assert processes_of(outlets, RIG).device == "none"
+    assert outlets.is_free(RIG)
+    (state, *_) = outlets.states("realistic")
+    assert (state.name, state.note) == (RIG, LENT)
+    outlets.take_back(RIG)
+    again = processes_of(outlets, RIG)
+    assert (again.device, set(again.tracks)) == (RIG, {"realistic"})
+    assert "stop_force" not in again.done
+    outlets.lend("gamepad")
+    outlets.take_back("gamepad")
+    assert set(processes_of(outlets, "gamepad").tracks) == set(TRACKS)
+
+
+def test_what_is_stopped_while_it_is_lent_stays_stopped(outlets):
+    outlets.lend(RIG)
+    outlets.stop()
+    outlets.take_back(RIG)
+    assert processes_of(outlets, RIG).done == ["stop_force"]
+    outlets.lend(OTHER)
+    outlets.rearm()
+    outlets.take_back(OTHER)
+    assert "stop_force" not in processes_of(outlets, OTHER).done
+
+
+def test_one_that_is_lent_may_be_removed(outlets):
+    outlets.lend(RIG)
+    outlets.use([OTHER])
+    assert [one.name for one in outlets] == [OTHER]

@@ -1,0 +1,193 @@
+"""A gentle test of any device or outlet, through all that guards a hand in play.
+
+The same loop, limits, ramps and guard as in play: each part of the device is opened by a
+`ForcePlayer`, one after the other.
+"""
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.clock import Clock
+from hapticplayer.devices import find_device
+from hapticplayer.devices.guides import guide_of
+from hapticplayer.errors import HapticPlayerError, Message, message_of
+from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.shared import TICK
+from hapticplayer.model import ForceTrack, RigTrack
+from hapticplayer.model.device import ChannelLevel, Signal
+from hapticplayer.playback.forces import ForcePlayer
+from hapticplayer.rendering import demonstration, rig_demonstration
+from hapticplayer.rendering.demonstration import DemonstrationStep
+from hapticplayer.rendering.rig import RigStep
+
+GENTLE, GENTLE_VIBRATION = (0.25,), (0.25, 0.5)
+"""Strengths, as shares of the largest force."""
+HOMING_S = 20.0
+"""A device that does not know where its grip is by then has to be set up first."""
+_LEAST_TICKS = 100
+Step = DemonstrationStep | RigStep
+MakePlayer = Callable[[Clock, str, ForceTrack | RigTrack], ForcePlayer]
+
+
+@dataclass(frozen=True, slots=True)
+class DevicePart:
+    """What is tested by itself: a whole device, or one of its channels.
+
+    Attributes:
+        label: of a channel, "" for a whole device.
+        device: its name.
+        track, steps: what it does, and when.
+    """
+
+    label: str
+    device: str
+    track: ForceTrack | RigTrack
+    steps: tuple[Step, ...]
+
+    @property
+    def end_s(self) -> float:
+        """How long it takes."""
+        return float(self.track.time_s[-1])
+
+
+def parts_of(name: str) -> tuple[DevicePart, ...]:
+    """Return what a test of a device does, in order.
+
+    Raises:
+        DeviceError: for a name or settings that are not allowed.
+    """
+    entry = find_device(name)
+    record, divide = entry.capabilities, guide_of(entry).parts
+    if record.signal is Signal.MOTION:
+        return (DevicePart("", name, *rig_demonstration()),)
+    strengths = GENTLE if record.axes else GENTLE_VIBRATION
+    track, steps = demonstration(record, strengths)
+    parts = divide(entry.serial) if divide else (("", name),)
+    return tuple(DevicePart(label, device, track, steps) for label, device in parts)
+
+
+class DeviceTest:
+    """A test that has begun; poll it at 10 Hz or more until `is_over`.
+
+    Attributes:
+        part: that is tested now, or was last.
+        problem: what is wrong with the device, "" for nothing.
+        mode, cause: of its loop, last.
+        was_stopped: whether a person has stopped it.
+
+    Raises:
+        DeviceError: for a name or settings that are not allowed.
+        HapticsError: when the processes cannot be started.
+    """
+
+    def __init__(self, clock: Clock, name: str, make: MakePlayer = ForcePlayer) -> None:
+        entry = find_device(name)
+        self._tells_latency = guide_of(entry).tells_latency
+        self._clock, self._make = clock, make
+        self._patience_s = entry.patience_s + HOMING_S
+        parts = parts_of(name)
+        self.part, self._next = parts[0], list(parts[1:])
+        self._before_s, self.end_s = 0.0, sum(one.end_s for one in parts)
+        self.problem: Message | str = ""
+        self.mode, self.cause, self.was_stopped = Mode.IDLE, Cause.NONE, False
+        self._player: ForcePlayer | None = None
+        self._releaser: threading.Thread | None = None
+        self._ages_s: list[NDArray[Any]] = []
+        self._begin(self.part)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether all of it is done, and the device can be opened by others."""
+        is_released = self._releaser is None or not self._releaser.is_alive()
+        return self._player is None and is_released and not self._next
+
+    @property
+    def is_acting(self) -> bool:
+        """Whether the device is held, and not yet about to be let go."""
+        return self._player is not None
+
+    @property
+    def done_s(self) -> float:
+        """How much of `end_s` is over."""
+        return self._before_s + (self._player.media_s if self._player else 0.0)
+
+    @property
+    def step(self) -> Step | None:
+        """What is done now, None in between."""
+        media_s = self._player.media_s if self._player else -1.0
+        steps = (s for s in self.part.steps if s.begin_s <= media_s < s.end_s)
+        return next(steps, None)
+
+    @property
+    def levels(self) -> tuple[ChannelLevel, ...]:
+        """How loud the channels of a sound card are."""
+        return self._player.levels if self._player else ()
+
+    @property
+    def latency_s(self) -> float | None:
+        """Median age of the device's answers while it acted; None if it tells nothing."""
+        ages_s = np.concatenate([np.empty(0), *self._ages_s])
+        return float(np.median(ages_s)) if len(ages_s) >= _LEAST_TICKS else None
+
+    def poll(self) -> NDArray[Any]:
+        """Advance, and return the ticks since the last call (see TICK)."""
+        player = self._player
+        if player is None:
+            is_released = self._releaser is None or not self._releaser.is_alive()
+            if is_released and self._next:
+                self._go_on()
+            return np.empty(0, TICK)
+        ticks = player.poll()
+        self.mode, self.cause = player.mode, player.cause
+        if self._tells_latency:
+            self._ages_s.append(ticks["reply_age_s"][ticks["mode"] == Mode.FOLLOWING])
+        is_late = player.media_s <= 0.0 and self._clock.now_s() > self._limit_s
+        if is_late:
+            self.problem = Message(
+                "the device is not homed or not ready; set it up first"
+            )
+        if player.is_over or is_late:
+            self._end()
+        return ticks
+
+    def stop(self) -> None:
+        """Take the force away at once, and let go of the device."""
+        self._next.clear()
+        if self._player is not None:
+            self.was_stopped = True
+            self._player.stop()
+            self._end()
+
+    def wait(self) -> None:
+        """Wait until the device is let go of, after `stop`."""
+        if self._releaser is not None:
+            self._releaser.join()
+
+    def _begin(self, part: DevicePart) -> None:
+        self._player = self._make(self._clock, part.device, part.track)
+        self._limit_s = self._clock.now_s() + self._patience_s
+
+    def _go_on(self) -> None:
+        self._before_s += self.part.end_s
+        self.part = self._next.pop(0)
+        try:
+            self._begin(self.part)
+        except HapticPlayerError as problem:
+            self.problem = message_of(problem)
+            self._next.clear()
+
+    def _end(self) -> None:
+        """Let the device come to rest, in a thread of its own."""
+        player, self._player = self._player, None
+        if player is None:
+            return
+        self.problem = self.problem or player.problem
+        if self.problem or player.mode is Mode.TRIPPED:
+            self._next.clear()
+        self._releaser = threading.Thread(target=player.close, name="device-test")
+        self._releaser.start()
