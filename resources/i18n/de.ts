@@ -6753,10 +6753,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>in der Sequenz {key!r} sind {one!r} und {other!r} dieselbe Kraft</translation>
     </message>
     <message>
-        <source>install hapticplayer[vision], which synchronises without pats and finds the mounting of a sensor</source>
-        <translation>Installieren Sie hapticplayer[vision]: es synchronisiert ohne Klopfer und findet, wie ein Sensor montiert war</translation>
-    </message>
-    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>ist eine FIT-Datei einer Sportuhr oder eines Fahrradcomputers</translation>
     </message>
@@ -7135,10 +7131,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>rig:{text}: {reason}</source>
         <translation>rig:{text}: {reason}</translation>
-    </message>
-    <message>
-        <source>rotation from frames needs OpenCV, which is not installed</source>
-        <translation>Die Drehung aus Bildern braucht OpenCV, das nicht installiert ist</translation>
     </message>
     <message>
         <source>row {number}</source>
@@ -8369,6 +8361,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{axis} wird angepasst</translation>
     </message>
     <message>
+        <source>following frames needs OpenCV, which is not installed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>force belongs to this video, but neither it nor a file {name!r} beside it holds any; ask for both files again, and rename neither alone</source>
         <translation>zu diesem Video gehört Kraft, aber weder es noch eine Datei {name!r} daneben enthält sie; fragen Sie nach beiden Dateien und benennen Sie keine allein um</translation>
     </message>
@@ -8395,6 +8391,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>heard</source>
         <translation>gehört</translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision], which synchronises without pats, finds the mounting of a sensor and suggests motion for a plain video</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is damaged or missing, and the definition of the study has changed</source>
@@ -8475,6 +8475,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no device</source>
         <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>no estimated bounce: two halves of the points do not agree on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no estimated sway: no turns beyond what may be an error</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no participant {code}</source>
@@ -8573,8 +8581,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wird synchronisiert</translation>
     </message>
     <message>
+        <source>the camera stands still: nothing to estimate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
         <translation>der Clip ist beschädigt: einige seiner Bilder fehlen oder sind defekt</translation>
+    </message>
+    <message>
+        <source>the clip is too short to suggest motion; it needs {least_s:g} s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -9031,6 +9051,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{title}: permission denied for {path}; add yourself to the group input and log in again</source>
         <translation>{title}: kein Zugriff auf {path}; nehmen Sie sich in die Gruppe input auf und melden Sie sich neu an</translation>
+    </message>
+    <message>
+        <source>{unseen_s:.0f} s without estimate: cuts, dark, blurred or empty frames</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{value!r} is not a sequence of this study</source>

@@ -6753,10 +6753,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>dans la séquence {key!r}, {one!r} et {other!r} sont la même force</translation>
     </message>
     <message>
-        <source>install hapticplayer[vision], which synchronises without pats and finds the mounting of a sensor</source>
-        <translation>installez hapticplayer[vision], qui synchronise sans tapes et trouve le montage d&apos;un capteur</translation>
-    </message>
-    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>est un fichier FIT d&apos;une montre de sport ou d&apos;un compteur de vélo</translation>
     </message>
@@ -7135,10 +7131,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>rig:{text}: {reason}</source>
         <translation>rig:{text}&#xa0;: {reason}</translation>
-    </message>
-    <message>
-        <source>rotation from frames needs OpenCV, which is not installed</source>
-        <translation>la rotation d&apos;après les images nécessite OpenCV, qui n&apos;est pas installé</translation>
     </message>
     <message>
         <source>row {number}</source>
@@ -8369,6 +8361,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ajustement de {axis}</translation>
     </message>
     <message>
+        <source>following frames needs OpenCV, which is not installed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>force belongs to this video, but neither it nor a file {name!r} beside it holds any; ask for both files again, and rename neither alone</source>
         <translation>une force accompagne cette vidéo, mais ni elle ni un fichier {name!r} à côté ne la contient&#xa0;; redemandez les deux fichiers et n’en renommez pas un seul</translation>
     </message>
@@ -8395,6 +8391,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>heard</source>
         <translation>entendu</translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision], which synchronises without pats, finds the mounting of a sensor and suggests motion for a plain video</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>is damaged or missing, and the definition of the study has changed</source>
@@ -8475,6 +8475,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no device</source>
         <translation>aucun appareil</translation>
+    </message>
+    <message>
+        <source>no estimated bounce: two halves of the points do not agree on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no estimated sway: no turns beyond what may be an error</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no participant {code}</source>
@@ -8573,8 +8581,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>synchronisation</translation>
     </message>
     <message>
+        <source>the camera stands still: nothing to estimate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
         <translation>le clip est endommagé&#xa0;: certaines de ses images manquent ou sont défectueuses</translation>
+    </message>
+    <message>
+        <source>the clip is too short to suggest motion; it needs {least_s:g} s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -9031,6 +9051,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{title}: permission denied for {path}; add yourself to the group input and log in again</source>
         <translation>{title}&#xa0;: accès refusé à {path}&#xa0;; ajoutez-vous au groupe input et reconnectez-vous</translation>
+    </message>
+    <message>
+        <source>{unseen_s:.0f} s without estimate: cuts, dark, blurred or empty frames</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{value!r} is not a sequence of this study</source>
