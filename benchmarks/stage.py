@@ -8,13 +8,15 @@ import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+
+import tools.sound_server
+from tools.sound_server import SoundServer
 
 WIDTH, HEIGHT, RATE_HZ = 1280, 720, 30
 ASIDE_PX = 100  # the mouse pointer in the middle of the screen comes and goes
@@ -25,6 +27,7 @@ _PACKAGES = {
     "mpv": "mpv",
     "pulseaudio": "pulseaudio",
     "pactl": "pulseaudio-utils",
+    "parec": "pulseaudio-utils",
 }
 _SAMPLE_S, _CPU_SAMPLES_PER_MEMORY_SAMPLE = 0.025, 8
 _TICKS_PER_S = os.sysconf("SC_CLK_TCK")
@@ -76,79 +79,12 @@ def pixel_reader(framebuffer: Path) -> Callable[[], bytes]:
     return lambda: memory[at : at + 3]
 
 
-FOUR_CHANNELS = "front-left,front-right,rear-left,rear-right"
-
-
-class SoundServer:
-    """A PulseAudio server of its own with a null sink.
-
-    Attributes:
-        environment: for the programs that shall use it.
-        process: of the server.
-    """
-
-    def __init__(self, folder: str, channels: int = 2) -> None:
-        need("pulseaudio", "pactl")
-        private = dict.fromkeys(
-            ("PULSE_RUNTIME_PATH", "PULSE_STATE_PATH", "XDG_RUNTIME_DIR"), folder
-        )
-        socket = f"{folder}/native"
-        self.environment = {**private, "PULSE_SERVER": f"unix:{socket}"}
-        self._private = {**private, "HOME": folder}
-        self._command = ["pulseaudio", "-n", "--daemonize=no", "--use-pid-file=no"]
-        self._command += ["--exit-idle-time=-1", "--disallow-exit=yes"]
-        self._command += ["--realtime=no", "--high-priority=no", "-L"]
-        self._command += [
-            f"module-native-protocol-unix socket={socket} auth-anonymous=1"
-        ]
-        sink = f"module-null-sink sink_name=null rate=48000 channels={channels}"
-        if channels == 4:
-            sink += f" channel_map={FOUR_CHANNELS}"
-        self._command += ["-L", sink]
-        self.start()
-
-    def start(self) -> None:
-        """Start it, and wait until it answers."""
-        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        self.process = subprocess.Popen(
-            self._command,
-            env={**os.environ, **self._private},
-            start_new_session=True,
-            **quiet,
-        )
-        ask = ["pactl", "info"]
-        for _ in range(100):
-            environment = {**os.environ, **self.environment}
-            if (
-                subprocess.run(ask, env=environment, check=False, **quiet).returncode
-                == 0
-            ):
-                return
-            time.sleep(0.1)
-        sys.exit("the sound server did not start")
-
-    def stop(self) -> None:
-        """End it."""
-        self.process.terminate()
-        self.process.wait()
-
-    def restart(self, after_s: float) -> None:
-        """Kill it, and start it again after a while."""
-        self.process.kill()
-        self.process.wait()
-        time.sleep(after_s)
-        self.start()
-
-
 @contextlib.contextmanager
 def sound_server(channels: int = 2) -> Iterator[SoundServer]:
     """Run a PulseAudio null sink of 2 or 4 channels."""
-    with tempfile.TemporaryDirectory(prefix="hp-sound-") as folder:
-        server = SoundServer(folder, channels)
-        try:
-            yield server
-        finally:
-            server.stop()
+    need("pulseaudio", "pactl")
+    with tools.sound_server.sound_server(channels) as server:
+        yield server
 
 
 # --- clips and forces --------------------------------------------------------------

@@ -71,13 +71,14 @@ apt() {
     -o Dpkg::Use-Pty=0 "$@" </dev/null 9>&-
 }
 
-# Install the packages named, and show apt's own words only when it fails.
+# Install the packages named, and show apt's own words only when it fails. Nothing is
+# removed for them: pulseaudio would take the place of a desktop's own sound server.
 apt_install() {
   local log
   say "installing the system packages $*"
   log=$(mktemp)
   apt update >"$log" 2>&1 || say "apt-get update failed; trying with the lists that are here"
-  if apt install --no-install-recommends "$@" >>"$log" 2>&1; then
+  if apt install --no-install-recommends --no-remove "$@" >>"$log" 2>&1; then
     rm -f -- "$log"
   else
     tail -n 20 -- "$log" >&2
@@ -117,11 +118,13 @@ system_packages() {
 
 # What only tests compare with; those are skipped without it.
 packages_for_checks() {
-  local names
+  local names name
   names=$(missing checks)
   [[ -n $names ]] || return 0
   # shellcheck disable=SC2086 # a list of names
-  if find_right; then apt_install $names || true; fi
+  if find_right && ! apt_install $names; then
+    for name in $names; do apt_install "$name" || true; done
+  fi
   names=$(missing checks)
   if [[ -n $names ]]; then
     say "tests will be skipped for want of these system packages:" \

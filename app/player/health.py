@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
 from app.widgets.texts import local, titled
-from hapticplayer.devices import NO_DEVICE, installed_devices
+from hapticplayer.devices import NO_DEVICE, find_device, installed_devices
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.scheduling import Scheduling
@@ -71,9 +71,15 @@ def device(snapshot: Snapshot) -> Reading:
     if snapshot.mode is Mode.TRIPPED:
         return Reading(Level.BAD, f"{name}, {stop_reason(snapshot.cause)}")
     if snapshot.cause is Cause.NOT_HOMED:
-        text = translate("Health", "pull the grip out, then push it in")
-        return Reading(Level.WATCH, titled(name, text))
+        return Reading(Level.WATCH, _not_homed(name, snapshot.device))
     return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.mode)}")
+
+
+def _not_homed(name: str, device: str) -> str:
+    if not find_device(device).capabilities.axes:  # it has no grip
+        return _with(name, translate("Health", "starting"))
+    text = translate("Health", "pull the grip out, then push it in")
+    return titled(name, text)
 
 
 def _with(name: str, state: str) -> str:

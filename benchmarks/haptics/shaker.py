@@ -2,72 +2,39 @@
 
 The haptics process plays bursts into channels 3 and 4 of a PulseAudio null sink, whose
 monitor is recorded. The recording is laid over what the forces of each tick should
-sound like; then STOP, and SIGKILL of the process, with the sound on.
+sound like; then STOP, and SIGKILL of the loop and of the player, with the sound on,
+several times: the worst counts.
 """
 
 import argparse
 import os
-import signal
-import subprocess
-import threading
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.common import Report
-from benchmarks.stage import FOUR_CHANNELS, need, sound_server
-from hapticplayer.clock import SystemClock
+from benchmarks.stage import need, sound_server
 from hapticplayer.devices.transducer.driver import BLOCK
 from hapticplayer.devices.transducer.settings import shaker_settings
 from hapticplayer.devices.transducer.signal import SAMPLE_HZ, ShakerSignal
-from hapticplayer.haptics.contract import Mode
 from hapticplayer.model import ForceTrack
-from hapticplayer.playback.forces import ForcePlayer
+from tools.shaker_sound import (
+    End,
+    Heard,
+    kill_loop,
+    killed_player,
+    played,
+    silent_after_s,
+    stop,
+)
 
 SETTINGS = "pulse,channels=3+4,band=15-80-40"
-WIDTH = 4
-READ_FRAMES = 48
-POLL_S = 0.01
-AUDIBLE = 0.01
+DEVICE = f"shaker:{SETTINGS}"
 LATE_MS, SILENCE_MS = 5.0, 20.0
 WINDOW_S, SEARCH_S, GRID_HZ = 1.0, 0.06, 4000.0
-
-
-class Monitor:
-    """What the sink plays, with the time at which each piece was heard."""
-
-    def __init__(self, environment: dict[str, str]) -> None:
-        command = ["parec", "-d", "null.monitor", "--format=float32le"]
-        command += ["--rate=48000", f"--channels={WIDTH}", "--latency-msec=5"]
-        command += [f"--channel-map={FOUR_CHANNELS}"]
-        self._process = subprocess.Popen(
-            command, stdout=subprocess.PIPE, env={**os.environ, **environment}
-        )
-        self._clock = SystemClock()
-        self._pieces: list[tuple[float, bytes]] = []
-        threading.Thread(target=self._listen, daemon=True).start()
-
-    def _listen(self) -> None:
-        pipe = self._process.stdout
-        while pipe and (data := pipe.read(4 * WIDTH * READ_FRAMES)):
-            self._pieces.append((self._clock.now_s(), data))
-
-    def close(self) -> tuple[NDArray[Any], NDArray[Any]]:
-        """End, and return times and samples.
-
-        The pieces that came soonest tell the time of a sample: others waited.
-        """
-        self._process.kill()
-        self._process.wait()
-        heard_s = np.array([at_s for at_s, _ in self._pieces])
-        samples = np.concatenate(
-            [np.frombuffer(data, np.float32) for _, data in self._pieces]
-        ).reshape(-1, WIDTH)
-        count_s = READ_FRAMES / SAMPLE_HZ * np.arange(1, len(heard_s) + 1)
-        start_s = np.percentile(heard_s - count_s, 2)
-        return start_s + np.arange(len(samples)) / SAMPLE_HZ, samples
+ENDS, ENDED_S = 5, 2.75
+"""How often each end is tried; after so long, with the sound on."""
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -79,62 +46,32 @@ def run(options: argparse.Namespace, report: Report) -> None:
     """Measure in one session of the sound server each."""
     need("pulseaudio", "pactl", "parec")
     seconds = options.seconds or (5.0 if options.quick else 20.0)
-    with sound_server(WIDTH) as server:
+    with sound_server(4) as server:
         os.environ.update(server.environment)
-        ticks, times, samples, _ = played(server.environment, seconds)
-        ticks = ticks[ticks["monotonic_s"] > 0.0]
-        played_and_heard(report, ticks, times, samples)
-        for name, what in (("STOP", _stop), ("SIGKILL", _kill)):
-            _, times, samples, at_s = played(server.environment, 3.0, what)
-            report.target(
-                f"{name}: silent after, ms",
-                1e3 * silent_after_s(times, samples[:, 2], at_s),
-                ("<=", SILENCE_MS),
-            )
+        whole = played(server.environment, DEVICE, bursts(seconds))
+        if whole.problem:
+            print(whole.problem)
+        played_and_heard(report, whole)
+
+        def end(how: End) -> Heard:
+            return played(server.environment, DEVICE, bursts(4.0), how, ENDED_S)
+
+        for name, ended in (
+            ("STOP", lambda: end(stop)),
+            ("SIGKILL of the loop", lambda: end(kill_loop)),
+            (
+                "SIGKILL of the player",
+                lambda: killed_player(server.environment, DEVICE),
+            ),
+        ):
+            tries = [_silent_after_ms(ended()) for _ in range(ENDS)]
+            report.figures[f"{name}, ms"] = [round(one, 1) for one in tries]
+            worst = float(np.max(tries))
+            report.target(f"{name}: silent after, ms", worst, ("<=", SILENCE_MS))
 
 
-def silent_after_s(times: NDArray[Any], heard: NDArray[Any], at_s: float) -> float:
-    """Return how long after a moment there was sound; not a number without any before."""
-    loud_s = times[np.abs(heard) > AUDIBLE]
-    if not np.any((loud_s > at_s - 0.1) & (loud_s <= at_s)):
-        return float("nan")
-    return max(0.0, float(loud_s[-1]) - at_s)
-
-
-def played(
-    environment: dict[str, str],
-    seconds: float,
-    end: Callable[[ForcePlayer], None] | None = None,
-) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], float]:
-    """Play bursts; return ticks, times and samples of the monitor, and the end's time."""
-    monitor = Monitor(environment)
-    clock = SystemClock()
-    player = ForcePlayer(clock, f"shaker:{SETTINGS}", bursts(seconds + 1.0))
-    ticks, at_s = [], 0.0
-    try:
-        player.wait_ready()
-        while not player.is_over:
-            ticks.append(player.poll())
-            if end and not at_s and player.media_s > seconds - 0.25:
-                at_s = clock.now_s()
-                end(player)
-                break
-            clock.sleep_until(clock.now_s() + POLL_S)
-        clock.sleep_until(clock.now_s() + 0.4)
-        if player.problem or (player.mode is Mode.TRIPPED and not at_s):
-            print(player.problem, player.cause)
-    finally:
-        player.close()
-    times, samples = monitor.close()
-    return np.concatenate(ticks), times, samples, at_s
-
-
-def _stop(player: ForcePlayer) -> None:
-    player.stop()
-
-
-def _kill(player: ForcePlayer) -> None:
-    os.kill(player.pids["loop"], signal.SIGKILL)
+def _silent_after_ms(ended: Heard) -> float:
+    return 1e3 * silent_after_s(ended.times, ended.samples[:, 2], ended.end_s)
 
 
 def bursts(seconds: float) -> ForceTrack:
@@ -144,10 +81,10 @@ def bursts(seconds: float) -> ForceTrack:
     return ForceTrack(t, np.stack([0.0 * t, size, 0.0 * t], axis=1))
 
 
-def played_and_heard(
-    report: Report, ticks: NDArray[Any], times: NDArray[Any], samples: NDArray[Any]
-) -> None:
+def played_and_heard(report: Report, whole: Heard) -> None:
     """Compare with what the forces of the ticks should sound like."""
+    ticks, times, samples, *_ = whole
+    ticks = ticks[ticks["monotonic_s"] > 0.0]
     peaks = np.abs(samples).max(axis=0)
     rows = [[f"channel {n + 1}", float(peak)] for n, peak in enumerate(peaks)]
     report.table("Largest sample, 1 is full", ["", "peak"], rows)

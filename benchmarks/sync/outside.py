@@ -28,11 +28,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.common import ROOT, Report
-from benchmarks.stage import SoundServer, Usage, need, screen, sound_server
+from benchmarks.stage import Usage, need, screen, sound_server
 from benchmarks.sync import staging
 from benchmarks.sync.staging import flashes, onsets, watcher
 from benchmarks.witness import sentinel
 from hapticplayer.simulation.falcon.record_reader import read_record
+from tools.sound_server import SoundServer
 
 Floats = NDArray[np.float64]
 Span = tuple[float, float]

@@ -106,7 +106,7 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
         try:
             with interruptible():
                 player.wait_ready()
-                _play(player, clock, [])
+                _play(player, clock, [], has_grip=False)
         finally:
             player.close()
         if player.problem:
@@ -123,8 +123,14 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
     return int(bool(problem))
 
 
-def _play(player: ForcePlayer, clock: SystemClock, ticks: list[NDArray[Any]]) -> None:
-    limit_s, is_shown = clock.now_s() + HOMING_S, False
+def _play(
+    player: ForcePlayer,
+    clock: SystemClock,
+    ticks: list[NDArray[Any]],
+    *,
+    has_grip: bool = True,
+) -> None:
+    limit_s, is_shown = clock.now_s() + HOMING_S, not has_grip
     while not player.is_over:
         ticks.append(player.poll())
         if player.cause is Cause.NOT_HOMED and not is_shown:

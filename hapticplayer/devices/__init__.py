@@ -9,7 +9,7 @@ import importlib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from hapticplayer.devices.capabilities import (
     BUTTPLUG,
@@ -53,6 +53,14 @@ class HapticDevice(Protocol):
         """Let go of the device; the force has been zero before."""
 
 
+@runtime_checkable
+class Delayed(Protocol):
+    """A device that acts so much later that a stop must not wait for it."""
+
+    def forget(self) -> None:
+        """Drop the commands that have not acted yet; called at a stop, never waits."""
+
+
 @dataclass(frozen=True, slots=True)
 class DeviceEntry:
     """A device that can be chosen by name. Functions are named "module:function".
@@ -80,6 +88,8 @@ class DeviceEntry:
         settings: called with what follows the name and a colon, in place of a serial
             number; raises DeviceError for what is not allowed.
         loop: class of the loop in the device's process; "" for the 1 kHz loop.
+        fades_alone: whether it falls silent by itself when its loop stands still, so
+            that the guard writes zero only after the loop's end.
         guard: what makes the loop's guard; "" for the one that writes zero.
         guide: its set-up page, a `guides.Guide`; "" for one made of what is here.
         record: called with what follows `name:`, returns the capabilities with these
@@ -106,6 +116,7 @@ class DeviceEntry:
     loop: str = ""
     guard: str = ""
     guide: str = ""
+    fades_alone: bool = False
 
     def make(self, descriptor: int) -> HapticDevice:
         """Return the device, not yet open."""
@@ -217,9 +228,10 @@ _BUILT_IN = (
         "bass shakers and voice coils on a sound card",
         SHAKER,
         "hapticplayer.devices.transducer.driver:make",
-        "hapticplayer.devices.transducer.driver:silence",
+        "hapticplayer.devices.transducer.cutting:silence",
         settings="hapticplayer.devices.transducer.settings:shaker_settings",
         guide=f"{_GUIDES}:SHAKER",
+        fades_alone=True,
     ),
     DeviceEntry(
         "buttplug",

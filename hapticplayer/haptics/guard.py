@@ -49,12 +49,21 @@ class LoopProcess:
 
 
 class Guard:
-    """Checks the loop until it ends; `send_zero` is False when the device is gone."""
+    """Checks the loop until it ends; `send_zero` is False when the device is gone.
+
+    `watches_stalls` is whether zero is written also while the loop stands still.
+    """
 
     def __init__(
-        self, clock: Clock, block: LoopBlock, send_zero: Callable[[], bool]
+        self,
+        clock: Clock,
+        block: LoopBlock,
+        send_zero: Callable[[], bool],
+        *,
+        watches_stalls: bool = True,
     ) -> None:
         self._clock, self._block, self._send_zero = clock, block, send_zero
+        self._watches_stalls = watches_stalls
 
     def check(self) -> None:
         """Beat, and write zero if the loop has held its last force for too long.
@@ -65,7 +74,7 @@ class Guard:
         now_s = self._clock.now_s()
         self._block.beat_guard(now_s)
         last_s = self._block.last_tick_s()
-        if last_s and now_s - last_s > GAP_RAMP_S:
+        if self._watches_stalls and last_s and now_s - last_s > GAP_RAMP_S:
             self._send_zero()
 
     def send_final_zeros(self) -> None:
@@ -121,7 +130,12 @@ def main(argv: list[str] | None = None) -> int:
 def _guard(entry: DeviceEntry, block: LoopBlock, handle: int) -> Any:
     if entry.guard:
         return load(entry.guard)(SystemClock(), block, entry.make(handle))
-    return Guard(SystemClock(), block, entry.silence(handle))
+    return Guard(
+        SystemClock(),
+        block,
+        entry.silence(handle),
+        watches_stalls=not entry.fades_alone,
+    )
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ import math
 from dataclasses import dataclass, field
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import HapticDevice
+from hapticplayer.devices import Delayed, HapticDevice
 from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import Centring
@@ -99,8 +99,8 @@ class Loop(TrackFollower):
             )
         )
         self._exchange(state.force_n, now_s)
-        if state.mode is not before.mode and self.cpu_latency is not None:
-            self.cpu_latency.set_active(is_active=state.mode not in _RESTING)
+        if state.mode is not before.mode:
+            self._note_mode(state.mode)
         self._record(late_s, missed)
         self.count += 1
         if self._is_needed or state.mode not in _RESTING or self.is_over:
@@ -108,6 +108,12 @@ class Loop(TrackFollower):
         self.is_resting = now_s - self._needed_s >= REST_AFTER_S
         if self.is_resting:
             self.block.beat_loop(0.0)  # the guard has no force to watch over
+
+    def _note_mode(self, mode: Mode) -> None:
+        if mode is Mode.TRIPPED and isinstance(self.device, Delayed):
+            self.device.forget()
+        if self.cpu_latency is not None:
+            self.cpu_latency.set_active(is_active=mode not in _RESTING)
 
     def _exchange(self, force_n: Vector, now_s: float) -> None:
         """Send the command, unless it has become too old meanwhile."""

@@ -86,6 +86,12 @@ def test_all_is_well():
             Level.WATCH,
             "pull the grip out, then push it in",
         ),
+        (
+            {"device": "shaker", "mode": Mode.IDLE, "cause": Cause.NOT_HOMED},
+            0,
+            Level.WATCH,
+            "starting",
+        ),
         ({"device_health": Health.STARTING}, 0, Level.WATCH, "starting"),
         ({"device": "none", "device_health": Health.NONE}, 0, Level.NEUTRAL, "none"),
         ({"scheduling": "normal"}, 1, Level.WATCH, "normal"),

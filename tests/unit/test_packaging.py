@@ -118,6 +118,7 @@ FAKE_APT = """#!/bin/bash
 echo "apt-get $*" >>"$FAKE/calls"
 [ "${*: -1}" = update ] && exit 0
 [ ! -e "$FAKE/refuse" ] || exit 100
+[ ! -e "$FAKE/conflicts" ] || [[ "$*" != *"$(cat "$FAKE/conflicts")"* ]] || exit 100
 case "$*" in *ffmpeg*) : >"$FAKE/missing-checks" ;;
   *) for need in required optional; do : >"$FAKE/missing-$need"; done ;;
 esac
@@ -207,7 +208,7 @@ def test_missing_system_packages_are_installed(machine) -> None:
     update, install = machine.calls("apt-get")
     assert update.endswith("update")
     assert install.endswith(
-        "install --no-install-recommends libgl1 libegl1 libportaudio2"
+        "install --no-install-recommends --no-remove libgl1 libegl1 libportaudio2"
     )
 
 
@@ -222,6 +223,21 @@ def test_what_only_tests_need_is_installed_for_them_alone(machine) -> None:
     installs = machine.calls("--no-install-recommends")
     assert installs[0].endswith(" libportaudio2")  # what tests need holds nothing up
     assert installs[1].endswith(" ffmpeg umockdev")
+
+
+def test_a_package_that_would_remove_others_is_left_out(machine) -> None:
+    """On a desktop with PipeWire pulseaudio would; the others come all the same."""
+    machine.lacks(checks="ffmpeg pulseaudio")
+    (machine.fake / "conflicts").write_text("pulseaudio")
+
+    machine.start("packaging/setup.sh", "dev")
+
+    installs = machine.calls("--no-remove")
+    assert [line.split("--no-remove ")[1] for line in installs] == [
+        "ffmpeg pulseaudio",
+        "ffmpeg",
+        "pulseaudio",
+    ]
 
 
 def test_what_tests_need_and_cannot_be_had_is_a_warning(machine) -> None:

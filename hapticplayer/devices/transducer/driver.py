@@ -6,12 +6,13 @@ import math
 import os
 import threading
 from collections.abc import Callable
+from functools import partial
 from typing import Any, Protocol
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.capabilities import SHAKER
-from hapticplayer.devices.gamepad.ports import list_pads, open_pad
-from hapticplayer.devices.gamepad.reports import DUALSENSE, audio_report
+from hapticplayer.devices.transducer.coils import give_coils_to_sound
+from hapticplayer.devices.transducer.cutting import hand_over_sound, open_files
 from hapticplayer.devices.transducer.settings import ShakerSettings, shaker_settings
 from hapticplayer.devices.transducer.signal import SAMPLE_HZ, ShakerSignal
 from hapticplayer.errors import DeviceError
@@ -58,12 +59,16 @@ class CardStream:
         fill: called in the stream's thread with the buffer (frames, width), the
             monotonic time at which it will sound, and the number of frames.
         clock: monotonic.
+        line: to the guard, which is handed what leads to the card; -1 for none.
 
     Raises:
         DeviceError: when PortAudio is missing, or there is no such card.
     """
 
-    def __init__(self, settings: ShakerSettings, fill: Fill, clock: Clock) -> None:
+    def __init__(
+        self, settings: ShakerSettings, fill: Fill, clock: Clock, line: int = -1
+    ) -> None:
+        self._line = line
         self._fill, self._clock, self._settings = fill, clock, settings
         self._held, self._is_closed = threading.Lock(), False
         self._stream: Any = None
@@ -81,6 +86,7 @@ class CardStream:
             if type(problem).__name__ != "PortAudioError":
                 raise
             raise self._refused(problem) from problem
+        give_coils_to_sound(settings)
 
     def begin(self) -> None:
         """Open the stream and start it."""
@@ -109,6 +115,7 @@ class CardStream:
                 what()
 
     def _start(self) -> None:
+        before = open_files()
         self._stream = self._sounddevice.OutputStream(
             device=self._settings.card or None,
             samplerate=SAMPLE_HZ,
@@ -119,6 +126,7 @@ class CardStream:
             callback=self._callback,
         )
         self._stream.start()
+        hand_over_sound(self._line, before)
 
     def _restart(self) -> None:
         if self._stream is not None:
@@ -142,7 +150,7 @@ class CardStream:
 
 
 class ShakerDriver:
-    """A `HapticDevice` without a place. A stop throws away what the card holds."""
+    """A `HapticDevice` without a place."""
 
     name = "shaker"
     capabilities = SHAKER
@@ -165,7 +173,6 @@ class ShakerDriver:
     def open(self) -> None:
         """Start the stream; raises DeviceError with what to do."""
         self.close()
-        _give_coils_to_sound(self.settings)
         self._signal = ShakerSignal(self.settings)
         self._opened_s, self._has_begun = self._clock.now_s(), False
         self._frames = 0
@@ -180,10 +187,6 @@ class ShakerDriver:
             self._has_begun, self._opened_s = True, now_s
             stream.begin()
         signal.push(force_n, now_s)
-        if signal.cut_s is not None:
-            signal.cut_s = None
-            self._opened_s, self._frames = now_s, 0
-            stream.drop()
         if now_s - self._metered_s >= METER_PERIOD_S:
             self._metered_s, self._levels = now_s, signal.meter.levels(now_s)
         asked_s = self._asked_s
@@ -196,6 +199,13 @@ class ShakerDriver:
         is_alive = now_s - asked_s < ALIVE_S
         replied_s = now_s if is_alive else asked_s
         return DeviceReading(_MIDDLE, 0, True, replied_s, 0, self._levels)
+
+    def forget(self) -> None:
+        """Throw away what has not sounded yet, on the card as well."""
+        self._signal.forget()
+        if self._stream is not None and self._has_begun:
+            self._opened_s, self._frames = self._clock.now_s(), 0
+            self._stream.drop()
 
     def close(self) -> None:
         """End the stream at once; may be called again."""
@@ -229,27 +239,7 @@ def _be_an_audio_thread() -> None:
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), AUDIO_NICE)
 
 
-def _give_coils_to_sound(settings: ShakerSettings) -> None:
-    """Let a DualSense play its channels 3 and 4: vibration of games excludes them."""
-    if "dualsense" not in settings.card.lower():
-        return
-    with contextlib.suppress(DeviceError):  # no right to its HID side: it may work
-        if any(found.layout is DUALSENSE for found in list_pads()):
-            pad = open_pad()
-            try:
-                pad.write(audio_report())
-            finally:
-                pad.close()
-
-
-def make(_line: int, text: str = "") -> ShakerDriver:
-    """Return the driver of a card."""
-    return ShakerDriver(shaker_settings(text))
-
-
-def silence(_line: int, _text: str = "") -> Callable[[], bool]:
-    """Return that there is nothing to silence: a sound ends with its process.
-
-    A loop that stands still fades within 15 ms, in the stream's own thread.
-    """
-    return lambda: False
+def make(line: int, text: str = "") -> ShakerDriver:
+    """Return the driver of a card; the line leads to the guard."""
+    make_stream = partial(CardStream, line=line)
+    return ShakerDriver(shaker_settings(text), make_stream=make_stream)

@@ -61,21 +61,21 @@ class _Split:
         return size, along
 
 
+def _splits(settings: ShakerSettings) -> list[_Split]:
+    return [_Split(one.low_hz, one.high_hz) for one in settings.bands]
+
+
 class ShakerSignal:
     """Takes forces with their times, gives samples for stated times; one writer, one reader.
 
-    A force of `now_s` sounds at `now_s + latency_s`. A force that ends at once (a stop)
-    is the end of everything that still waits.
+    A force of `now_s` sounds at `now_s + latency_s`.
     """
 
     def __init__(self, settings: ShakerSettings) -> None:
         self._settings = settings
-        self._splits = [_Split(one.low_hz, one.high_hz) for one in settings.bands]
+        self._splits = _splits(settings)
         self._told: deque[tuple[float, ...]] = deque(maxlen=round(1000 * KEPT_S))
         self._last_s: float | None = None
-        self._size = 0.0
-        self.cut_s: float | None = None
-        """When a force ended at once; the driver takes it away."""
         self.meter = LevelMeter(settings.channels)
 
     def push(self, force_n: Vector, now_s: float) -> None:
@@ -88,17 +88,15 @@ class ShakerSignal:
         size *= share
         elapsed_s = 0.0 if self._last_s is None else now_s - self._last_s
         self._last_s = now_s
-        if size == 0.0 and self._size > 0.05:  # no track ends so: it was stopped
-            self.cut_s = now_s
-            self._told.clear()
-            self._splits = [
-                _Split(one.low_hz, one.high_hz) for one in self._settings.bands
-            ]
-        self._size = size
         along = self._settings.gain * share * force_n[self._settings.axis] / FULL_N
         size *= self._settings.gain
         parts = [split.parts(size, along, elapsed_s) for split in self._splits]
         self._told.append((now_s, *(number for pair in parts for number in pair)))
+
+    def forget(self) -> None:
+        """Drop the forces that have not sounded yet: they were stopped."""
+        self._told.clear()
+        self._splits = _splits(self._settings)
 
     def samples(self, at_s: float, count: int) -> Floats:
         """Return (count, width) samples of -1 to 1; the first sounds at `at_s`."""

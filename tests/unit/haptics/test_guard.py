@@ -239,6 +239,14 @@ def test_an_end_before_the_wait_is_seen(holder):
     assert holder.process.has_ended(60.0)
 
 
+def test_what_fades_alone_is_silenced_only_at_the_end(bench):
+    bench.guard = Guard(bench.clock, bench.block, bench.send_zero, watches_stalls=False)
+    stalls_s = bench.clock.now_s() + 0.1
+    bench.guard.run(Ticking(bench, stalls_s, stalls_s + 0.3))
+    assert len(bench.zeros) == FINAL_ZEROS
+    assert bench.zeros[0] == pytest.approx(stalls_s + 0.3, abs=REPEAT_PERIOD_S)
+
+
 @pytest.mark.parametrize("phase", range(20))
 def test_a_loop_that_stalls_for_20_ms_is_silenced(bench, phase):
     stalls_s = bench.clock.now_s() + 0.1 + phase * CHECK_PERIOD_S / 20

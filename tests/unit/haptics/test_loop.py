@@ -122,6 +122,20 @@ def test_stop_is_obeyed_at_the_next_tick(rig):
     assert rig.tick(300).mode is Mode.FOLLOWING
 
 
+def test_a_stop_also_drops_what_has_not_acted_yet(rig):
+    """Once at each stop, and not when a clip is paused: that fades out."""
+    forgotten, rig.device.forget = [], lambda: forgotten.append(rig.loop.count)
+    rig.give_track(CONSTANT)
+    rig.play()
+    rig.tick(300)
+    rig.play(epoch=2)
+    rig.tick(300)
+    assert forgotten == []
+    rig.player.send(Word.STOP)
+    rig.tick(20)
+    assert forgotten == [600]
+
+
 def test_a_closed_line_trips_at_the_next_tick(rig):
     rig.give_track(CONSTANT)
     rig.play()

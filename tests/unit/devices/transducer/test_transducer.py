@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices import find_device
-from hapticplayer.devices.gamepad.reports import DUALSENSE, audio_report, motors_report
 from hapticplayer.devices.transducer.driver import ShakerDriver
 from hapticplayer.devices.transducer.meter import LevelMeter
 from hapticplayer.devices.transducer.settings import shaker_settings
@@ -101,12 +100,25 @@ def test_a_stop_is_silent_at_once_and_a_ramp_is_played_out():
     bench = Bench()
     bench.play(steady, 0.5)
     assert np.abs(bench.card.heard(0.05)).max() > 0.1
-    bench.play(lambda _t: ZERO, 0.002)  # a trip: nothing, at once
+    bench.play(lambda _t: (0.0, 0.01, 0.0), 0.03)  # quiet now, and loud for 50 ms more
+    assert np.abs(bench.card.heard(0.02)).max() > 0.1
+    bench.device.forget()
     bench.play(lambda _t: ZERO, 0.1)
     assert not bench.card.heard(0.095).any()
     bench.play(steady, 0.5)
     bench.play(lambda t: (0.0, max(0.0, 2.25 * (1.0 - 50.0 * t)), 0.0), 0.05)
     assert np.abs(bench.card.heard(0.02)).max() > 0.1  # what comes before the ramp
+
+
+def test_a_push_that_ends_at_once_is_heard_whole():
+    bench = Bench("latency_ms=80,band=50-200-100")
+    bench.play(lambda _t: ZERO, 0.2)
+    bench.play(lambda t: (0.0, 4.0 * (t < 0.010), 0.0), 0.12)
+    heard = np.abs(bench.card.heard(0.12)).max(axis=1)
+    loud = np.flatnonzero(heard > 0.1)
+    begin_s, end_s = (loud[[0, -1]] - len(heard)) / SAMPLE_HZ + 0.12
+    assert begin_s == pytest.approx(0.080, abs=0.005)
+    assert end_s == pytest.approx(0.090, abs=0.010)
 
 
 def test_a_loop_that_stands_still_fades_in_the_streams_own_time():
@@ -219,10 +231,3 @@ def test_a_channel_alone_keeps_its_band_and_all_else():
     assert (alone.channels, alone.bands) == ((4,), both.bands[1:])
     assert (alone.card, alone.axis, alone.gain) == ("pulse", 0, 0.5)
     assert alone.latency_s == pytest.approx(0.060)
-
-
-def test_the_report_for_sound_has_no_flag_of_vibration():
-    report = audio_report()
-    assert len(report) == DUALSENSE.size
-    assert report[0] == motors_report(DUALSENSE, 0, 0)[0]
-    assert report[1] & 0x03 == 0
