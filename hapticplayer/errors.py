@@ -7,9 +7,10 @@ command line prints it on stderr, the window shows it in the person's language.
 import numbers
 import re
 import string
-from collections.abc import Iterable
-from typing import Any, Self
+from collections.abc import Iterable, Mapping
+from typing import Any, Self, TypeVar
 
+T = TypeVar("T")
 _SPEC = re.compile(r"[+,]{0,2}0?\d?(\.\d)?[%a-zA-Z]?")  # of a number, and not long
 
 
@@ -181,3 +182,24 @@ class Cancelled(HapticPlayerError):  # noqa: N818 - a decision, not a fault
 
     def __init__(self) -> None:
         super().__init__(Message("cancelled; nothing was written"))
+
+
+def entry_named(known: Mapping[str, T], name: str, what: Message) -> T:
+    """Return the entry of a registry that a person has named.
+
+    Args:
+        known: the entries by name, as people see them.
+        name: that was given.
+        what: each is, such as `Message("preset")`.
+
+    Raises:
+        UsageError: naming all that there are.
+    """
+    if name in known:
+        return known[name]
+    raise UsageError(
+        "{what} {name!r} not found; choose one of {known}",
+        what=what,
+        name=name,
+        known=", ".join(known),
+    )

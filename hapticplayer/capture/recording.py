@@ -20,6 +20,7 @@ from hapticplayer.errors import (
     Message,
     TelemetryError,
     UsageError,
+    entry_named,
     joined,
 )
 from hapticplayer.model import ClockMap, ImuLog, Sampling
@@ -110,12 +111,7 @@ def find_format(source: Source, choices: LogChoices) -> RecordingFormat:
 def _chosen(name: str, source: Source) -> RecordingFormat:
     known = {one.name: one for one in formats.FORMATS}
     form = known.get(name) or known.get(name.rpartition("-")[0])
-    if form is None:
-        raise UsageError(
-            "format {name!r} not found; choose one of {known}",
-            name=name,
-            known=", ".join(known),
-        )
+    form = form or entry_named(known, name, Message("format"))
     if form.reader().recognises(source) is Confidence.NO:
         raise UsageError(
             "{path}: is not a log of {name}", path=source.path, name=form.text

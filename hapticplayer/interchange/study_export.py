@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import Message, StudyError, UsageError
+from hapticplayer.errors import Message, StudyError, entry_named
 from hapticplayer.interchange.bids import write_bids
 from hapticplayer.interchange.study_csv import write_csv
 from hapticplayer.interchange.study_data import StudyData
@@ -63,12 +63,7 @@ def export_study(
         UsageError: for an unknown format.
         StudyError: when there are no answers, or it cannot be written.
     """
-    if form not in EXPORTERS:
-        raise UsageError(
-            "unknown format {name!r}; choose one of {known}",
-            name=form,
-            known=", ".join(EXPORTERS),
-        )
+    exporter = entry_named(EXPORTERS, form, Message("format"))
     answers = collect_answers(study)
     if not answers.participants:
         raise StudyError(
@@ -87,7 +82,7 @@ def export_study(
         )
     with private.folder_written_aside(target.absolute()) as folder:
         data = StudyData(study.definition, answers, sessions, notices, progress)
-        EXPORTERS[form].write(data, folder)
+        exporter.write(data, folder)
     return {
         "format": form,
         "participants": len(answers.participants),

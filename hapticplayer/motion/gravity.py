@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.errors import InputError, Message, entry_named
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
@@ -165,13 +165,7 @@ def _task(imu: ImuLog, parameters: Parameters | None) -> Task:
 
 
 def _estimate(task: Task, method: str) -> Estimate:
-    if method not in METHODS:
-        raise UsageError(
-            "there is no method {method!r}; choose one of {known}",
-            method=method,
-            known=", ".join(METHODS),
-        )
-    return METHODS[method](task)
+    return entry_named(METHODS, method, Message("method"))(task)
 
 
 def _removed(task: Task, method: str, time_s: Floats) -> tuple[MotionTrack, Estimate]:

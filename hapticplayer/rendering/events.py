@@ -7,7 +7,7 @@ on simulated rides: `python -m benchmarks.haptics events`.
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
-from hapticplayer.errors import InputError, Message, UsageError
+from hapticplayer.errors import InputError, Message, entry_named
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.rendering.event import Event, Material
 from hapticplayer.rendering.flawed_spans import artefacts, saturation, stillness
@@ -89,14 +89,9 @@ def find_events(
         InputError: for fewer than two samples.
         UsageError: for a kind that does not exist.
     """
-    known = [detector.name for detector in DETECTORS]
+    known = {detector.name: detector for detector in DETECTORS}
     for kind in kinds or ():
-        if kind not in known:
-            raise UsageError(
-                "{kind!r} is not a kind of events; choose one of {names}",
-                kind=kind,
-                names=", ".join(known),
-            )
+        entry_named(known, kind, Message("kind of event"))
     if len(motion) < 2 or (imu is not None and len(imu) < 2):
         raise InputError("there is no motion to find events in")
     material = Material(motion, imu, sound)

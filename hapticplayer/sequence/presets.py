@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from hapticplayer import rendering
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, entry_named
 from hapticplayer.model import ForceTrack, ImuLog, Mapping, MotionTrack, PresetName
 from hapticplayer.rendering.effects import (
     NO_EFFECTS,
@@ -160,14 +160,7 @@ def preset_named(name: str) -> Preset:
     Raises:
         UsageError: for an unknown one.
     """
-    for one in PRESETS:
-        if one.name == name:
-            return one
-    raise UsageError(
-        "{name!r} is not a preset; choose one of {names}",
-        name=name,
-        names=", ".join(one.name for one in PRESETS),
-    )
+    return entry_named({one.name: one for one in PRESETS}, name, Message("preset"))
 
 
 def preset_of(track: ForceTrack) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 
 from hapticplayer import __version__
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.errors import Message, SequenceError, UsageError
+from hapticplayer.errors import Message, SequenceError, entry_named
 from hapticplayer.media.clip_info import probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.build import Choices, write_sequence
@@ -51,12 +51,7 @@ def write_simulated_recording(
         UsageError: for a scenario that is no ride.
         SequenceError: when the target exists or cannot be written.
     """
-    if scenario not in RIDES:
-        raise UsageError(
-            "{scenario!r} is no ride; choose one of {known}",
-            scenario=scenario,
-            known=", ".join(RIDES),
-        )
+    entry_named(RIDES, scenario, Message("ride"))
     with files.written_aside(target) as aside:
         progress(0.0, Message("riding"))
         recorded = simulate(scenario, seed)

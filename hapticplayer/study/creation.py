@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.errors import Message, StudyError, entry_named
 from hapticplayer.rendering import chosen_feedback
 from hapticplayer.sequence.files import json_text
 from hapticplayer.study import private
@@ -64,13 +64,8 @@ def create_study(
     content["id"] = "".join(secrets.choice(letters) for _ in range(_ID_LETTERS))
     known = {entry["key"]: entry for entry in content["sequences"]}
     for key, path in (folders or {}).items():
-        if key not in known:
-            raise UsageError(
-                "unknown sequence {key!r}; choose one of {known}",
-                key=key,
-                known=", ".join(known),
-            )
-        known[key]["folder"] = str(path.resolve())
+        sequence = entry_named(known, key, Message("sequence"))
+        sequence["folder"] = str(path.resolve())
     if feedbacks:
         content["feedbacks"] = [_described(chosen_text(text)) for text in feedbacks]
     text = definition_text(content)
@@ -139,13 +134,8 @@ def clip_checksums(study: Study) -> dict[str, str]:
 
 
 def _template(name: str) -> dict[str, Any]:
-    if name not in template_names():
-        raise UsageError(
-            "unknown template {name!r}; choose one of {known}",
-            name=name,
-            known=", ".join(template_names()),
-        )
-    text = (TEMPLATES / f"{name}.json").read_text(encoding="utf-8")
+    known = {one: TEMPLATES / f"{one}.json" for one in template_names()}
+    text = entry_named(known, name, Message("template")).read_text(encoding="utf-8")
     content: dict[str, Any] = json.loads(text)
     base = content.pop("base", None)
     return {**_template(base), **content} if base else content

@@ -6565,6 +6565,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>legen Sie ein Video mit seinem Protokoll ab; importieren Sie weitere danach</translation>
     </message>
     <message>
+        <source>effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
         <source>effects</source>
         <translation>Effekte</translation>
     </message>
@@ -6635,6 +6639,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>force, N, lossless</source>
         <translation>Kraft, N, verlustfrei</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>full scale was taken as {full_n:.3g} N</source>
@@ -6873,6 +6881,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sein Video ist nicht das, für das die Kraft gemacht wurde (die Prüfsumme weicht ab)</translation>
     </message>
     <message>
+        <source>kind of event</source>
+        <translation>Ereignisart</translation>
+    </message>
+    <message>
         <source>lacks what is to be exported</source>
         <translation>enthält nicht, was zu exportieren ist</translation>
     </message>
@@ -6881,8 +6893,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Achsen der Abbildung müssen eine Drehung sein (orthogonal, Determinante +1)</translation>
     </message>
     <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
         <source>motion beside the force was left out ({count})</source>
         <translation>Bewegung neben der Kraft wurde ausgelassen ({count})</translation>
+    </message>
+    <message>
+        <source>motion scene</source>
+        <translation>Bewegungsszene</translation>
     </message>
     <message>
         <source>motion without gravity</source>
@@ -7013,6 +7033,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Positionen, keine Newton</translation>
     </message>
     <message>
+        <source>preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
         <translation>rate-unit={rate_unit} um es so zu nehmen, wie es ist</translation>
     </message>
@@ -7129,6 +7153,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wiederholt sich</translation>
     </message>
     <message>
+        <source>ride</source>
+        <translation>Fahrt</translation>
+    </message>
+    <message>
         <source>rig:{text}: {reason}</source>
         <translation>rig:{text}: {reason}</translation>
     </message>
@@ -7157,6 +7185,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>speichern Sie sie als Text in UTF-8</translation>
     </message>
     <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
         <source>send it as a file</source>
         <translation>als Datei senden</translation>
     </message>
@@ -7167,6 +7199,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>sends more than was asked for</source>
         <translation>sendet mehr als verlangt</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>sequence</source>
+        <translation>Sequenz</translation>
     </message>
     <message>
         <source>session {code} cannot be used: {what}</source>
@@ -7267,6 +7307,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>telemetry is nested deeper than {levels} levels, so it is damaged</source>
         <translation>die Telemetrie ist tiefer als {levels} Ebenen geschachtelt, also beschädigt</translation>
+    </message>
+    <message>
+        <source>template</source>
+        <translation>Vorlage</translation>
     </message>
     <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
@@ -7633,6 +7677,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{title} hat die Verbindung geschlossen; starten Sie es und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
+        <source>{what} {name!r} not found; choose one of {known}</source>
+        <translation>{what} {name!r} nicht gefunden; wählen Sie eines davon: {known}</translation>
+    </message>
+    <message>
         <source>{where} cannot be opened: {reason}; see whether the board is connected and you may use it</source>
         <translation>{where} kann nicht geöffnet werden: {reason}; prüfen Sie, ob die Platine angeschlossen ist und Sie sie benutzen dürfen</translation>
     </message>
@@ -7901,10 +7949,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Effekt {name!r} ist unbekannt; es gibt paper, none oder einen Anteil des Effekts wie 0.5</translation>
     </message>
     <message>
-        <source>format {name!r} not found; choose one of {known}</source>
-        <translation>es gibt das Format {name!r} nicht; wählen Sie eines von {known}</translation>
-    </message>
-    <message>
         <source>there is no header, the file begins with numbers</source>
         <translation>es gibt keinen Kopf, die Datei beginnt mit Zahlen</translation>
     </message>
@@ -7913,24 +7957,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Messgröße {measure!r} ist unbekannt; es gibt {known}</translation>
     </message>
     <message>
-        <source>there is no method {method!r}; choose one of {known}</source>
-        <translation>es gibt kein Verfahren {method!r}; wählen Sie eines von {known}</translation>
-    </message>
-    <message>
-        <source>there is no motion scene {name!r}; choose one of {known}</source>
-        <translation>die Bewegungsszene {name!r} ist unbekannt; eine von {known} wählen</translation>
-    </message>
-    <message>
         <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
         <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Recorders an, etwa --mounting=-x,y,-z</translation>
-    </message>
-    <message>
-        <source>there is no scene {scene!r}; choose one of {known}</source>
-        <translation>die Szene {scene!r} ist unbekannt; eine von {known} wählen</translation>
-    </message>
-    <message>
-        <source>there is no sensor {sensor!r}; choose one of {known}</source>
-        <translation>der Sensor {sensor!r} ist unbekannt; einen von {known} wählen</translation>
     </message>
     <message>
         <source>the clip has no sound, which pats need</source>
@@ -8697,18 +8725,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>hat den unbekannten Eintrag {name!r}</translation>
     </message>
     <message>
-        <source>unknown format {name!r}; choose one of {known}</source>
-        <translation>unbekanntes Format {name!r}; wählen Sie eines von {known}</translation>
-    </message>
-    <message>
-        <source>unknown sequence {key!r}; choose one of {known}</source>
-        <translation>es gibt keine Sequenz {key!r}; es gibt {known}</translation>
-    </message>
-    <message>
-        <source>unknown template {name!r}; choose one of {known}</source>
-        <translation>es gibt keine Vorlage {name!r}; es gibt {known}</translation>
-    </message>
-    <message>
         <source>unpack it and give the file in it</source>
         <translation>entpacken Sie sie und geben Sie die Datei darin an</translation>
     </message>
@@ -8829,10 +8845,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl zwischen {least:g} und {largest:g} an</translation>
     </message>
     <message>
-        <source>{kind!r} is not a kind of events; choose one of {names}</source>
-        <translation>{kind!r} ist keine Art von Ereignissen; wählbar sind {names}</translation>
-    </message>
-    <message>
         <source>{kind} was read as lines</source>
         <translation>{kind} wurde als Geraden gelesen</translation>
     </message>
@@ -8845,20 +8857,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name!r} hat keine Parameter</translation>
     </message>
     <message>
-        <source>{name!r} is not a kind of effect; choose one of {names}</source>
-        <translation>{name!r} ist keine Art von Effekt; wählen Sie eine von {names}</translation>
-    </message>
-    <message>
         <source>{name!r} is not a packet format; use {known}</source>
         <translation>{name!r} ist kein Paketformat; verwenden Sie {known}</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} ist kein einfacher Dateiname</translation>
-    </message>
-    <message>
-        <source>{name!r} is not a preset; choose one of {names}</source>
-        <translation>{name!r} ist keine Voreinstellung; wählbar sind {names}</translation>
     </message>
     <message>
         <source>{name!r} must end with .mkv (one file) or .mp4 (with a side-car)</source>
@@ -9073,10 +9077,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{width} x {height} Pixel sind zu groß für ein Bild</translation>
     </message>
     <message>
-        <source>{scenario!r} is no ride; choose one of {known}</source>
-        <translation>{scenario!r} ist keine Fahrt; eine von {known} wählen</translation>
-    </message>
-    <message>
         <source>the log is incomplete ({reason})</source>
         <translation>das Protokoll ist unvollständig ({reason})</translation>
     </message>
@@ -9163,10 +9163,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>decreases</source>
         <translation>nimmt ab</translation>
-    </message>
-    <message>
-        <source>method {method!r} not found; choose one of {known}</source>
-        <translation>das Verfahren {method!r} gibt es nicht; wählen Sie eines von {known}</translation>
     </message>
     <message>
         <source>three pats on the camera, heard and felt</source>

@@ -6565,6 +6565,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>déposez une vidéo avec son journal&#xa0;; importez les autres ensuite</translation>
     </message>
     <message>
+        <source>effect</source>
+        <translation>l’effet</translation>
+    </message>
+    <message>
         <source>effects</source>
         <translation>effets</translation>
     </message>
@@ -6635,6 +6639,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>force, N, lossless</source>
         <translation>force, N, sans perte</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>le format</translation>
     </message>
     <message>
         <source>full scale was taken as {full_n:.3g} N</source>
@@ -6873,6 +6881,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>sa vidéo n’est pas celle pour laquelle la force a été faite (la somme de contrôle diffère)</translation>
     </message>
     <message>
+        <source>kind of event</source>
+        <translation>le type d’événement</translation>
+    </message>
+    <message>
         <source>lacks what is to be exported</source>
         <translation>ne contient pas ce qu’il faut exporter</translation>
     </message>
@@ -6881,8 +6893,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les axes de la transformation doivent être une rotation (orthogonale, déterminant +1)</translation>
     </message>
     <message>
+        <source>method</source>
+        <translation>la méthode</translation>
+    </message>
+    <message>
         <source>motion beside the force was left out ({count})</source>
         <translation>le mouvement à côté de la force a été laissé de côté ({count})</translation>
+    </message>
+    <message>
+        <source>motion scene</source>
+        <translation>la scène de mouvement</translation>
     </message>
     <message>
         <source>motion without gravity</source>
@@ -7013,6 +7033,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>positions, pas de newtons</translation>
     </message>
     <message>
+        <source>preset</source>
+        <translation>le préréglage</translation>
+    </message>
+    <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
         <translation>rate-unit={rate_unit} pour la prendre telle quelle</translation>
     </message>
@@ -7129,6 +7153,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>se répète</translation>
     </message>
     <message>
+        <source>ride</source>
+        <translation>le trajet</translation>
+    </message>
+    <message>
         <source>rig:{text}: {reason}</source>
         <translation>rig:{text}&#xa0;: {reason}</translation>
     </message>
@@ -7157,6 +7185,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>enregistrez-le comme texte en UTF-8</translation>
     </message>
     <message>
+        <source>scene</source>
+        <translation>la scène</translation>
+    </message>
+    <message>
         <source>send it as a file</source>
         <translation>envoyez-le comme fichier</translation>
     </message>
@@ -7167,6 +7199,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>sends more than was asked for</source>
         <translation>envoie plus que demandé</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>le capteur</translation>
+    </message>
+    <message>
+        <source>sequence</source>
+        <translation>la séquence</translation>
     </message>
     <message>
         <source>session {code} cannot be used: {what}</source>
@@ -7267,6 +7307,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>telemetry is nested deeper than {levels} levels, so it is damaged</source>
         <translation>la télémétrie est imbriquée sur plus de {levels} niveaux, elle est donc endommagée</translation>
+    </message>
+    <message>
+        <source>template</source>
+        <translation>le modèle</translation>
     </message>
     <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
@@ -7633,6 +7677,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{title} a fermé la connexion&#xa0;; démarrez-le et choisissez l&apos;appareil à nouveau</translation>
     </message>
     <message>
+        <source>{what} {name!r} not found; choose one of {known}</source>
+        <translation>{what} {name!r} est introuvable&#xa0;; choisissez parmi {known}</translation>
+    </message>
+    <message>
         <source>{where} cannot be opened: {reason}; see whether the board is connected and you may use it</source>
         <translation>{where} ne peut pas être ouvert&#xa0;: {reason}&#xa0;; vérifiez que la carte est branchée et que vous pouvez l&apos;utiliser</translation>
     </message>
@@ -7901,10 +7949,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’effet {name!r} est inconnu&#xa0;; il y a paper, none, ou une part de l’effet comme 0.5</translation>
     </message>
     <message>
-        <source>format {name!r} not found; choose one of {known}</source>
-        <translation>il n’y a pas de format {name!r}&#xa0;; choisissez parmi {known}</translation>
-    </message>
-    <message>
         <source>there is no header, the file begins with numbers</source>
         <translation>il n’y a pas d’en-tête, le fichier commence par des nombres</translation>
     </message>
@@ -7913,24 +7957,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la mesure {measure!r} est inconnue&#xa0;; il y a {known}</translation>
     </message>
     <message>
-        <source>there is no method {method!r}; choose one of {known}</source>
-        <translation>il n’y a pas de méthode {method!r}&#xa0;; choisissez parmi {known}</translation>
-    </message>
-    <message>
-        <source>there is no motion scene {name!r}; choose one of {known}</source>
-        <translation>la scène de mouvement {name!r} est inconnue&#xa0;; choisissez parmi {known}</translation>
-    </message>
-    <message>
         <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
         <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
-    </message>
-    <message>
-        <source>there is no scene {scene!r}; choose one of {known}</source>
-        <translation>la scène {scene!r} est inconnue&#xa0;; choisissez parmi {known}</translation>
-    </message>
-    <message>
-        <source>there is no sensor {sensor!r}; choose one of {known}</source>
-        <translation>le capteur {sensor!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>the clip has no sound, which pats need</source>
@@ -8697,18 +8725,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>a l’entrée inconnue {name!r}</translation>
     </message>
     <message>
-        <source>unknown format {name!r}; choose one of {known}</source>
-        <translation>format inconnu {name!r}&#xa0;; choisissez parmi {known}</translation>
-    </message>
-    <message>
-        <source>unknown sequence {key!r}; choose one of {known}</source>
-        <translation>il n’y a pas de séquence {key!r}&#xa0;; il y a {known}</translation>
-    </message>
-    <message>
-        <source>unknown template {name!r}; choose one of {known}</source>
-        <translation>il n’y a pas de modèle {name!r}&#xa0;; il y a {known}</translation>
-    </message>
-    <message>
         <source>unpack it and give the file in it</source>
         <translation>décompressez-le et donnez le fichier qu&apos;il contient</translation>
     </message>
@@ -8829,10 +8845,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre entre {least:g} et {largest:g}</translation>
     </message>
     <message>
-        <source>{kind!r} is not a kind of events; choose one of {names}</source>
-        <translation>{kind!r} n’est pas un type d’événement&#xa0;; au choix&#xa0;: {names}</translation>
-    </message>
-    <message>
         <source>{kind} was read as lines</source>
         <translation>{kind} a été lu comme des droites</translation>
     </message>
@@ -8845,20 +8857,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name!r} n’a pas de paramètres</translation>
     </message>
     <message>
-        <source>{name!r} is not a kind of effect; choose one of {names}</source>
-        <translation>{name!r} n’est pas un type d’effet&#xa0;; choisissez parmi {names}</translation>
-    </message>
-    <message>
         <source>{name!r} is not a packet format; use {known}</source>
         <translation>{name!r} n’est pas un format de paquets&#xa0;; utilisez {known}</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
-    </message>
-    <message>
-        <source>{name!r} is not a preset; choose one of {names}</source>
-        <translation>{name!r} n&apos;est pas un préréglage&#xa0;; choix possibles&#xa0;: {names}</translation>
     </message>
     <message>
         <source>{name!r} must end with .mkv (one file) or .mp4 (with a side-car)</source>
@@ -9073,10 +9077,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{width} x {height} pixels sont trop pour une image</translation>
     </message>
     <message>
-        <source>{scenario!r} is no ride; choose one of {known}</source>
-        <translation>{scenario!r} n’est pas une balade&#xa0;; choisissez parmi {known}</translation>
-    </message>
-    <message>
         <source>the log is incomplete ({reason})</source>
         <translation>le journal est incomplet ({reason})</translation>
     </message>
@@ -9163,10 +9163,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>decreases</source>
         <translation>diminue</translation>
-    </message>
-    <message>
-        <source>method {method!r} not found; choose one of {known}</source>
-        <translation>la méthode {method!r} est introuvable&#x202f;; choisissez parmi {known}</translation>
     </message>
     <message>
         <source>three pats on the camera, heard and felt</source>

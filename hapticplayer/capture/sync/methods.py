@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple, cast
 
 from hapticplayer.devices import load
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, entry_named
 
 if TYPE_CHECKING:
     from hapticplayer.capture.sync.result import Synchronisation
@@ -54,10 +54,4 @@ def sync_method(name: str) -> SyncMethod:
     Raises:
         UsageError: naming the methods there are.
     """
-    for method in SYNC_METHODS:
-        if method.name == name:
-            return method
-    known = ", ".join(method.name for method in SYNC_METHODS)
-    raise UsageError(
-        "method {method!r} not found; choose one of {known}", method=name, known=known
-    )
+    return entry_named({one.name: one for one in SYNC_METHODS}, name, Message("method"))

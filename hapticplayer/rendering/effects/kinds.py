@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, entry_named
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.ranges import Range
 from hapticplayer.rendering.condition import Parameter, ParameterKind
@@ -128,11 +128,4 @@ def kind_of(name: str) -> EffectKind:
     Raises:
         UsageError: for an unknown one.
     """
-    for kind in EFFECTS:
-        if kind.name == name:
-            return kind
-    raise UsageError(
-        "{name!r} is not a kind of effect; choose one of {names}",
-        name=name,
-        names=", ".join(kind.name for kind in EFFECTS),
-    )
+    return entry_named({one.name: one for one in EFFECTS}, name, Message("effect"))

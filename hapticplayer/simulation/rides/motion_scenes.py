@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError, entry_named
 from hapticplayer.model.arrays import Floats
 from hapticplayer.simulation.rides import drives
 from hapticplayer.simulation.rides.people import (
@@ -81,14 +81,7 @@ def simulate_motion(
     Raises:
         UsageError: for a scene, sensor or duration that does not exist.
     """
-    if name not in MOTION_SCENES:
-        known = ", ".join(MOTION_SCENES)
-        raise UsageError(
-            "there is no motion scene {name!r}; choose one of {known}",
-            name=name,
-            known=known,
-        )
-    scene = MOTION_SCENES[name]
+    scene = entry_named(MOTION_SCENES, name, Message("motion scene"))
     length_s = scene.duration_s if duration_s is None else duration_s
     if not 1.0 <= length_s <= LONGEST_S:
         raise UsageError(
@@ -111,14 +104,7 @@ def simulate_motion(
 def _sensor(sensor: str | SensorModel) -> SensorModel:
     if isinstance(sensor, SensorModel):
         return sensor
-    if sensor not in SENSORS:
-        known = ", ".join(SENSORS)
-        raise UsageError(
-            "there is no sensor {sensor!r}; choose one of {known}",
-            sensor=sensor,
-            known=known,
-        )
-    return SENSORS[sensor]
+    return entry_named(SENSORS, sensor, Message("sensor"))
 
 
 def _car(

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.recording import Recording
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, entry_named
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.simulation.film.film import Film, SecondPainter
 from hapticplayer.simulation.film.sound import RATE_HZ, ride_sound
@@ -91,13 +91,9 @@ def simulate(scene: str, seed: int) -> SimulatedRecording:
     Raises:
         UsageError: for a scene that does not exist.
     """
-    if scene not in SCENES:
-        raise UsageError(
-            "there is no scene {scene!r}; choose one of {known}",
-            scene=scene,
-            known=", ".join(sorted(SCENES)),
-        )
-    ridden = SCENES[scene](np.random.default_rng([seed, 0]))
+    ridden = entry_named(dict(sorted(SCENES.items())), scene, Message("scene"))(
+        np.random.default_rng([seed, 0])
+    )
     measured = measure(ridden.trajectory, ridden.duration_s, CAMERA, seed)
     imu = replace(measured.imu, source=f"simulated: {ridden.title}")
     audio = ride_sound(ridden, np.random.default_rng([seed, 4]))

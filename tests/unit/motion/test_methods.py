@@ -135,7 +135,9 @@ def test_parameters_of_another_method_are_refused(method, parameters, says, stil
 
 @pytest.mark.parametrize("call", [analyse, remove_gravity, estimate_orientation])
 def test_an_unknown_method_is_named_with_those_that_exist(call, still_log):
-    with pytest.raises(UsageError, match=r"no method 'magic'; choose one of smoother"):
+    with pytest.raises(
+        UsageError, match=r"method 'magic' not found; choose one of smoother"
+    ):
         call(still_log, "magic")
 
 

@@ -218,7 +218,7 @@ def test_a_list_is_the_same_after_writing_and_reading():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"kind": "explosion"}, r"effects\[1\]: 'explosion' is not a kind of effect"),
+        ({"kind": "explosion"}, r"effects\[1\]: effect 'explosion' not found"),
         ({"end_s": 0.5}, r"effects\[1\]: end_s: 0.5 s must come after"),
         ({"end_s": "4"}, r"effects\[1\]: end_s: must be a number"),
         ({"end_s": float("nan")}, "end_s must be between 0 and"),

@@ -257,7 +257,7 @@ def test_an_effect_that_would_begin_after_the_clip_ends_in_it():
 
 def test_unknown_kinds_and_empty_motions_are_refused():
     motion = motion_of(along(0, np.zeros(len(TIME_S))))
-    with pytest.raises(UsageError, match="'crash' is not a kind of events"):
+    with pytest.raises(UsageError, match="kind of event 'crash' not found"):
         find_events(motion, kinds=["crash"])
     with pytest.raises(InputError, match="no motion"):
         find_events(motion.part(slice(0, 1)))

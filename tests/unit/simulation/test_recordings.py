@@ -70,5 +70,5 @@ def test_cancelled_recording_leaves_nothing(tmp_path: Path) -> None:
 
 
 def test_other_scenes_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match="'demo' is no ride; choose one of bike"):
+    with pytest.raises(UsageError, match="ride 'demo' not found; choose one of bike"):
         write_simulated_recording("demo", tmp_path / "x", seed=1)

@@ -379,9 +379,13 @@ def test_truth_is_handed_on_as_arrays() -> None:
 
 
 def test_what_does_not_exist_is_refused_with_what_does() -> None:
-    with pytest.raises(UsageError, match="no motion scene 'boat'; choose one of car-"):
+    with pytest.raises(
+        UsageError, match="motion scene 'boat' not found; choose one of car-"
+    ):
         simulate_motion("boat", 1)
-    with pytest.raises(UsageError, match="no sensor 'nose'; choose one of camera"):
+    with pytest.raises(
+        UsageError, match="sensor 'nose' not found; choose one of camera"
+    ):
         simulate_motion("walk", 1, sensor="nose")
     for duration_s in (0.0, -3.0, float("nan"), 1e6):
         with pytest.raises(UsageError, match="give one from 1 to"):

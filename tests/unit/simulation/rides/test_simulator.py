@@ -182,7 +182,7 @@ def test_same_seed_gives_the_same_recording(ride: SimulatedRecording) -> None:
 
 
 def test_unknown_scene_lists_the_known_ones() -> None:
-    with pytest.raises(UsageError, match="no scene 'moon'; choose one of bike"):
+    with pytest.raises(UsageError, match="scene 'moon' not found; choose one of bike"):
         simulate("moon", 1)
     assert "demo" in SCENES
 
