@@ -42,7 +42,7 @@ from app.widgets.layout import (
 from app.widgets.messages import JobBar, MessageBar
 from app.widgets.texts import position_text, titled
 from hapticplayer.errors import HapticPlayerError, message_of
-from hapticplayer.model import Feedback, ForceTrack
+from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.rendering.effects import EffectList
 from hapticplayer.sequence import open_sequence
@@ -241,7 +241,7 @@ class EditorPage(QDialog):
         source, line = loaded.source, loaded.line
         self.setWindowTitle(titled(self.tr("Edit effects"), f"{source.title}[*]"))
         self.view.set_duration(source.clip.duration_s)
-        track = source.tracks[Feedback.REALISTIC.value]
+        track = source.tracks[rendered_feedback(source.tracks)]
         self.lanes.show_clip(track, line, source.clip.frame_rate_hz)
         self.editing.duration_s = source.clip.duration_s
         self.comparison.set_clip(source.clip.duration_s, loaded.force_limit_n)
@@ -348,7 +348,7 @@ class EditorPage(QDialog):
         self.loaded = self.loaded._replace(source=source)
         self._set_usable(is_usable=True)
         self.lanes.setFocus()
-        self._show_force(source.tracks[Feedback.REALISTIC.value])
+        self._show_force(source.tracks[rendered_feedback(source.tracks)])
         self.saved.emit(self.folder)
         if self._closes_when_saved:
             self.reject()
@@ -407,7 +407,8 @@ class EditorPage(QDialog):
         """Show and play what has been rendered; what was saved stays as it is stored."""
         assert self.loaded is not None  # else nothing is rendered
         if effects == self._saved_effects:
-            track = self.loaded.source.tracks[Feedback.REALISTIC.value]
+            tracks = self.loaded.source.tracks
+            track = tracks[rendered_feedback(tracks)]
         elif not len(effects) and len(self.document.effects):
             track = self.playing.track or track  # the force without effects came first
         self._show_force(track)

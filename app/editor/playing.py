@@ -14,7 +14,7 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, message_of
-from hapticplayer.model import Feedback, ForceTrack
+from hapticplayer.model import Feedback, ForceTrack, rendered_feedback
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 
@@ -48,6 +48,7 @@ class Playing(QObject):
         super().__init__(parent)
         self.surface, self.session = VideoSurface(), None
         self.track: ForceTrack | None = None
+        self._feedback = Feedback.REALISTIC
         self._means, self._show = means, show
         self._pump: Pump | None = None
         self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
@@ -68,7 +69,8 @@ class Playing(QObject):
         player.set_volume(kept_volume(self._means.settings))
         self.surface.set_clip_size(source.clip.width, source.clip.height)
         player.open(source)
-        self.track = source.tracks[Feedback.REALISTIC.value]
+        self._feedback = rendered_feedback(source.tracks)
+        self.track = source.tracks[self._feedback]
         self._pump = Pump(player.poll, self._means.clock, self._on_gap, self)
         self._pump.start()
         return True
@@ -151,7 +153,7 @@ class Playing(QObject):
     def replace(self, track: ForceTrack) -> None:
         """Play another version of the force from here on, without a pause."""
         if self.session is not None and track is not self.track:
-            self.session.player.replace_track(Feedback.REALISTIC.value, track)
+            self.session.player.replace_track(self._feedback, track)
         self.track = track
 
     # --- what happens by itself ----------------------------------------------

@@ -97,6 +97,7 @@ def _row(one: Finding) -> str:
 def name_of(one: Finding) -> str:
     """Return what a finding is about."""
     names = {
+        "estimate": translate("Quality", "Motion"),
         "sync": translate("Quality", "Synchronisation"),
         "drift": translate("Quality", "Clock drift"),
         "rate": translate("Quality", "Sampling"),
@@ -124,6 +125,17 @@ def value_of(one: Finding) -> str:
             confidence=f"{more['confidence']:.2f}",
             how=_method(str(more["method"])),
         ).removesuffix(" ()")  # a simulated camera has nothing to find
+    if one.name == "estimate":
+        text = translate(
+            "Quality",
+            "estimated from the picture, nothing measured it: sway in {sway}, bounce in "
+            "{bounce} of the clip; gain {gain}",
+        )
+        return text.format(
+            sway=_percent(more.get("sway")),
+            bounce=_percent(more.get("bounce")),
+            gain=f"{value:g}",
+        )
     if one.name == "gaps" and more.get("gaps"):
         text = translate("Quality", "{share} of the motion; {count}, the longest {s} s")
         longest = f"{more.get('longest_gap_s') or 0.0:.2f}"
@@ -161,10 +173,15 @@ def _hand(name: str) -> str:
     }.get(name, name)
 
 
+def _percent(share: float | None) -> str:
+    return f"{100.0 * (share or 0.0):.0f}\u00a0%"
+
+
 def _advice(one: Finding) -> str:
     if one.name == "workspace" and one.more.get("trips"):
         return translate("Quality", "The force would be stopped; lower the gain")
     return {
+        "estimate": translate("Quality", "Record the motion with the next video"),
         "sync": translate(
             "Quality",
             "Check the synchronisation; next time tap the recorder three times",

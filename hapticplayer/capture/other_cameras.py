@@ -65,7 +65,8 @@ def read(source: Source, choices: LogChoices) -> RawLog:
         raise TelemetryError(
             reason,
             where=str(source.path),
-            remedy="give the log with --imu LOG",
+            remedy="give the log with --imu LOG, or have the motion estimated from the "
+            "picture with --suggest-motion",
         )
     return read_other_camera(source.path, choices)
 

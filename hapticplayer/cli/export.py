@@ -22,9 +22,9 @@ from hapticplayer.cli.force_options import (
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.interchange.exporters import RECORD_EXPORTERS
+from hapticplayer.interchange.force_files import NOT_MEASURED
 from hapticplayer.interchange.force_formats import WRITTEN, format_of
 from hapticplayer.interchange.force_import import export_force
-from hapticplayer.model import Feedback
 from hapticplayer.outputs import FILE, refuse_existing
 from hapticplayer.sequence import files
 from hapticplayer.sequence.pack import CONTAINERS
@@ -50,8 +50,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--feedback",
         metavar="NAME",
-        default=Feedback.REALISTIC.value,
-        help="force track of a sequence (default: realistic)",
+        help="force track of a sequence (default: realistic, or estimated where nothing "
+        "measured the motion)",
     )
     add_writing(command)
     command.add_argument(
@@ -88,11 +88,12 @@ def _export_sequence(options: argparse.Namespace) -> int:
         )
     report = {
         "sequence": str(options.source),
-        "feedback": options.feedback,
         "output": str(target),
         "format": form.name,
         **cost,
     }
+    if cost["is_estimated"]:
+        say_aside(f"{options.source}: the force was {NOT_MEASURED}")
     say(json.dumps(report) if options.json else f"{target}: {cost_text(cost)}")
     return 0
 

@@ -28,11 +28,12 @@ from hapticplayer.cli.recording_options import (
 )
 from hapticplayer.errors import Cancelled, HapticPlayerError, UsageError
 from hapticplayer.media.telemetry import read_telemetry_packets
-from hapticplayer.model import Feedback, ranges
+from hapticplayer.model import ranges
 from hapticplayer.sequence import Sequence, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.files import Progress
 from hapticplayer.sequence.presets import DEFAULT_PRESET, preset_of
+from hapticplayer.sequence.suggesting import ESTIMATE
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -53,6 +54,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "zip where it writes several files, or once for each of them), or CSV with the columns "
         "time_s,ax,ay,az,gx,gy,gz[,mx,my,mz] in SI, x right, y front, z up",
     )
+    _add_suggestion(command)
     add_reading(command)
     add_mounting(command)
     add_sync(command, "--sync")
@@ -68,6 +70,33 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )
     add_processing(command)
     command.add_argument("--json", action="store_true", help="print a report as JSON")
+
+
+def _add_suggestion(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--suggest-motion",
+        action="store_true",
+        help="of a video without any log: estimate sway (in turns) and bounce (walking, "
+        "riding) from the picture. Its force is the feedback 'estimated': nothing "
+        "measured it, and studies refuse it unless they name it. Needs the extra vision",
+    )
+    add_number(
+        command,
+        "--suggest-gain",
+        ranges.SUGGEST_GAIN,
+        metavar="G",
+        help="of --suggest-motion: how strong, because a picture does not show how high "
+        "the camera is (default: 1, as at 1.5 m)",
+    )
+
+
+def _suggest_gain(options: argparse.Namespace) -> float | None:
+    """Return the gain of an estimate; None where the motion was recorded."""
+    if not options.suggest_motion:
+        if options.suggest_gain is not None:
+            raise UsageError("--suggest-gain belongs to --suggest-motion")
+        return None
+    return 1.0 if options.suggest_gain is None else float(options.suggest_gain)
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
@@ -107,12 +136,16 @@ def chosen_import(options: argparse.Namespace) -> Choices:
         mounting=BY_FRAMES
         if options.mounting == BY_FRAMES
         else chosen_mounting(options),
+        suggest_gain=_suggest_gain(options),
     )
 
 
 def _say_imported(folder: Path, sequence: Sequence) -> None:
     description = sequence.description
     made_of = description["provenance"]
+    if ESTIMATE in made_of:
+        _say_estimated(folder, sequence)
+        return
     realistic = description["feedbacks"]["realistic"]
     fit = " (fit)" if made_of["rendering"]["gain_from"] == FIT else ""
     say(
@@ -120,7 +153,7 @@ def _say_imported(folder: Path, sequence: Sequence) -> None:
         f"{made_of['camera'] or made_of['motion_source']} at "
         f"{made_of['imu_rate_hz']:.1f} Hz; force peak {realistic['peak_n']:.2f} N; "
         f"{mapping_text(sequence.mapping)}{fit}; "
-        f"preset {preset_of(sequence.tracks[Feedback.REALISTIC])}; "
+        f"preset {preset_of(sequence.rendered)}; "
         f"gravity removed by {made_of['gravity_removal']}; "
         f"accelerometer gain {made_of['accelerometer_gain']:.4f} "
         f"({made_of['accelerometer_gain_from']})"
@@ -129,6 +162,22 @@ def _say_imported(folder: Path, sequence: Sequence) -> None:
     if found and found["method"] in ("pats", "pictures", "variance"):
         say(sync_text(found))
     for note in (*made_of["conditioning"], *made_of["notes"]):
+        say(f"note: {note}")
+    say(f"play it with: hapticplayer play {folder}")
+
+
+def _say_estimated(folder: Path, sequence: Sequence) -> None:
+    description = sequence.description
+    made_of = description["provenance"]
+    found = made_of[ESTIMATE]
+    say(
+        f"{folder}: {description['clip']['duration_s']:.1f} s, motion estimated from the "
+        f"picture, not measured; sway in {found['sway_trust']:.0%} and bounce in "
+        f"{found['bounce_trust']:.0%} of the clip, gain {found['gain']:g}; "
+        f"force peak {sequence.rendered.peak_n():.2f} N; {mapping_text(sequence.mapping)}; "
+        f"preset {preset_of(sequence.rendered)}"
+    )
+    for note in made_of["notes"]:
         say(f"note: {note}")
     say(f"play it with: hapticplayer play {folder}")
 
@@ -192,7 +241,7 @@ def log_beside(video: Path) -> Path | None:
 
 def _import(video: Path, target: Path, choices: Choices, progress: Progress) -> Row:
     try:
-        log = log_beside(video)
+        log = None if choices.suggest_gain is not None else log_beside(video)
         folder = build_sequence(
             video, target, imu_log=log, choices=choices, progress=progress
         )
@@ -204,6 +253,9 @@ def _import(video: Path, target: Path, choices: Choices, progress: Progress) -> 
     except HapticPlayerError as problem:
         return Row(video.name, "", 1, str(problem))
     clock, made_of = description["clock_map"], description["provenance"]
+    if ESTIMATE in made_of:
+        text = f"{description['clip']['duration_s']:.1f} s, {made_of['motion_source']}"
+        return Row(video.name, str(folder), 0, text)
     method = made_of["synchronisation"]["method"]
     text = (
         f"{description['clip']['duration_s']:.1f} s at {made_of['imu_rate_hz']:.0f} Hz, "

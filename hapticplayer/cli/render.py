@@ -15,6 +15,7 @@ from hapticplayer.cli.mapping_options import (
     mapping_text,
 )
 from hapticplayer.errors import InputError, SequenceError
+from hapticplayer.model import rendered_feedback
 from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import copy_changed, fitted_gain, set_mapping
@@ -77,14 +78,14 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         }
         say(json.dumps(content, ensure_ascii=False))
         return 0
-    realistic = made.description["feedbacks"]["realistic"]
+    rendered = made.description["feedbacks"][rendered_feedback(made.tracks)]
     offer = _offer(made, fits_gain=fits_gain)
     say(
         f"{target}: {mapping_text(made.mapping)} ({offer}); "
-        f"preset {preset_of(made.tracks['realistic'])}"
+        f"preset {preset_of(made.rendered)}"
     )
     say_figures(before, after)
-    for note in excursion_texts(realistic["excursion"]):
+    for note in excursion_texts(rendered["excursion"]):
         say(f"note: {note}")
     return 0
 

@@ -15,7 +15,12 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from hapticplayer.errors import InputError, Message
-from hapticplayer.interchange.force_files import Loss, WriteChoices, refuse_large
+from hapticplayer.interchange.force_files import (
+    Loss,
+    WriteChoices,
+    origin,
+    refuse_large,
+)
 from hapticplayer.interchange.milliseconds import end_ms, pieces
 from hapticplayer.interchange.thinning import Polyline, thinned
 from hapticplayer.model import ForceTrack
@@ -49,7 +54,8 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     digits = math.ceil(math.log10(_STEPS_PER_TOLERANCE * scale_n / choices.tolerance_n))
     quantum_n = scale_n * 10.0**-digits
     curve = thinned(track, until_ms, choices.tolerance_n, quantum_n, _size, 0.0)[0]
-    about = {"Description": f"{_MARK.decode()}; newton = intensity * {scale_n:.3f}"}
+    mark = _MARK.decode() + origin(track)
+    about = {"Description": f"{mark}; newton = intensity * {scale_n:.3f}"}
     head = _json({"Version": 1.0, "Metadata": about, "Pattern": []})
     out.write(head.removesuffix(b"]}"))
     between = b""

@@ -96,6 +96,14 @@ class Loss(NamedTuple):
     of: Message
 
 
+NOT_MEASURED = "estimated from the picture, not measured"
+
+
+def origin(track: ForceTrack) -> str:
+    """Return what a file says of where its force comes from: "; ...", or nothing."""
+    return f"; {NOT_MEASURED}" if track.is_estimated else ""
+
+
 Write = Callable[[ForceTrack, BinaryIO, WriteChoices], None]
 Read = Callable[[Path, ReadChoices], ForceFile]
 MeasureLoss = Callable[[ForceTrack, Path, WriteChoices], Loss]

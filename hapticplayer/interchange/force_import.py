@@ -13,7 +13,7 @@ from hapticplayer.interchange.force_formats import (
     format_of,
     read_force,
 )
-from hapticplayer.model import ForceTrack
+from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.sequence import files, open_sequence
 from hapticplayer.sequence.editing import add_track
 from hapticplayer.sequence.store import motion_of
@@ -61,7 +61,7 @@ def import_force(
 
 def export_force(
     folder: Path,
-    feedback: str,
+    feedback: str | None,
     target: Path,
     form: str,
     *,
@@ -72,14 +72,14 @@ def export_force(
 
     Args:
         folder: of the sequence, or a video that it was packed into.
-        feedback: name of the track.
+        feedback: name of the track; None for the one that is rendered from the motion.
         target: of the file.
         form: name of its format.
         choices: of the format.
         progress: called before it is written; raises Cancelled to stop.
 
     Returns:
-        What it has cost, see `export_track`.
+        What it has cost, see `export_track`, with `feedback` and `is_estimated`.
 
     Raises:
         UsageError: for an unknown track or format, or one that takes no motion.
@@ -95,6 +95,7 @@ def export_force(
         )
     is_folder = folder.is_dir()
     sequence = open_sequence(folder) if is_folder else require_packed(folder).sequence
+    feedback = feedback or rendered_feedback(sequence.tracks)
     track = sequence.tracks.get(feedback)
     if track is None:
         raise UsageError(
@@ -106,4 +107,5 @@ def export_force(
     duration_s = float(sequence.description["clip"]["duration_s"])
     motion = motion_of(sequence) if asked.with_motion else None
     asked = replace(asked, duration_s=duration_s, motion=motion)
-    return export_track(track, target, format_of(target, form), asked)
+    cost = export_track(track, target, format_of(target, form), asked)
+    return {"feedback": str(feedback), "is_estimated": track.is_estimated, **cost}

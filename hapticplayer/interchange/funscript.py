@@ -22,6 +22,7 @@ from hapticplayer.interchange.force_files import (
     Loss,
     ReadChoices,
     WriteChoices,
+    origin,
     refuse_large,
 )
 from hapticplayer.interchange.json_fields import Fields, read_crowd
@@ -62,7 +63,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
         for name, (column, sign) in _AXES.items()
     }
     _refuse_many(sum(len(at_ms) for at_ms, _ in axes.values()))
-    about = {"creator": f"{_MARK.decode()} {__version__}"}
+    about = {"creator": f"{_MARK.decode()} {__version__}{origin(track)}"}
     head = {"version": choices.funscript_version, "metadata": about}
     out.write(json.dumps(head, separators=(",", ":")).encode().removesuffix(b"}"))
     out.write(b',"actions":')

@@ -13,7 +13,7 @@ import numpy as np
 
 from hapticplayer import __version__
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.interchange.force_files import WriteChoices, refuse_large
+from hapticplayer.interchange.force_files import WriteChoices, origin, refuse_large
 from hapticplayer.interchange.milliseconds import end_ms
 from hapticplayer.interchange.thinning import Polyline, thinned
 from hapticplayer.model import ForceTrack
@@ -57,11 +57,15 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     channels = [
         _channel(number, curve, scale_n, digits) for number, curve in enumerate(curves)
     ]
-    text = json.dumps(_described(channels, scale_n), separators=(",", ":"))
+    text = json.dumps(
+        _described(channels, scale_n, origin(track)), separators=(",", ":")
+    )
     out.write(text.encode())
 
 
-def _described(channels: list[dict[str, Any]], scale_n: float) -> dict[str, Any]:
+def _described(
+    channels: list[dict[str, Any]], scale_n: float, origin_text: str
+) -> dict[str, Any]:
     device = {"id": 0, "name": "force feedback", "maximum_amplitude": scale_n}
     perception = {
         "id": 0,
@@ -78,7 +82,7 @@ def _described(channels: list[dict[str, Any]], scale_n: float) -> dict[str, Any]
         "profile": "Main",
         "level": 1,
         "date": utc_now_iso()[:10],
-        "description": f"{MARK.decode()} {__version__}; newton = amplitude * "
+        "description": f"{MARK.decode()} {__version__}{origin_text}; newton = amplitude * "
         "maximum_amplitude; X right, Y up, Z towards the user",
         "timescale": 1000,
         "avatars": [],

@@ -13,7 +13,7 @@ from typing import BinaryIO
 import numpy as np
 
 from hapticplayer.errors import InputError
-from hapticplayer.interchange.force_files import WriteChoices, refuse_large
+from hapticplayer.interchange.force_files import WriteChoices, origin, refuse_large
 from hapticplayer.interchange.milliseconds import Ticks, end_ms, pieces
 from hapticplayer.interchange.mpegv_read import MAX_BYTES, MAX_ROWS, MAX_TAGS
 from hapticplayer.model import ForceTrack, MotionTrack
@@ -46,7 +46,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     refuse_large(track.force_n, "mpegv")
     until_ms = end_ms(track, choices.duration_s)
     rows = tags = 0
-    out.write(_HEAD.encode())
+    out.write(_HEAD.replace(_MARK, _MARK + origin(track)).encode())
     for kept, text in _forces(track, until_ms, choices.tolerance_n):
         rows, tags = rows + kept, tags + text.count("<")
         out.write(text.encode())

@@ -8,30 +8,31 @@ from hapticplayer.interchange import hjif
 from hapticplayer.interchange.force_files import WriteChoices
 from hapticplayer.media.matroska import Attachment
 from hapticplayer.media.remux import Payload
-from hapticplayer.model import Feedback
 from hapticplayer.outputs import IsOurs
 from hapticplayer.sequence import files, open_sequence
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.travelling import Contents, attachment_of, contents
 
 NAME = "force_realistic.hjif"
+ESTIMATED_NAME = "force_estimated.hjif"
 
 
 def force_for_others(folder: Path) -> tuple[Attachment, ...]:
-    """Return the realistic force as hjif; nothing if it does not fit that format.
+    """Return the rendered force as hjif; nothing if it does not fit that format.
 
     Raises:
         SequenceError: when the sequence is damaged.
     """
     sequence = open_sequence(folder)
-    track = sequence.tracks[Feedback.REALISTIC]
+    track = sequence.rendered
     duration_s = float(sequence.description["clip"]["duration_s"])
     out = io.BytesIO()
     try:
         hjif.write(track, out, WriteChoices(duration_s=duration_s))
     except InputError:
         return ()  # the list of contents shows that it is not there
-    return (attachment_of(NAME, out.getvalue()),)
+    name = ESTIMATED_NAME if track.is_estimated else NAME
+    return (attachment_of(name, out.getvalue()),)
 
 
 def shared_contents(

@@ -11,7 +11,7 @@ from typing import BinaryIO
 import numpy as np
 
 from hapticplayer.errors import InputError
-from hapticplayer.interchange.force_files import WriteChoices, refuse_large
+from hapticplayer.interchange.force_files import WriteChoices, origin, refuse_large
 from hapticplayer.interchange.milliseconds import end_ms, pieces
 from hapticplayer.interchange.wav_read import FLOAT, MARK, MAX_SAMPLES
 from hapticplayer.model import ForceTrack
@@ -30,7 +30,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     """
     refuse_large(track.force_n, "wav")
     scale_n = max(0.01, math.ceil(float(np.abs(track.force_n).max()) * 1000.0) / 1000.0)
-    comment = MARK + f"{scale_n:.3f}; x, y, z".encode()
+    comment = MARK + f"{scale_n:.3f}; x, y, z{origin(track)}".encode()
     comment += b"\0" * (2 - len(comment) % 2)
     until_ms, rate = end_ms(track, choices.duration_s), choices.sample_rate_hz
     count = max(1, until_ms * rate // 1000 + 1)

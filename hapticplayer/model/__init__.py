@@ -19,7 +19,13 @@ if TYPE_CHECKING:
     )
     from hapticplayer.model.force import ForceTrack, Reconstruction
     from hapticplayer.model.imu import ImuLog, Sampling
-    from hapticplayer.model.mapping import M_AD, Feedback, Mapping, PresetName
+    from hapticplayer.model.mapping import (
+        M_AD,
+        Feedback,
+        Mapping,
+        PresetName,
+        rendered_feedback,
+    )
     from hapticplayer.model.motion import MotionTrack
     from hapticplayer.model.rig_track import RigTrack
     from hapticplayer.model.timing import ClockMap, PlaybackClock
@@ -48,6 +54,7 @@ __all__ = [
     "RigTrack",
     "Sampling",
     "SyncStats",
+    "rendered_feedback",
 ]
 
 

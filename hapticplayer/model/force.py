@@ -102,6 +102,11 @@ class ForceTrack:
                 )
         return force
 
+    @property
+    def is_estimated(self) -> bool:
+        """Whether it is of a motion that was estimated from the picture."""
+        return self.provenance.get("feedback") == "estimated"
+
     def rms_n(self) -> Floats:
         """Return the RMS of the entries per axis, (3,) in N."""
         squares = np.square(self.force_n, dtype=np.float64)

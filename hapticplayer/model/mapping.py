@@ -1,6 +1,7 @@
 """How motion becomes force: F[k] = diag(s) M p[k], then the force limit."""
 
 import enum
+from collections.abc import Container
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -28,8 +29,20 @@ class Feedback(enum.StrEnum):
     """What the hand gets while the clip plays."""
 
     REALISTIC = "realistic"
+    ESTIMATED = "estimated"
+    """In the place of `REALISTIC` where the motion was estimated from the picture."""
     NONE = "none"
     RANDOM = "random"
+
+
+def rendered_feedback(names: Container[str]) -> Feedback:
+    """Return which feedback of a sequence is rendered from its motion.
+
+    Args:
+        names: of its feedbacks.
+    """
+    is_measured = Feedback.REALISTIC in names or Feedback.ESTIMATED not in names
+    return Feedback.REALISTIC if is_measured else Feedback.ESTIMATED
 
 
 class PresetName(enum.StrEnum):

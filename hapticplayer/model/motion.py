@@ -31,6 +31,7 @@ class MotionTrack:
         gravity_sigma_mps2: (N,) RMS of the gravity error where it is known.
         valid: (N,) False where the motion is not to be trusted (gaps).
         sampling: what one sample stands for, as in the ImuLog.
+        is_estimated: whether it was estimated from the picture; nothing measured it.
 
     Raises:
         InputError: on wrong shapes, values that are not finite, or times that do
@@ -45,6 +46,7 @@ class MotionTrack:
     gravity_sigma_mps2: NDArray[np.float64] | None
     valid: NDArray[np.bool_]
     sampling: Sampling = Sampling.INSTANT
+    is_estimated: bool = False
 
     def __post_init__(self) -> None:
         put = object.__setattr__

@@ -100,3 +100,6 @@ SEED = Range(0, 2**53, is_whole=True)
 """Whole numbers that JSON keeps exactly."""
 
 PORT = Range(0, 65535, is_whole=True)
+
+SUGGEST_GAIN = Range(0.05, 20.0)
+"""Factor on motion that is estimated from a picture, which does not show its scale."""

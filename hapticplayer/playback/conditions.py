@@ -61,6 +61,13 @@ def feedback_track(
             "only a sequence on this machine can be given another feedback"
         )
     realistic = source.tracks.get(Feedback.REALISTIC)
+    if realistic is None and Feedback.ESTIMATED in source.tracks:
+        raise UsageError(
+            "the motion of {title} was estimated from the picture, so there is no "
+            "realistic feedback to make {name!r} of",
+            title=source.title,
+            name=name,
+        )
     if realistic is None:
         raise UsageError(
             "{title} has no realistic feedback to make {name!r} of; import it first",

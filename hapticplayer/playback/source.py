@@ -11,7 +11,7 @@ from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import MediaError, Message
 from hapticplayer.haptics.filling import FillingTrack
 from hapticplayer.media.clip_info import ClipInfo, probe
-from hapticplayer.model import Feedback, ForceTrack, MotionTrack
+from hapticplayer.model import Feedback, ForceTrack, MotionTrack, rendered_feedback
 from hapticplayer.playback.video_check import VideoCheck
 from hapticplayer.rendering import coverage_notice, no_feedback, refuse_late
 from hapticplayer.sequence import open_sequence
@@ -102,7 +102,7 @@ def _source_of(
         probe(sequence.clip),
         dict(sequence.tracks),
         sequence.motion,
-        Feedback.REALISTIC.value,
+        rendered_feedback(sequence.tracks).value,
         sequence.description,
         check,
     )

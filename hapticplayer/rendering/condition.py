@@ -83,7 +83,7 @@ class Ingredients:
     """What tracks are made of.
 
     Attributes:
-        realistic: track of the clip.
+        realistic: track of the clip; the estimated one where its motion is.
         seed: of random numbers.
         rendered: returns the realistic track under another preset, "" for its own,
             and with or without the sequence's effects.

@@ -110,6 +110,13 @@ FEEDBACKS: tuple[FeedbackCondition, ...] = (
         simulated_as=Feedback.REALISTIC,
     ),
     FeedbackCondition(
+        Feedback.ESTIMATED,
+        Message("Estimated"),
+        lambda of: of.realistic,
+        Message("the force of a motion that was estimated from the picture"),
+        simulated_as=Feedback.REALISTIC,
+    ),
+    FeedbackCondition(
         Feedback.NONE,
         Message("None"),
         lambda of: no_feedback(of.realistic),

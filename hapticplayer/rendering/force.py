@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError
 from hapticplayer.model import (
+    Feedback,
     ForceTrack,
     ImuLog,
     Mapping,
@@ -70,7 +71,9 @@ def render_force(
         force_n=force_n,
         reconstruction=Reconstruction.LINEAR,
         provenance={
-            "feedback": "realistic",
+            "feedback": (
+                Feedback.ESTIMATED if motion.is_estimated else Feedback.REALISTIC
+            ).value,
             "gain_n_per_mps2": mapping.gains_n_per_mps2.tolist()
             if isinstance(mapping.gain_n_per_mps2, tuple)
             else mapping.gain_n_per_mps2,

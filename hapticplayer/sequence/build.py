@@ -1,48 +1,39 @@
 """The import pipeline: from a recording to a sequence."""
 
 import dataclasses
-import hashlib
-import shutil
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from hapticplayer import __version__, rendering
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import BY_FRAMES, ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of
-from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError, MediaError, Message, SequenceError
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import (
-    Feedback,
-    ForceTrack,
     ImuLog,
     Mapping,
     MotionTrack,
 )
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.outputs import FOLDER, refuse_existing
-from hapticplayer.sequence import files, store
-from hapticplayer.sequence.editing import describe_rendering
-from hapticplayer.sequence.excursion import excursion_texts, predict
+from hapticplayer.sequence import files
 from hapticplayer.sequence.mounting_by_frames import mounting_by_frames
-from hapticplayer.sequence.presets import DEFAULT_PRESET, render_preset
+from hapticplayer.sequence.presets import DEFAULT_PRESET
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.report import (
-    describe_notes,
     notes_on_motion,
     notes_on_sequence,
 )
+from hapticplayer.sequence.suggesting import suggested
 from hapticplayer.sequence.surroundings import surroundings
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
+from hapticplayer.sequence.writing import Content, write_folder
 from hapticplayer.untrusted import HeldFile
-
-_COPY_SHARE = 0.6  # of the whole work; a long clip is mostly copied and hashed
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +52,8 @@ class Choices:
         mounting: right, front and up of the actor in the recorder's axes; "" if not
             given: then gravity has to confirm that the recorder was upright;
             `BY_FRAMES` for what the frames of the clip tell.
+        suggest_gain: estimate the motion from the picture, with this gain; None for a
+            recording.
     """
 
     title: str | None = None
@@ -72,6 +65,7 @@ class Choices:
     log: LogChoices | None = None
     sync: SyncChoices = dataclasses.field(default_factory=SyncChoices)
     mounting: str = ""
+    suggest_gain: float | None = None
 
 
 def build_sequence(
@@ -109,6 +103,15 @@ def build_sequence(
 
         report(0.0, Message("reading {name}", name=video.name))
         clip = probe(video)
+        if choices.suggest_gain is not None:
+            content = suggested(
+                clip,
+                imu_log,
+                choices.suggest_gain,
+                choices.mapping,
+                lambda share, step: report(0.2 * share, step),
+            )
+            return write_folder(clip, content, target, choices, report)
         recording = read_recording(source, choices.log)
         refuse_gravity_free(recording)
         if not choices.mounting and not (choices.log and choices.log.axes):
@@ -169,49 +172,25 @@ def write_sequence(
     processing = choices.processing.mounted(mounting)
     processed = process_motion(recording.imu, processing, elsewhere)
     track = _mapped(processed.track, recording)
-    with files.written_aside(target) as folder:
-        clip_name = "clip" + clip.path.suffix.lower()
-        clip_hash = _copy_clip(clip.path, folder / clip_name, progress)
-        progress(0.85, Message("rendering the force"))
-        mapping, tracks = _render(track, recording, clip, choices, clip_hash)
-        excursions = _predict(tracks, clip, progress)
-        _write_arrays(folder, recording.imu, track, tracks, extras or {})
-        listed = _checksums(folder, {clip_name: clip_hash})
-        progress(0.95, Message("writing"))
-        notes = [
-            *recording.notes,
-            *_notes_on_calibration(choices.processing, recording),
-            *notes_on_motion(processed.imu, processed.summary),
-            *notes_on_sequence(recording, track, tracks, clip),
-            *excursion_texts(excursions[Feedback.REALISTIC.value]),
-        ]
-        description = {
-            "schema": store.SCHEMA,
-            "version": store.VERSION,
-            "title": choices.title or clip.path.stem,
-            "clip": _describe_clip(clip, clip_name),
-            "clock_map": dataclasses.asdict(recording.clock_map),
-            "mapping": store.describe_mapping(mapping),
-            "feedbacks": _describe_tracks(tracks, excursions),
-            "files": listed,
-            "provenance": {
-                "program": f"hapticplayer {__version__}",
-                "created_utc": utc_now_iso(),
-                "video": clip.path.name,
-                "motion_source": Path(recording.imu.source).name,
-                "camera": recording.camera,
-                "imu_rate_hz": round(recording.imu.rate_hz, 3),
-                "imu_samples": len(recording.imu),
-                **_describe_cover(recording.imu, track, clip),
-                **_describe_processing(processed, choices.processing),
-                "rendering": describe_rendering(fits_gain=choices.fits_gain),
-                **describe_notes(notes),
-                **recording.provenance,
-            },
-        }
-        files.write_json(folder / store.DESCRIPTION, description)
-        progress(1.0, Message("done"))
-    return target
+    notes = (
+        *recording.notes,
+        *_notes_on_calibration(choices.processing, recording),
+        *notes_on_motion(processed.imu, processed.summary),
+        *notes_on_sequence(recording, track, clip),
+    )
+    provenance = {
+        "motion_source": Path(recording.imu.source).name,
+        "camera": recording.camera,
+        "imu_rate_hz": round(recording.imu.rate_hz, 3),
+        "imu_samples": len(recording.imu),
+        **_describe_cover(recording.imu, track, clip),
+        **_describe_processing(processed, choices.processing),
+        **recording.provenance,
+    }
+    content = Content(
+        track, recording.clock_map, recording.imu, notes, provenance, extras or {}
+    )
+    return write_folder(clip, content, target, choices, progress)
 
 
 def _mapped(track: MotionTrack, recording: Recording) -> MotionTrack:
@@ -255,112 +234,6 @@ def _check_overlap(recording: Recording, clip: ClipInfo) -> None:
         )
 
 
-def _copy_clip(clip: Path, target: Path, progress: files.Progress) -> str:
-    """Copy the clip and return its checksum."""
-    with HeldFile(clip, MediaError) as source:
-        free = shutil.disk_usage(target.parent).free
-        if free < source.size_bytes:
-            raise InputError(
-                "needs {needed_mb} MB and only {free_mb} MB are free",
-                where=str(target.parent.parent),
-                remedy="free some space or choose another folder",
-                needed_mb=source.size_bytes >> 20,
-                free_mb=free >> 20,
-            )
-        return files.copy_file(
-            source,
-            target,
-            lambda f: progress(0.2 + _COPY_SHARE * f, Message("copying the clip")),
-        )
-
-
-def _render(
-    track: MotionTrack,
-    recording: Recording,
-    clip: ClipInfo,
-    choices: Choices,
-    clip_hash: str,
-) -> tuple[Mapping, dict[str, ForceTrack]]:
-    """Return the mapping, with its gain fitted where that is chosen, and the tracks."""
-    mapping = choices.mapping
-    imu = store.in_media_time(recording.imu, recording.clock_map)
-    if choices.fits_gain:
-        gain = rendering.fit_gain(track, mapping, clip.duration_s, imu)
-        mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
-    realistic = render_preset(track, mapping, imu, name=choices.preset)
-    seed = choices.seed
-    if seed is None:
-        # the same clip gives the same random track, on every machine
-        seed = int.from_bytes(hashlib.sha256(clip_hash.encode()).digest()[:4], "big")
-    return mapping, {
-        condition.name: condition.track(rendering.Ingredients(realistic, seed), {})
-        for condition in rendering.FEEDBACKS
-        if condition.is_stored
-    }
-
-
-def _predict(
-    tracks: dict[str, ForceTrack], clip: ClipInfo, progress: files.Progress
-) -> dict[str, dict[str, Any]]:
-    """Return the predicted excursion of the hand for each track."""
-    share, found = 0.05 / len(tracks), {}
-    for number, (name, force) in enumerate(tracks.items()):
-
-        def report(done: float, begin: float = 0.9 + share * number) -> None:
-            progress(begin + share * done, Message("predicting excursions"))
-
-        found[name] = predict(force, clip.duration_s, report)
-    return found
-
-
-def _write_arrays(
-    folder: Path,
-    imu: ImuLog,
-    track: MotionTrack,
-    tracks: dict[str, ForceTrack],
-    extras: dict[str, dict[str, Any]],
-) -> None:
-    fields: dict[str, Any] = {
-        "time_s": imu.time_s,
-        "specific_force_mps2": imu.specific_force_mps2,
-        "angular_rate_radps": imu.angular_rate_radps,
-        "sampling": imu.sampling.value,
-    }
-    for name in store.OPTIONAL_IMU_FIELDS:
-        if getattr(imu, name) is not None:
-            fields[name] = getattr(imu, name)
-    files.write_arrays(folder / store.IMU, **fields)
-    kept = {f.name: getattr(track, f.name) for f in dataclasses.fields(track)}
-    kept = {name: value for name, value in kept.items() if value is not None}
-    kept["sampling"] = track.sampling.value
-    files.write_arrays(folder / store.MOTION, **kept)
-    for name, force in tracks.items():
-        files.write_arrays(folder / f"force_{name}.npz", **store.track_arrays(force))
-    for name, arrays in extras.items():
-        files.write_arrays(folder / f"{name}.npz", **arrays)
-
-
-def _checksums(folder: Path, known: dict[str, str]) -> dict[str, Any]:
-    return {
-        path.name: {
-            "sha256": known.get(path.name) or files.sha256_of(path),
-            "size_bytes": path.stat().st_size,
-        }
-        for path in sorted(folder.iterdir())
-    }
-
-
-def _describe_clip(clip: ClipInfo, name: str) -> dict[str, Any]:
-    return {
-        "file": name,
-        "duration_s": clip.duration_s,
-        "width": clip.width,
-        "height": clip.height,
-        "frame_rate_hz": clip.frame_rate_hz,
-        "has_audio": clip.has_audio,
-    }
-
-
 def _describe_cover(imu: ImuLog, track: MotionTrack, clip: ClipInfo) -> dict[str, Any]:
     gaps = find_gaps(imu)
     first_s = max(0.0, float(track.time_s[0]))
@@ -382,16 +255,3 @@ def _describe_processing(processed: Processed, chosen: Processing) -> dict[str, 
         "processing": dataclasses.asdict(chosen),
         "conditioning": list(processed.conditioning),
     }
-
-
-def _describe_tracks(
-    tracks: dict[str, ForceTrack], excursions: dict[str, dict[str, Any]]
-) -> dict[str, Any]:
-    described: dict[str, Any] = {
-        name: store.describe_track(track, f"force_{name}.npz", excursions[name])
-        for name, track in tracks.items()
-    }
-    for condition in rendering.FEEDBACKS:
-        if condition.is_made_at_opening:
-            described[condition.name] = {"provenance": {"feedback": condition.name}}
-    return described

@@ -77,8 +77,8 @@ def stored_rendering(
     """
     sequence = store.open_sequence(folder)
     store.motion_of(sequence)
-    described = sequence.description["feedbacks"][model.Feedback.REALISTIC]
-    track = sequence.tracks[model.Feedback.REALISTIC]
+    feedbacks = sequence.description["feedbacks"]
+    described, track = feedbacks[model.rendered_feedback(feedbacks)], sequence.rendered
     excursion = described.get("excursion") or _predicted(sequence, track, progress)
     return _described(sequence, sequence.mapping, track, excursion)
 

@@ -201,7 +201,7 @@ def rendered_again(
         SequenceError: when the sequence is damaged.
     """
     sequence = store.open_sequence(folder)
-    realistic = sequence.tracks[model.Feedback.REALISTIC]
+    realistic = sequence.rendered
     is_plain = not realistic.provenance.get("effects")
     if preset in ("", preset_of(realistic)) and (has_effects or is_plain):
         return realistic
@@ -226,7 +226,7 @@ def rendering_of(
         SequenceError: when the sequence was shared without its motion.
     """
     mapping = mapping or sequence.mapping
-    name = preset or preset_of(sequence.tracks[model.Feedback.REALISTIC])
+    name = preset or preset_of(sequence.rendered)
     imu = _angular_rate(sequence, mapping)
     return Rendering(store.motion_of(sequence), mapping, imu, name=name)
 

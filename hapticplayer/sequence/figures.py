@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.model import Feedback, ForceTrack
+from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.store import Sequence
@@ -80,9 +80,10 @@ def sequence_figures(sequence: Sequence) -> ForceFigures:
 
     The prediction that it holds is used; earlier versions have none.
     """
-    entry = sequence.description["feedbacks"][Feedback.REALISTIC]
+    feedbacks = sequence.description["feedbacks"]
+    entry = feedbacks[rendered_feedback(feedbacks)]
     return force_figures(
-        sequence.tracks[Feedback.REALISTIC],
+        sequence.rendered,
         float(sequence.description["clip"]["duration_s"]),
         sequence.mapping.force_limit_n,
         prediction=entry.get("excursion"),

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import InputError, Message, SequenceError, message_of
-from hapticplayer.model import Feedback, PresetName
+from hapticplayer.model import PresetName, rendered_feedback
 from hapticplayer.sequence import files
 from hapticplayer.sequence.report import Finding, quality_report
 from hapticplayer.sequence.store import DESCRIPTION, SCHEMA
@@ -146,8 +146,8 @@ def _track(name: str, entry: Mapping[str, Any]) -> Track:
 
 
 def _preset(feedbacks: Mapping[str, Any]) -> str:
-    """Return the preset of the realistic track; earlier versions had one."""
-    made_of = feedbacks.get(Feedback.REALISTIC, {}).get("provenance", {})
+    """Return the preset of the rendered track; earlier versions had one."""
+    made_of = feedbacks.get(rendered_feedback(feedbacks), {}).get("provenance", {})
     return without_controls(str(made_of.get("preset", PresetName.FAITHFUL)))
 
 

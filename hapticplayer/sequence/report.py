@@ -19,7 +19,7 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import ENOUGH_CONFIDENCE
 from hapticplayer.errors import Message, from_json, to_json
 from hapticplayer.media.clip_info import ClipInfo
-from hapticplayer.model import Feedback, ForceTrack, ImuLog, MotionTrack
+from hapticplayer.model import ForceTrack, ImuLog, MotionTrack, rendered_feedback
 
 LARGE_LEAK_MPS2 = 0.05
 """Noticed as a steady pull at the default gain."""
@@ -43,7 +43,7 @@ class Finding:
     """One figure.
 
     Attributes:
-        name: sync, drift, rate, leak, sensor, gaps, force, workspace, heat or cover.
+        name: estimate, sync, drift, rate, leak, sensor, gaps, force, workspace, heat or cover.
         mark: of the figure.
         value: the figure; None if it could not be measured.
         more: further figures by name.
@@ -80,9 +80,16 @@ def quality_report(description: Mapping[str, Any]) -> list[Finding]:
     """
     made_of = _table(description, "provenance")
     motion = _table(made_of, "motion_summary")
-    realistic = _table(_table(description, "feedbacks"), "realistic")
+    feedbacks = _table(description, "feedbacks")
+    realistic = _table(feedbacks, rendered_feedback(feedbacks))
+    estimate = _table(made_of, "estimate")
     found = [
-        _sync(_table(made_of, "synchronisation"), _table(description, "clock_map")),
+        _estimate(estimate),
+        None
+        if estimate
+        else _sync(
+            _table(made_of, "synchronisation"), _table(description, "clock_map")
+        ),
         _drift(_table(made_of, "synchronisation")),
         _plain("rate", "rate_hz", _number(made_of, "imu_rate_hz"), is_low_bad=True),
         _leak(motion),
@@ -112,6 +119,14 @@ def marked(bound: str, value: float, *, is_low_bad: bool = False) -> Mark:
     if sign * value <= sign * good:
         return Mark.GOOD
     return Mark.DOUBTFUL if sign * value <= sign * doubtful else Mark.BAD
+
+
+def _estimate(found: Mapping[str, Any]) -> Finding | None:
+    """Return that nothing measured the motion, with the shares of the clip kept."""
+    if not found:
+        return None
+    kept = {name: _number(found, f"{name}_trust") for name in ("sway", "bounce")}
+    return Finding("estimate", Mark.DOUBTFUL, _number(found, "gain"), kept)
 
 
 def _sync(found: Mapping[str, Any], clock: Mapping[str, Any]) -> Finding | None:
@@ -245,12 +260,9 @@ def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:
 
 
 def notes_on_sequence(
-    recording: Recording,
-    track: MotionTrack,
-    tracks: Mapping[str, ForceTrack],
-    clip: ClipInfo,
+    recording: Recording, track: MotionTrack, clip: ClipInfo
 ) -> list[str]:
-    """Return the notes on clip, motion and force together."""
+    """Return the notes on clip and motion together."""
     notes: list[str] = []
     if recording.clock_map.confidence == 0.0:
         notes.append(
@@ -270,7 +282,13 @@ def notes_on_sequence(
                 duration_s=clip.duration_s,
             )
         )
-    saturated = tracks[Feedback.REALISTIC.value].provenance["saturated_share"]
+    return notes
+
+
+def notes_on_force(tracks: Mapping[str, ForceTrack]) -> list[str]:
+    """Return the notes on the rendered force."""
+    notes: list[str] = []
+    saturated = tracks[rendered_feedback(tracks)].provenance["saturated_share"]
     if saturated > 0.0:
         notes.append(
             Message(

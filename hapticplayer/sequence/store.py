@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from hapticplayer.errors import InputError, Message, SequenceError
 from hapticplayer.model import (
     ClockMap,
-    Feedback,
     ForceTrack,
     ImuLog,
     Mapping,
     MotionTrack,
     Reconstruction,
     Sampling,
+    rendered_feedback,
 )
 from hapticplayer.rendering import FEEDBACKS, Ingredients, effects
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
@@ -50,7 +50,7 @@ class Sequence:
         clip: the video file.
         motion: gravity-free acceleration, in media time; None if it was not shared.
         tracks: force tracks by name of the condition.
-        mapping: of the realistic track.
+        mapping: of the realistic or estimated track.
         description: sequence.json, with its provenance.
     """
 
@@ -61,6 +61,11 @@ class Sequence:
     tracks: Dict[str, ForceTrack]
     mapping: Mapping
     description: Dict[str, Any]
+
+    @property
+    def rendered(self) -> ForceTrack:
+        """The track that is rendered from the motion: realistic, or estimated."""
+        return self.tracks[rendered_feedback(self.tracks)]
 
 
 class SmallFiles(Protocol):
@@ -182,6 +187,12 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
     folder = Path(folder)
     description = files.read_json(folder / DESCRIPTION)
     _check_schema(str(folder / DESCRIPTION), description)
+    if IMU not in description.get("files", ()):
+        raise SequenceError(
+            "holds no recorded samples",
+            where=str(folder),
+            remedy="import a recording, or ask for a file that was packed --with-motion",
+        )
     try:
         _check_file(folder, IMU, description["files"][IMU], with_checksum=True)
         made_of = dict(description["provenance"])
@@ -432,7 +443,7 @@ def _read_tracks(
             Reconstruction(str(arrays["reconstruction"])),
             entry.get("provenance", {}),
         )
-    realistic = tracks[Feedback.REALISTIC.value]
+    realistic = tracks[rendered_feedback(tracks)]
     for condition in FEEDBACKS:
         if condition.is_made_at_opening:
             tracks[condition.name] = condition.track(Ingredients(realistic), {})
@@ -452,4 +463,5 @@ def _motion_fields(arrays: dict[str, NDArray[Any]]) -> dict[str, Any]:
         "valid": arrays["valid"],
         # earlier versions wrote none and rendered lines: the same again
         "sampling": Sampling(str(arrays.get("sampling", Sampling.INSTANT))),
+        "is_estimated": bool(arrays.get("is_estimated", False)),
     }

@@ -12,7 +12,7 @@ from hapticplayer.sequence import files, store
 from hapticplayer.sequence.packed import MANIFEST, Packed
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular
 
-MOTION_FILES = (store.MOTION, store.IMU, "truth.npz")
+MOTION_FILES = (store.MOTION, store.IMU, "truth.npz", "estimate.npz")
 """What is shared only where that is asked for."""
 
 _MEDIA_TYPES = {".json": "application/json", ".hjif": "haptics/hjif"}
@@ -23,6 +23,7 @@ _TEXTS = (
     (store.MOTION, Message("motion without gravity")),
     (store.IMU, Message("recorded samples")),
     ("truth.npz", Message("true motion of a simulation")),
+    ("estimate.npz", Message("sigma and trust of an estimated motion")),
     ("effects", Message("effects")),
     ("force_", Message("force, N, lossless")),
 )

@@ -15,6 +15,7 @@ from hapticplayer.sequence.files import json_text
 from hapticplayer.study import private
 from hapticplayer.study.definition import StudyFeedback
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
+from hapticplayer.study.estimates import refuse_estimates
 from hapticplayer.study.json_files import read_file
 from hapticplayer.study.plan import LETTERS
 from hapticplayer.study.session_folder import sha256
@@ -69,7 +70,7 @@ def create_study(
     if feedbacks:
         content["feedbacks"] = [_described(chosen_text(text)) for text in feedbacks]
     text = definition_text(content)
-    parse_definition(text, template)
+    refuse_estimates(parse_definition(text, template), template, folder)
     with private.folder_written_aside(folder) as aside:
         private.write_new(aside / DEFINITION, text)
     return open_study(folder)
@@ -93,7 +94,7 @@ def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
     """
     path = study.folder / DEFINITION
     text = definition_text(content)
-    parse_definition(text, str(path))
+    refuse_estimates(parse_definition(text, str(path)), str(path), study.folder)
     private.replace(path, text)
     return open_study(study.folder)
 

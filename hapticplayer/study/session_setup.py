@@ -12,6 +12,7 @@ from hapticplayer.playback.source import Source, open_source
 from hapticplayer.study.creation import clip_checksums, sequence_folder
 from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.demonstration import demonstration_source
+from hapticplayer.study.estimates import refuse_estimates
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.stage import PlayerStage
 from hapticplayer.study.study_folder import Study
@@ -40,6 +41,7 @@ def load_material(study: Study) -> Material:
         InputError: when a sequence is damaged.
     """
     clips = clip_checksums(study)
+    refuse_estimates(study.definition, str(study.folder / DEFINITION), study.folder)
     opened = {
         sequence.key: open_source(sequence_folder(study, sequence.key))
         for sequence in study.definition.sequences

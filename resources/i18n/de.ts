@@ -2662,6 +2662,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>schlecht</translation>
     </message>
     <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
         <source>Synchronisation</source>
         <translation>Synchronisation</translation>
     </message>
@@ -2698,6 +2702,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Erwärmung der Motoren</translation>
     </message>
     <message>
+        <source>estimated from the picture, nothing measured it: sway in {sway}, bounce in {bounce} of the clip; gain {gain}</source>
+        <translation>aus dem Bild geschätzt, nichts hat sie gemessen: Schwanken in {sway}, Auf und Ab in {bounce} des Clips; Verstärkung {gain}</translation>
+    </message>
+    <message>
         <source>tap marks</source>
         <translation>Klopfzeichen</translation>
     </message>
@@ -2716,6 +2724,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>The force would be stopped; lower the gain</source>
         <translation>Die Kraft würde abgeschaltet; verringern Sie die Verstärkung</translation>
+    </message>
+    <message>
+        <source>Record the motion with the next video</source>
+        <translation>Zeichnen Sie beim nächsten Video die Bewegung mit auf</translation>
     </message>
     <message>
         <source>Check the synchronisation; next time tap the recorder three times</source>
@@ -6669,12 +6681,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie stattdessen den Ordner einer davon an</translation>
     </message>
     <message>
-        <source>give the log with --imu LOG</source>
-        <translation>geben Sie das Protokoll mit --imu LOG an</translation>
-    </message>
-    <message>
         <source>give the log with --imu LOG, and {option} if asked</source>
         <translation>geben Sie das Protokoll mit --imu LOG an, und {option}, wo danach gefragt wird</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG, or have the motion estimated from the picture with --suggest-motion</source>
+        <translation>geben Sie das Protokoll mit --imu LOG an, oder lassen Sie die Bewegung mit --suggest-motion aus dem Bild schätzen</translation>
     </message>
     <message>
         <source>give the one that `hapticplayer serve` prints (http://HOST:PORT/TOKEN/{name})</source>
@@ -6733,6 +6745,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine Positionen</translation>
     </message>
     <message>
+        <source>holds no recorded samples</source>
+        <translation>enthält keine aufgezeichneten Messwerte</translation>
+    </message>
+    <message>
         <source>holds no samples</source>
         <translation>enthält keine Abtastwerte</translation>
     </message>
@@ -6749,8 +6765,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält zwei Anhänge mit demselben Namen</translation>
     </message>
     <message>
+        <source>import a recording, or ask for a file that was packed --with-motion</source>
+        <translation>importieren Sie eine Aufnahme, oder bitten Sie um eine Datei, die --with-motion gepackt wurde</translation>
+    </message>
+    <message>
         <source>import it with its motion, or serve a file that was packed</source>
         <translation>mit seiner Bewegung importieren, oder eine gepackte Datei anbieten</translation>
+    </message>
+    <message>
+        <source>import it without --suggest-motion</source>
+        <translation>importieren Sie es ohne --suggest-motion</translation>
     </message>
     <message>
         <source>in test, or being set up</source>
@@ -6863,6 +6887,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>its headers are too large</source>
         <translation>seine Kopfzeilen sind zu groß</translation>
+    </message>
+    <message>
+        <source>its motion was recorded, which is better than an estimate from the picture</source>
+        <translation>seine Bewegung wurde aufgezeichnet, und das ist besser als eine Schätzung aus dem Bild</translation>
     </message>
     <message>
         <source>its streams cannot be copied into {kind}</source>
@@ -7241,6 +7269,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>teilen die Zeit mit einer anderen und wurden mit ihr gemittelt</translation>
     </message>
     <message>
+        <source>sigma and trust of an estimated motion</source>
+        <translation>Sigma und Vertrauen einer geschätzten Bewegung</translation>
+    </message>
+    <message>
         <source>simulated camera</source>
         <translation>simulierte Kamera</translation>
     </message>
@@ -7299,6 +7331,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>switch the board to its sensor output (#osct with Razor-AHRS)</source>
         <translation>schalten Sie die Platine auf Sensorausgabe (#osct bei Razor-AHRS)</translation>
+    </message>
+    <message>
+        <source>take another sequence, or add &apos;estimated&apos; to feedbacks</source>
+        <translation>nehmen Sie eine andere Sequenz, oder fügen Sie &apos;estimated&apos; zu feedbacks hinzu</translation>
     </message>
     <message>
         <source>target: must be one of {known}</source>
@@ -7525,6 +7561,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kraft kommt {ms:.0f} ms nach dem Video: der Rechner ist möglicherweise überlastet; schließen Sie andere Programme</translation>
     </message>
     <message>
+        <source>the force of a motion that was estimated from the picture</source>
+        <translation>die Kraft einer Bewegung, die aus dem Bild geschätzt wurde</translation>
+    </message>
+    <message>
         <source>the force of another clip needs its sequence: of=FOLDER</source>
         <translation>die Kraft eines anderen Clips braucht dessen Sequenz: of=ORDNER</translation>
     </message>
@@ -7555,6 +7595,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the method pictures needs a clip</source>
         <translation>Das Verfahren pictures braucht ein Video</translation>
+    </message>
+    <message>
+        <source>the motion of {key!r} was estimated from the picture, nothing measured it</source>
+        <translation>die Bewegung von {key!r} wurde aus dem Bild geschätzt, nichts hat sie gemessen</translation>
+    </message>
+    <message>
+        <source>the motion of {title} was estimated from the picture, so there is no realistic feedback to make {name!r} of</source>
+        <translation>die Bewegung von {title} wurde aus dem Bild geschätzt, deshalb gibt es kein realistisches Feedback, aus dem {name!r} entstehen könnte</translation>
+    </message>
+    <message>
+        <source>the motion was estimated from the picture, nothing measured it: its strength is a guess, and studies refuse it unless they name the feedback &apos;estimated&apos;</source>
+        <translation>die Bewegung wurde aus dem Bild geschätzt, nichts hat sie gemessen: ihre Stärke ist geraten, und Studien lehnen sie ab, wenn sie das Feedback &apos;estimated&apos; nicht nennen</translation>
     </message>
     <message>
         <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats and pictures, as far as there are any</source>
@@ -8221,6 +8273,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Effekte</translation>
     </message>
     <message>
+        <source>Estimated</source>
+        <translation>Geschätzt</translation>
+    </message>
+    <message>
         <source>Falcon on USB</source>
         <translation>Falcon an USB</translation>
     </message>
@@ -8381,6 +8437,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Schlüssel {key!r} steht zweimal da</translation>
     </message>
     <message>
+        <source>estimated from the picture</source>
+        <translation>aus dem Bild geschätzt</translation>
+    </message>
+    <message>
         <source>fifo</source>
         <translation>FIFO</translation>
     </message>
@@ -8390,7 +8450,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>following frames needs OpenCV, which is not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildern zu folgen braucht OpenCV, das nicht installiert ist</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor a file {name!r} beside it holds any; ask for both files again, and rename neither alone</source>
@@ -8422,7 +8482,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>install hapticplayer[vision], which synchronises without pats, finds the mounting of a sensor and suggests motion for a plain video</source>
-        <translation type="unfinished"></translation>
+        <translation>Installieren Sie hapticplayer[vision]: es synchronisiert ohne Klopfer, findet, wie ein Sensor montiert war, und schlägt Bewegung für ein bloßes Video vor</translation>
     </message>
     <message>
         <source>is damaged or missing, and the definition of the study has changed</source>
@@ -8506,11 +8566,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>no estimated bounce: two halves of the points do not agree on it</source>
-        <translation type="unfinished"></translation>
+        <translation>kein geschätztes Auf und Ab: zwei Hälften der Punkte stimmen darin nicht überein</translation>
     </message>
     <message>
         <source>no estimated sway: no turns beyond what may be an error</source>
-        <translation type="unfinished"></translation>
+        <translation>kein geschätztes Schwanken: keine Kurven, die größer sind als ein möglicher Fehler</translation>
     </message>
     <message>
         <source>no participant {code}</source>
@@ -8610,11 +8670,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the camera stands still: nothing to estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kamera steht still: es gibt nichts zu schätzen</translation>
     </message>
     <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Clip hat {rate_hz:.0f} Bilder pro Sekunde, zu wenige, um Bewegung vorzuschlagen; es müssen {least_hz:.0f} sein</translation>
     </message>
     <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
@@ -8622,7 +8682,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the clip is too short to suggest motion; it needs {least_s:g} s</source>
-        <translation type="unfinished"></translation>
+        <translation>der Clip ist zu kurz, um Bewegung vorzuschlagen; er muss {least_s:g} s haben</translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -9058,7 +9118,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{unseen_s:.0f} s without estimate: cuts, dark, blurred or empty frames</source>
-        <translation type="unfinished"></translation>
+        <translation>{unseen_s:.0f} s ohne Schätzung: Schnitte, dunkle, unscharfe oder leere Bilder</translation>
     </message>
     <message>
         <source>{value!r} is not a sequence of this study</source>

@@ -2662,6 +2662,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mauvais</translation>
     </message>
     <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
         <source>Synchronisation</source>
         <translation>Synchronisation</translation>
     </message>
@@ -2698,6 +2702,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Échauffement des moteurs</translation>
     </message>
     <message>
+        <source>estimated from the picture, nothing measured it: sway in {sway}, bounce in {bounce} of the clip; gain {gain}</source>
+        <translation>estimé d’après l’image, rien ne l’a mesuré&#xa0;: balancement dans {sway}, rebond dans {bounce} du clip&#xa0;; gain {gain}</translation>
+    </message>
+    <message>
         <source>tap marks</source>
         <translation>tapes</translation>
     </message>
@@ -2716,6 +2724,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>The force would be stopped; lower the gain</source>
         <translation>La force serait coupée&#xa0;; réduisez le gain</translation>
+    </message>
+    <message>
+        <source>Record the motion with the next video</source>
+        <translation>Enregistrez le mouvement avec la prochaine vidéo</translation>
     </message>
     <message>
         <source>Check the synchronisation; next time tap the recorder three times</source>
@@ -6669,12 +6681,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez plutôt le dossier de l’un d’eux</translation>
     </message>
     <message>
-        <source>give the log with --imu LOG</source>
-        <translation>donnez le journal avec --imu LOG</translation>
-    </message>
-    <message>
         <source>give the log with --imu LOG, and {option} if asked</source>
         <translation>donnez le journal avec --imu LOG, et {option} là où c’est demandé</translation>
+    </message>
+    <message>
+        <source>give the log with --imu LOG, or have the motion estimated from the picture with --suggest-motion</source>
+        <translation>donnez le journal avec --imu LOG, ou faites estimer le mouvement d’après l’image avec --suggest-motion</translation>
     </message>
     <message>
         <source>give the one that `hapticplayer serve` prints (http://HOST:PORT/TOKEN/{name})</source>
@@ -6733,6 +6745,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas de positions</translation>
     </message>
     <message>
+        <source>holds no recorded samples</source>
+        <translation>ne contient aucun échantillon enregistré</translation>
+    </message>
+    <message>
         <source>holds no samples</source>
         <translation>ne contient pas d’échantillons</translation>
     </message>
@@ -6749,8 +6765,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>contient deux pièces jointes du même nom</translation>
     </message>
     <message>
+        <source>import a recording, or ask for a file that was packed --with-motion</source>
+        <translation>importez un enregistrement, ou demandez un fichier empaqueté --with-motion</translation>
+    </message>
+    <message>
         <source>import it with its motion, or serve a file that was packed</source>
         <translation>importez-le avec son mouvement, ou servez un fichier partagé</translation>
+    </message>
+    <message>
+        <source>import it without --suggest-motion</source>
+        <translation>importez-la sans --suggest-motion</translation>
     </message>
     <message>
         <source>in test, or being set up</source>
@@ -6863,6 +6887,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>its headers are too large</source>
         <translation>ses en-têtes sont trop grands</translation>
+    </message>
+    <message>
+        <source>its motion was recorded, which is better than an estimate from the picture</source>
+        <translation>son mouvement a été enregistré, ce qui vaut mieux qu’une estimation d’après l’image</translation>
     </message>
     <message>
         <source>its streams cannot be copied into {kind}</source>
@@ -7241,6 +7269,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>partagent le temps d’une autre et ont été moyennées avec elle</translation>
     </message>
     <message>
+        <source>sigma and trust of an estimated motion</source>
+        <translation>sigma et confiance d’un mouvement estimé</translation>
+    </message>
+    <message>
         <source>simulated camera</source>
         <translation>caméra simulée</translation>
     </message>
@@ -7299,6 +7331,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>switch the board to its sensor output (#osct with Razor-AHRS)</source>
         <translation>mettez la carte en sortie de capteurs (#osct avec Razor-AHRS)</translation>
+    </message>
+    <message>
+        <source>take another sequence, or add &apos;estimated&apos; to feedbacks</source>
+        <translation>prenez une autre séquence, ou ajoutez &apos;estimated&apos; à feedbacks</translation>
     </message>
     <message>
         <source>target: must be one of {known}</source>
@@ -7525,6 +7561,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la force est en retard de {ms:.0f} ms sur la vidéo&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez d’autres programmes</translation>
     </message>
     <message>
+        <source>the force of a motion that was estimated from the picture</source>
+        <translation>la force d’un mouvement estimé d’après l’image</translation>
+    </message>
+    <message>
         <source>the force of another clip needs its sequence: of=FOLDER</source>
         <translation>la force d’une autre vidéo demande sa séquence&#xa0;: of=DOSSIER</translation>
     </message>
@@ -7555,6 +7595,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the method pictures needs a clip</source>
         <translation>la méthode pictures nécessite une vidéo</translation>
+    </message>
+    <message>
+        <source>the motion of {key!r} was estimated from the picture, nothing measured it</source>
+        <translation>le mouvement de {key!r} a été estimé d’après l’image, rien ne l’a mesuré</translation>
+    </message>
+    <message>
+        <source>the motion of {title} was estimated from the picture, so there is no realistic feedback to make {name!r} of</source>
+        <translation>le mouvement de {title} a été estimé d’après l’image, il n’y a donc pas de retour réaliste dont faire {name!r}</translation>
+    </message>
+    <message>
+        <source>the motion was estimated from the picture, nothing measured it: its strength is a guess, and studies refuse it unless they name the feedback &apos;estimated&apos;</source>
+        <translation>le mouvement a été estimé d’après l’image, rien ne l’a mesuré&#xa0;: sa force est supposée, et les études le refusent si elles ne nomment pas le retour &apos;estimated&apos;</translation>
     </message>
     <message>
         <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats and pictures, as far as there are any</source>
@@ -8221,6 +8273,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Effets</translation>
     </message>
     <message>
+        <source>Estimated</source>
+        <translation>Estimé</translation>
+    </message>
+    <message>
         <source>Falcon on USB</source>
         <translation>Falcon sur USB</translation>
     </message>
@@ -8381,6 +8437,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la clé {key!r} figure deux fois</translation>
     </message>
     <message>
+        <source>estimated from the picture</source>
+        <translation>estimé d’après l’image</translation>
+    </message>
+    <message>
         <source>fifo</source>
         <translation>FIFO</translation>
     </message>
@@ -8390,7 +8450,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>following frames needs OpenCV, which is not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>suivre les images nécessite OpenCV, qui n’est pas installé</translation>
     </message>
     <message>
         <source>force belongs to this video, but neither it nor a file {name!r} beside it holds any; ask for both files again, and rename neither alone</source>
@@ -8422,7 +8482,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>install hapticplayer[vision], which synchronises without pats, finds the mounting of a sensor and suggests motion for a plain video</source>
-        <translation type="unfinished"></translation>
+        <translation>installez hapticplayer[vision], qui synchronise sans tapes, trouve le montage d’un capteur et suggère un mouvement pour une simple vidéo</translation>
     </message>
     <message>
         <source>is damaged or missing, and the definition of the study has changed</source>
@@ -8506,11 +8566,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>no estimated bounce: two halves of the points do not agree on it</source>
-        <translation type="unfinished"></translation>
+        <translation>pas de rebond estimé&#xa0;: deux moitiés des points ne s’accordent pas</translation>
     </message>
     <message>
         <source>no estimated sway: no turns beyond what may be an error</source>
-        <translation type="unfinished"></translation>
+        <translation>pas de balancement estimé&#xa0;: aucun virage plus grand qu’une erreur possible</translation>
     </message>
     <message>
         <source>no participant {code}</source>
@@ -8610,11 +8670,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the camera stands still: nothing to estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>la caméra est immobile&#xa0;: rien à estimer</translation>
     </message>
     <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
-        <translation type="unfinished"></translation>
+        <translation>le clip a {rate_hz:.0f} images par seconde, trop peu pour suggérer un mouvement&#xa0;; il en faut {least_hz:.0f}</translation>
     </message>
     <message>
         <source>the clip is damaged: some of its frames are missing or broken</source>
@@ -8622,7 +8682,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the clip is too short to suggest motion; it needs {least_s:g} s</source>
-        <translation type="unfinished"></translation>
+        <translation>le clip est trop court pour suggérer un mouvement&#xa0;; il faut {least_s:g} s</translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -9058,7 +9118,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{unseen_s:.0f} s without estimate: cuts, dark, blurred or empty frames</source>
-        <translation type="unfinished"></translation>
+        <translation>{unseen_s:.0f} s sans estimation&#xa0;: coupes, images sombres, floues ou vides</translation>
     </message>
     <message>
         <source>{value!r} is not a sequence of this study</source>

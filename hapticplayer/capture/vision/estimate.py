@@ -39,7 +39,8 @@ _STOP_DB, _ORDER = 40.0, 8
 _MEMORY_S = 1.0  # over which trust changes
 _FADE_S = 0.25  # around what is not seen
 _TURN_SIGMA = (0.02, 0.15)  # rad/s, and share of the quick yaw, such as of steps
-_SPEED_SIGMA = 0.2  # share of the sway
+_SPEED_SIGMA = 0.3  # share of the sway
+_LEAST_SIGMA_MPS2 = 0.05  # less is not noticed: 0.02 N at the default gain
 _HALVES = (0.8, 0.95)  # correlation of the halves: from no trust to full trust
 _BOUNCE_SIGMA = (2.0, 0.45)  # of the halves' difference, and share of the bounce
 _LITTLE = 0.05  # mean trust below which a part is left out, and that is said
@@ -132,7 +133,9 @@ def _track(time_s: Floats, acceleration: Floats) -> MotionTrack:
     gravity = np.zeros((len(time_s), 3))
     gravity[:, 2] = STANDARD_GRAVITY_MPS2
     valid = np.ones(len(time_s), np.bool_)
-    return MotionTrack(time_s, acceleration, gravity, 1.0, level, None, valid)
+    return MotionTrack(
+        time_s, acceleration, gravity, 1.0, level, None, valid, is_estimated=True
+    )
 
 
 class _Watched(NamedTuple):
@@ -193,10 +196,10 @@ def _sway(watched_: _Watched) -> tuple[Floats, Floats, Floats]:
     band = signal.butter(2, (0.5, 3.0), "band", fs=RATE_HZ, output="sos")
     quick = np.sqrt(_mean(_filtered(band, watched_.turn_radps) ** 2))
     floor, share = _TURN_SIGMA
-    of_turn = metres_per_s * (floor + share * quick)
+    of_turn = np.hypot(metres_per_s * (floor + share * quick), _LEAST_SIGMA_MPS2)
     square = _mean(sway**2)
     sigma = np.hypot(of_turn, _SPEED_SIGMA * np.sqrt(square))
-    return sway, sigma, square / (square + of_turn**2 + 1e-12)
+    return sway, sigma, square / (square + of_turn**2)
 
 
 def _bounce(watched_: _Watched) -> tuple[Floats, Floats, Floats]:
@@ -208,7 +211,8 @@ def _bounce(watched_: _Watched) -> tuple[Floats, Floats, Floats]:
     alike = common / (np.abs(common) + 2.0 * apart + 1e-12)
     none, full = _HALVES
     of_noise, of_bounce = _BOUNCE_SIGMA
-    sigma = np.hypot(of_noise * np.sqrt(apart), of_bounce * np.sqrt(_mean(bounce**2)))
+    of_halves = np.hypot(of_noise * np.sqrt(apart), _LEAST_SIGMA_MPS2)
+    sigma = np.hypot(of_halves, of_bounce * np.sqrt(_mean(bounce**2)))
     return bounce, sigma, np.clip((alike - none) / (full - none), 0.0, 1.0)
 
 

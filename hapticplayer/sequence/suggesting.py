@@ -1,0 +1,74 @@
+"""What a sequence is made of whose motion was estimated from the picture."""
+
+from hapticplayer.capture.source import LogPath
+from hapticplayer.errors import Message, UsageError
+from hapticplayer.media.clip_info import ClipInfo
+from hapticplayer.media.telemetry import read_telemetry_packets
+from hapticplayer.model import ClockMap, Mapping
+from hapticplayer.sequence import files
+from hapticplayer.sequence.writing import Content
+
+SOURCE = Message("estimated from the picture")
+WHAT_IT_IS = Message(
+    "the motion was estimated from the picture, nothing measured it: its strength is a "
+    "guess, and studies refuse it unless they name the feedback 'estimated'"
+)
+ESTIMATE = "estimate"
+"""Name of the arrays with sigma and trust of each part, and of their summary."""
+
+
+def suggested(
+    clip: ClipInfo,
+    log: LogPath | None,
+    gain: float,
+    mapping: Mapping,
+    progress: files.Progress,
+) -> Content:
+    """Return the motion that the frames of a clip suggest.
+
+    Args:
+        clip: the video.
+        log: must be None, see Raises.
+        gain: factor on the estimate, set by hand.
+        mapping: must not have a lever arm, see Raises.
+        progress: called while the frames are followed; raises Cancelled to stop.
+
+    Raises:
+        UsageError: when there is a log, or telemetry in the clip: what was measured is
+            better; or for a lever arm.
+        InputError: without OpenCV, or when the clip is too short.
+        MediaError: when it cannot be decoded.
+    """
+    if log is not None or read_telemetry_packets(clip.path):
+        raise UsageError(
+            "its motion was recorded, which is better than an estimate from the picture",
+            where=clip.path.name,
+            remedy="import it without --suggest-motion",
+        )
+    if mapping.moves_point:
+        raise UsageError("a lever arm needs the angular rate of the recording")
+    from hapticplayer.capture.vision import estimate
+
+    found = estimate.suggest_motion(clip.path, gain=gain, progress=progress)
+    sway, bounce = (float(value) for value in found.trust.mean(axis=0))
+    provenance = {
+        "motion_source": str(SOURCE),
+        "camera": "",
+        "conditioning": [],
+        ESTIMATE: {
+            "gain": gain,
+            "height_m": estimate.HEIGHT_M,
+            "below_hz": estimate.TOP_HZ,
+            "sway_trust": sway,
+            "bounce_trust": bounce,
+        },
+    }
+    arrays = {
+        "time_s": found.motion.time_s,
+        "sigma_mps2": found.sigma_mps2,
+        "trust": found.trust,
+    }
+    notes = (WHAT_IT_IS, *found.notes)
+    return Content(
+        found.motion, ClockMap(), None, notes, provenance, {ESTIMATE: arrays}
+    )
