@@ -1,11 +1,14 @@
 """File names are bytes: those that are no UTF-8 are carried, shown and stored."""
 
+import io
 import json
 import os
 import shutil
+from contextlib import redirect_stderr, redirect_stdout
 
 import pytest
 
+from hapticplayer import cli
 from hapticplayer.capture.si_csv import write_imu_csv
 from tests.e2e.command import in_process
 
@@ -17,9 +20,15 @@ def named(text):
 
 
 def done(*arguments):
-    found = in_process(*arguments, env=STRICT)
-    assert (found.returncode, "Traceback" in found.stderr) == (0, False), found.stderr
-    return found.stdout
+    """Run a command here, whose words have to be UTF-8."""
+    out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8", "strict") for _ in "oe")
+    with redirect_stdout(out), redirect_stderr(err):
+        status = cli.main(list(map(str, arguments)))
+    for stream in (out, err):
+        stream.flush()
+    out, err = (stream.buffer.getvalue().decode() for stream in (out, err))
+    assert (status, "Traceback" in err) == (0, False), err
+    return out
 
 
 @pytest.fixture
@@ -46,8 +55,9 @@ def test_a_clip_and_a_log_are_imported_and_play(ride, tmp_path):
 
 def test_a_clip_plays_to_the_end_of_its_log(ride, tmp_path):
     said = tmp_path / "log.jsonl"
-    done("play", ride[0], "--headless", "--device", "none", "--duration", "0.2",
-         "--log", said)  # fmt: skip
+    found = in_process("play", ride[0], "--headless", "--device", "none",
+                       "--duration", "0.2", "--log", said, env=STRICT)  # fmt: skip
+    assert (found.returncode, "Traceback" in found.stderr) == (0, False), found.stderr
     lines = [json.loads(line) for line in said.read_bytes().splitlines()]
     assert (lines[0]["clip"], lines[-1]["kind"]) == (ride[0].name, "summary")
 

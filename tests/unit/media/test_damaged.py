@@ -50,14 +50,14 @@ def test_damage_is_survived(tmp_path: Path, noisy_clip: bytes) -> None:
     rng = np.random.default_rng(6)
     path = tmp_path / "damaged.mp4"
     refusals = []
-    for _ in range(60):
+    for _ in range(30):
         path.write_bytes(mutated(noisy_clip, rng))
         for use in (probe, play, listen, read_telemetry_packets):
             try:
                 use(path)
             except MediaError as error:
                 refusals.append(str(error))
-    assert 0 < len(refusals) < 200
+    assert 0 < len(refusals) < 100
     assert not any("\n" in refusal for refusal in refusals)
 
 

@@ -97,7 +97,7 @@ def test_seek_is_exact_in_other_containers(
 ) -> None:
     frames = [
         av.VideoFrame.from_ndarray(picture, format="rgb24").reformat(format="yuv420p")
-        for picture in numbered_pictures(90)
+        for picture in numbered_pictures(90, 90, 160)
     ]
     path = write_plain(tmp_path / f"clip.{suffix}", frames, codec)
     with VideoDecoder(path) as decoder:

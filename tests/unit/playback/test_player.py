@@ -317,7 +317,7 @@ def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeyp
 
 
 def test_every_frame_of_a_4k_clip_is_shown_in_order(tmp_path):
-    path, levels = tmp_path / "large.mp4", range(40, 200, 8)
+    path, levels = tmp_path / "large.mp4", range(40, 200, 16)
     frames = (np.full((2160, 3840, 3), level, np.uint8) for level in levels)
     write_clip(path, frames, frame_rate_hz=25, is_quick=True)
     theatre = Theatre(probe(path), with_sound=False)

@@ -65,7 +65,7 @@ import numpy as np
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.washout import DesignHand, SolvedPieces, Washout, washed_out
 
-t = np.arange(0.0, 50.0, 0.005)
+t = np.arange(0.0, 30.0, 0.005)
 force = np.stack([np.sin(t), 2.0 * np.cos(0.3 * t), np.sin(2.0 * t)], axis=1)
 hands = DesignHand((0.45, 0.45, 0.69), (8.6, 8.6, 9.2), 150.0, 0.3, 2.0),
 done = washed_out(ForceTrack(t, force), Washout(hands, 0.022))
@@ -92,10 +92,10 @@ def test_the_number_of_threads_changes_no_bit():
 
 
 def grown_bytes(wash):
-    """Return how much more memory 20 min take than 4, and the size of the tracks."""
+    """Return how much more memory 15 min take than 3, and the size of the tracks."""
     wash(turns(30.0))  # loads what is loaded once
     peaks, sizes = [], []
-    for minutes in (4.0, 20.0):
+    for minutes in (3.0, 15.0):
         track = turns(60.0 * minutes)
         tracemalloc.start()
         done = wash(track)

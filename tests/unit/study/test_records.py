@@ -28,7 +28,7 @@ def lines(count: int) -> list[bytes]:
 
 
 @given(st.dictionaries(st.text().map("x_{}".format), json_values, max_size=4))
-@settings(max_examples=200)
+@settings(max_examples=60)
 def test_whatever_is_written_is_read(content):
     line = encode(1, "now", 1.5, "note", content)
     assert line.count(b"\n") == 1

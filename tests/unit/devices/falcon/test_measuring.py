@@ -69,7 +69,9 @@ def test_the_time_until_the_motors_let_go_is_bracketed(hold_s, at_least_s, withi
     assert lab.simulation.commanded_n == (0.0, 0.0, 0.0)
 
 
-def test_a_silence_broken_by_other_traffic_is_measured_again():
+def test_a_silence_broken_by_other_traffic_is_measured_again(monkeypatch):
+    monkeypatch.setattr(measuring, "SILENCES_S", (0.01, 0.1))
+    monkeypatch.setattr(measuring, "_TRIES", 3)
     answers = iter([False, True] + [False] * 100)
     with Lab() as lab:
         began_s = lab.clock.now_s()
@@ -83,8 +85,9 @@ def test_a_silence_broken_by_other_traffic_is_measured_again():
     assert lab.simulation.commanded_n == (0.0, 0.0, 0.0)
 
 
-def test_only_what_happens_under_force_disturbs_a_silence():
+def test_only_what_happens_under_force_disturbs_a_silence(monkeypatch):
     """On a busy computer each second without a disturbance is dear."""
+    monkeypatch.setattr(measuring, "SILENCES_S", (0.01, 0.1, 0.5))
     asked_s = []
     with Lab() as lab:
         measuring.force_after_silence(

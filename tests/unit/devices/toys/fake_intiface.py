@@ -6,6 +6,7 @@ gone, and, where it wants pings, when one is late.
 
 import contextlib
 import json
+import socket
 import threading
 
 from websockets.exceptions import ConnectionClosed
@@ -43,7 +44,7 @@ class FakeIntiface:
         self.strength, self.heard, self.arrived_s = {}, [], []
         self.answers, self.nonsense, self.pings = True, False, 0
         self.connections, self._clock = [], SystemClock()
-        self._server = serve(self._talk, "127.0.0.1", 0)
+        self._server = serve(self._talk, "127.0.0.1", 0, ping_interval=None)
         self.where = f"127.0.0.1:{self._server.socket.getsockname()[1]}"
         self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
         self._thread.start()
@@ -55,7 +56,8 @@ class FakeIntiface:
 
     def hang_up(self):
         for connection in self.connections:
-            connection.socket.close()
+            with contextlib.suppress(OSError):  # a closed one wakes nobody who reads it
+                connection.socket.shutdown(socket.SHUT_RDWR)
 
     def babble(self, count):
         for connection in self.connections:

@@ -37,7 +37,7 @@ def test_a_normal_shift_needs_the_t_tests_n_over_efficiency(d):
 def test_a_larger_effect_needs_fewer():
     needed = [
         find_power(
-            draw_effect(effect_named(name), "qoe", 4), NAMES, PowerGoal(studies=500)
+            draw_effect(effect_named(name), "qoe", 4), NAMES, PowerGoal(studies=200)
         ).needed["friedman"]
         for name in ("1", "0.5", "0.3")
     ]
