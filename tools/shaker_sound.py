@@ -40,7 +40,7 @@ class Heard(NamedTuple):
 
 
 def played(
-    environment: dict[str, str],
+    monitor: Monitor,
     device: str,
     track: ForceTrack,
     end: End | None = None,
@@ -48,9 +48,10 @@ def played(
 ) -> Heard:
     """Play a track from its beginning; `end` it at a media time, or play all of it.
 
-    The environment of the server must be this process's, too: the loop inherits that.
+    The environment of the server must be this process's, which the loop inherits.
     """
-    monitor, clock = Monitor(environment), SystemClock()
+    clock = SystemClock()
+    monitor.forget()
     player = ForcePlayer(clock, device, track)
     ticks, end_s = [], 0.0
     try:
@@ -67,7 +68,7 @@ def played(
         problem = player.problem or player.cause.name * is_stopped
     finally:
         player.close()
-        times, samples = monitor.close()
+    times, samples = monitor.heard()
     return Heard(np.concatenate(ticks), times, samples, end_s, str(problem))
 
 
@@ -81,15 +82,12 @@ def kill_loop(player: ForcePlayer) -> None:
     os.kill(player.pids["loop"], signal.SIGKILL)
 
 
-def killed_player(environment: dict[str, str], device: str) -> Heard:
+def killed_player(monitor: Monitor, device: str) -> Heard:
     """Let the command line test a shaker, and kill it once the shaker sounds."""
     command = [sys.executable, "-m", "app", "device", "test", "--yes"]
-    monitor, clock = Monitor(environment), SystemClock()
-    player = subprocess.Popen(
-        [*command, "--device", device],
-        env={**os.environ, **environment},
-        stdout=subprocess.DEVNULL,
-    )
+    clock = SystemClock()
+    monitor.forget()
+    player = subprocess.Popen([*command, "--device", device], stdout=subprocess.DEVNULL)
     patient_until_s = clock.now_s() + _PATIENCE_S
     try:
         while monitor.peak() < 2.0 * AUDIBLE and clock.now_s() < patient_until_s:
@@ -99,7 +97,7 @@ def killed_player(environment: dict[str, str], device: str) -> Heard:
         player.kill()
         player.wait()
         clock.sleep_until(clock.now_s() + _AFTER_S)
-        times, samples = monitor.close()
+    times, samples = monitor.heard()
     return Heard(np.empty(0), times, samples, end_s, "")
 
 

@@ -96,7 +96,11 @@ def sound_server(channels: int = 2) -> Iterator[SoundServer]:
 
 
 class Monitor:
-    """What a sink of four channels plays, with the time at which it was heard."""
+    """What a sink of four channels plays, with the time at which it was heard.
+
+    It stays for as long as the sink shall wake often: one that nobody listens to sleeps
+    for up to 2 s, and what begins then waits.
+    """
 
     def __init__(self, environment: dict[str, str]) -> None:
         self._width = len(FOUR_CHANNELS.split(","))
@@ -123,20 +127,28 @@ class Monitor:
         samples = np.frombuffer(self._pieces[-1][1], np.float32)
         return float(np.abs(samples).max())
 
-    def close(self) -> tuple[NDArray[Any], NDArray[Any]]:
-        """End, and return times (n,), monotonic s, and samples (n, 4).
+    def forget(self) -> None:
+        """Start again with what is heard from now on."""
+        self._pieces = []
+
+    def heard(self) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Return times (n,), monotonic s, and samples (n, 4) so far.
 
         The pieces that came soonest tell the time of a sample: others waited.
         """
+        pieces = list(self._pieces)
+        heard_s = np.array([at_s for at_s, _ in pieces])
+        samples = np.concatenate(
+            [np.frombuffer(data, np.float32) for _, data in pieces]
+        ).reshape(-1, self._width)
+        count_s = _READ_FRAMES / RATE_HZ * np.arange(1, len(heard_s) + 1)
+        start_s = np.percentile(heard_s - count_s, 2)
+        return start_s + np.arange(len(samples)) / RATE_HZ, samples
+
+    def close(self) -> None:
+        """End."""
         self._process.kill()
         self._process.wait()
         self._listener.join()
         if self._process.stdout:
             self._process.stdout.close()
-        heard_s = np.array([at_s for at_s, _ in self._pieces])
-        samples = np.concatenate(
-            [np.frombuffer(data, np.float32) for _, data in self._pieces]
-        ).reshape(-1, self._width)
-        count_s = _READ_FRAMES / RATE_HZ * np.arange(1, len(heard_s) + 1)
-        start_s = np.percentile(heard_s - count_s, 2)
-        return start_s + np.arange(len(samples)) / RATE_HZ, samples

@@ -7,6 +7,7 @@ several times: the worst counts.
 """
 
 import argparse
+import contextlib
 import os
 from typing import Any
 
@@ -28,6 +29,7 @@ from tools.shaker_sound import (
     silent_after_s,
     stop,
 )
+from tools.sound_server import Monitor
 
 SETTINGS = "pulse,channels=3+4,band=15-80-40"
 DEVICE = f"shaker:{SETTINGS}"
@@ -46,22 +48,24 @@ def run(options: argparse.Namespace, report: Report) -> None:
     """Measure in one session of the sound server each."""
     need("pulseaudio", "pactl", "parec")
     seconds = options.seconds or (5.0 if options.quick else 20.0)
-    with sound_server(4) as server:
+    with contextlib.ExitStack() as stack:
+        server = stack.enter_context(sound_server(4))
         os.environ.update(server.environment)
-        whole = played(server.environment, DEVICE, bursts(seconds))
+        monitor = stack.enter_context(contextlib.closing(Monitor(server.environment)))
+        whole = played(monitor, DEVICE, bursts(seconds))
         if whole.problem:
             print(whole.problem)
         played_and_heard(report, whole)
 
         def end(how: End) -> Heard:
-            return played(server.environment, DEVICE, bursts(4.0), how, ENDED_S)
+            return played(monitor, DEVICE, bursts(4.0), how, ENDED_S)
 
         for name, ended in (
             ("STOP", lambda: end(stop)),
             ("SIGKILL of the loop", lambda: end(kill_loop)),
             (
                 "SIGKILL of the player",
-                lambda: killed_player(server.environment, DEVICE),
+                lambda: killed_player(monitor, DEVICE),
             ),
         ):
             tries = [_silent_after_ms(ended()) for _ in range(ENDS)]

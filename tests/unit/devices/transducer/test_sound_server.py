@@ -1,5 +1,6 @@
 """A shaker on a real sound server: channels, times, and silence at every end."""
 
+import contextlib
 import shutil
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.model import ForceTrack
 from tools import shaker_sound
-from tools.sound_server import PROGRAMS, sound_server
+from tools.sound_server import PROGRAMS, Monitor, sound_server
 
 pytestmark = pytest.mark.realtime
 
@@ -20,14 +21,15 @@ TRIES = 3
 
 
 @pytest.fixture(scope="module")
-def server():
+def monitor():
     missing = [name for name in PROGRAMS if shutil.which(name) is None]
     if missing:
         pytest.skip(f"needs {' and '.join(missing)}: apt-get install pulseaudio-utils")
     with sound_server(channels=4) as made, pytest.MonkeyPatch.context() as patch:
         for name, value in made.environment.items():
             patch.setenv(name, value)
-        yield made.environment
+        with contextlib.closing(Monitor(made.environment)) as listening:
+            yield listening
 
 
 def bursts(seconds):
@@ -42,6 +44,27 @@ def silent_after_s(heard):
     return shaker_sound.silent_after_s(heard.times, heard.samples[:, 2], heard.end_s)
 
 
+def killed_loop(monitor):
+    return shaker_sound.played(
+        monitor, DEVICE, bursts(2.0), shaker_sound.kill_loop, 0.45
+    )
+
+
+def killed_player(monitor):
+    return shaker_sound.killed_player(monitor, DEVICE)
+
+
+@pytest.mark.parametrize("killed", [killed_player, killed_loop])
+def test_a_process_that_is_killed_is_cut_off(killed, monitor):
+    """Without the guard's cut a server notices a loop's death after 25 to 35 ms."""
+    found = []
+    for _ in range(TRIES):
+        found.append(silent_after_s(killed(monitor)))
+        if found[-1] <= SILENCE_S:
+            return
+    raise AssertionError(f"silent after {found} s")
+
+
 def late_s(heard):
     """Return by how much each burst came later than its force and the stated latency."""
     ticks = heard.ticks[heard.ticks["mode"] == Mode.FOLLOWING]  # has faded in
@@ -51,10 +74,12 @@ def late_s(heard):
     return sounded_s[-len(planned_s) :] - planned_s - LATENCY_S
 
 
-def test_its_channels_sound_when_they_should_until_stop(server):
+def test_its_channels_sound_when_they_should_until_stop(monitor):
     found = []
     for _ in range(TRIES):
-        heard = shaker_sound.played(server, DEVICE, bursts(3.0), shaker_sound.stop, 1.2)
+        heard = shaker_sound.played(
+            monitor, DEVICE, bursts(3.0), shaker_sound.stop, 1.2
+        )
         peaks = np.abs(heard.samples).max(axis=0)
         assert peaks[:2].tolist() == [0.0, 0.0]
         assert peaks[2:].min() > 0.1
@@ -64,24 +89,3 @@ def test_its_channels_sound_when_they_should_until_stop(server):
         if is_in_time and silent <= SILENCE_S and not heard.problem:
             return
     raise AssertionError(f"late by, and silent after, s: {found}")
-
-
-def killed_loop(server):
-    return shaker_sound.played(
-        server, DEVICE, bursts(2.0), shaker_sound.kill_loop, 0.45
-    )
-
-
-def killed_player(server):
-    return shaker_sound.killed_player(server, DEVICE)
-
-
-@pytest.mark.parametrize("killed", [killed_loop, killed_player])
-def test_a_process_that_is_killed_is_cut_off(killed, server):
-    """Without the guard's cut a server notices a loop's death after 25 to 35 ms."""
-    found = []
-    for _ in range(TRIES):
-        found.append(silent_after_s(killed(server)))
-        if found[-1] <= SILENCE_S:
-            return
-    raise AssertionError(f"silent after {found} s")
