@@ -1,6 +1,5 @@
 """Fixtures for the front end: a real window, a short clip, and nothing of the user's."""
 
-import os
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -28,6 +27,7 @@ from hapticplayer.playback.source import Source, open_source
 from hapticplayer.simulation.rides.shaken import write_shaken_sequence
 
 sys.path.insert(0, str(Path(__file__).parent))  # helpers beside these tests
+from children import _threads_for_children, real_children  # noqa: F401 - fixtures
 from private_bus import address, bus, bus_daemon  # noqa: F401 - fixtures
 from sitting import make_study, sit  # noqa: F401 - fixtures
 
@@ -92,24 +92,6 @@ def _own_places(tmp_path, cache, monkeypatch) -> None:
     """Keep settings and caches away from the user's."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
-
-
-@pytest.fixture(autouse=True)
-def idle_processes(monkeypatch) -> list[int]:
-    """Return the processes that only get what others leave; here they get their share.
-
-    On a busy machine they would not come to their end.
-    """
-    asked, really = [], os.sched_setscheduler
-
-    def set_scheduler(pid: int, policy: int, parameter: os.sched_param) -> None:
-        if policy == os.SCHED_IDLE:
-            asked.append(pid)
-        else:
-            really(pid, policy, parameter)
-
-    monkeypatch.setattr(os, "sched_setscheduler", set_scheduler)
-    return asked
 
 
 @pytest.fixture

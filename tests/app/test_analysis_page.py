@@ -3,7 +3,6 @@ import threading
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
-from app.experimenter import analysis
 from app.experimenter.analysis import AnalysisPage, AnalysisWindow
 from hapticplayer import cli
 from hapticplayer.clock import SystemClock
@@ -121,15 +120,11 @@ def test_the_work_can_be_stopped(make_page, wait_for, failures):
 
 @pytest.fixture
 def report_of(window, monkeypatch, wait_for):
-    """Open the report of a study of six simulated participants, in this process."""
-
-    def here(work, *arguments, progress):
-        return work(*arguments, progress=progress)
+    """Open the report of a study of six simulated participants."""
 
     def open_report(folder):
         arguments = ["study", "simulate", str(folder), "--participants", "6"]
         assert cli.main([*arguments, "--seed", "1"], None) == 0
-        monkeypatch.setattr(analysis, "in_child", here)
         monkeypatch.setattr(window.study_menu, "ask_folder", lambda: folder)
         window.study_menu.analyse()
         (report,) = window.findChildren(AnalysisWindow)

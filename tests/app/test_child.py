@@ -11,6 +11,8 @@ from app.bridge.jobs import in_child
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
 from hapticplayer.sequence import files
 
+pytestmark = pytest.mark.usefixtures("real_children")
+
 
 def repeated(words, *, progress, times=1):
     progress(0.5, "half")
@@ -38,14 +40,14 @@ def writing(target, *, progress):
             progress(0.5, "writing")
 
 
-def test_the_result_comes_from_a_process_of_lower_priority(idle_processes):
+def test_the_result_comes_from_a_process_of_lower_priority(real_children):
     steps = []
     words, pid = in_child(
         repeated, "a", progress=lambda *step: steps.append(step), times=3
     )
     assert words == "aaa"
     assert pid != os.getpid()
-    assert idle_processes == [pid]
+    assert real_children == [pid]
     assert (0.5, "half") in steps
 
 

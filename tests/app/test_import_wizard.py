@@ -12,6 +12,7 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from scipy.signal import resample_poly
 
+from app.bridge.jobs import in_child
 from app.experimenter import import_wizard
 from app.experimenter.import_mounting import Triad
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
@@ -77,6 +78,7 @@ def true_offset_s(made) -> float:
     return float(made.pats_s[1] - log_s)
 
 
+@pytest.mark.usefixtures("real_children")
 def test_a_ride_goes_from_files_to_a_report_in_the_library(
     wizard, qtbot, ride, wait_for, tmp_path
 ):
@@ -235,14 +237,14 @@ def test_stopping_in_the_middle_leaves_nothing(
     wait_for(wizard.next.isEnabled)
     is_writing, may_go_on = threading.Event(), threading.Event()
 
-    def held(work, *arguments, progress, **options):
+    def held(*arguments, progress, **options):
         def report(fraction, step):
             if fraction > 0.0:
                 is_writing.set()
                 may_go_on.wait(60.0)
             progress(fraction, step)
 
-        return work(*arguments, progress=report, **options)
+        return in_child(*arguments, progress=report, **options)
 
     monkeypatch.setattr(import_wizard, "in_child", held)
     wizard.next.click()

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.bridge.jobs import in_child
 from app.experimenter import rendering_page
 from app.experimenter.library_page import LibraryPage
 from app.experimenter.rendering_fields import EACH, FIT, ONE, OTHER, Chosen
@@ -32,11 +33,6 @@ MAPPINGS = {
 }
 
 
-def here(work, *arguments, progress, **options):
-    """Do the work in this process; children have their own test."""
-    return work(*arguments, progress=progress, **options)
-
-
 @pytest.fixture
 def ride(sequence, tmp_path):
     """A sequence of one's own."""
@@ -44,8 +40,7 @@ def ride(sequence, tmp_path):
 
 
 @pytest.fixture
-def make_page(application, qtbot, tmp_path, monkeypatch, wait_for):
-    monkeypatch.setattr(rendering_page, "in_child", here)
+def make_page(application, qtbot, tmp_path, wait_for):
     made = []
 
     def make(folder):
@@ -103,9 +98,9 @@ def test_a_choice_is_predicted_beside_what_is_there(page, ride, wait_for, monkey
     before, may_go_on = open_sequence(ride), threading.Event()
     before_px = page.picture.geometry()
 
-    def held(work, *arguments, **options):
+    def held(*arguments, **options):
         may_go_on.wait(60.0)
-        return here(work, *arguments, **options)
+        return in_child(*arguments, **options)
 
     monkeypatch.setattr(rendering_page, "in_child", held)
     page.fields.gain.setValue(0.2)
@@ -272,9 +267,8 @@ def test_closing_stops_the_work(page, monkeypatch, wait_for):
 
 
 def test_the_library_renders_and_lists_again(
-    application, qtbot, ride, tmp_path, monkeypatch, wait_for
+    application, qtbot, ride, tmp_path, wait_for
 ):
-    monkeypatch.setattr(rendering_page, "in_child", here)
     library = LibraryPage(tmp_path)
     qtbot.addWidget(library)
     library.show()
@@ -291,10 +285,7 @@ def test_the_library_renders_and_lists_again(
     library.close_jobs()
 
 
-def test_the_menu_renders_what_is_open_and_plays_it(
-    window, ride, monkeypatch, wait_for, clip
-):
-    monkeypatch.setattr(rendering_page, "in_child", here)
+def test_the_menu_renders_what_is_open_and_plays_it(window, ride, wait_for):
     window.session.open_path(ride)
     wait_for(lambda: window.player.snapshot().source is not None)
     wait_for(window.commands.rendering.isEnabled)

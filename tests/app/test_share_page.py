@@ -19,14 +19,8 @@ from hapticplayer.sequence.packed import MANIFEST, read_packed
 from hapticplayer.sequence.travelling import MOTION_FILES
 
 
-def here(work, *arguments, progress, **options):
-    """Do the work in this process; children have their own test."""
-    return work(*arguments, progress=progress, **options)
-
-
 @pytest.fixture
-def page(application, qtbot, sequence, tmp_path, monkeypatch, wait_for):
-    monkeypatch.setattr(share_page, "in_child", here)
+def page(application, qtbot, sequence, tmp_path, wait_for):
     made = SharePage(sequence, str(tmp_path), "A ride: 100 %")
     qtbot.addWidget(made)
     made.show()
