@@ -1,5 +1,6 @@
 """Fixtures for the front end: a real window, a short clip, and nothing of the user's."""
 
+import gc
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -7,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
@@ -36,7 +38,29 @@ LONG_S = 120
 LONG_TITLE = "A ride whose title is as long as titles can be. " * 8
 PATIENCE_MS = 60_000  # for a busy machine; nothing waits that long where all is well
 
+MOST_OBJECTS = 30_000
+
 MakeWindow = Callable[..., PlayerWindow]
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol() -> Iterator[bool]:
+    """Free closed windows and garbage after each test, in this thread.
+
+    Garbage that is collected in the thread of a job ends objects of Qt where they must
+    not be; widgets that are left are styled again by each test of a look.
+    """
+    gc.disable()
+    done = yield
+    for widget in QApplication.topLevelWidgets():
+        if isinstance(widget, PlayerWindow):
+            widget.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    if len(gc.get_objects()) > MOST_OBJECTS:  # modules that were loaded
+        gc.freeze()
+    gc.enable()
+    return done
 
 
 @pytest.fixture(scope="session")

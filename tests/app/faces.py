@@ -127,10 +127,11 @@ def _no_export(_target, _form, _progress) -> list[str]:
 
 
 def close(face: QWidget) -> None:
-    """Close a page; the window ends the work of those that it has opened."""
+    """Close a page, which goes with its next event."""
     face.close()
     if isinstance(face, EditorPage | ImportWizard | LibraryPage | RenderingPage):
         face.close_jobs()
+    face.deleteLater()
 
 
 def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:

@@ -62,6 +62,8 @@ def sit(application, qtbot, wait_for):
     yield open_windows
     for session in made:
         session.close()
+        for one in (session.control, session.participant):
+            one.deleteLater()
     left = [t.name for t in threading.enumerate() if t not in before and t.is_alive()]
     assert not left, f"threads were left behind: {left}"
 

@@ -63,7 +63,7 @@ def _is_in_group(widget, reached) -> bool:
 
 @pytest.mark.parametrize("look", list(theme.THEMES))
 def test_the_window_and_every_dialog_can_be_used_by_keyboard(
-    make_window, dressed, source, look, tmp_path, qtbot
+    dressed, make_window, source, look, tmp_path, qtbot
 ):
     dressed(look=look)
     window = make_window()
@@ -168,21 +168,6 @@ def test_the_question_that_is_not_answered_comes_into_sight(make_study, sit, qtb
     assert framed == [page.rows[-1]]
 
 
-def whole_texts(window, source, folder, qtbot) -> list[str]:
-    window.session.show_source(source)
-    window.extras.statistics.setVisible(True)
-    window.extras.statistics.refresh(window.player)
-    qtbot.wait(20)
-    found = [f"window: {text}" for text in faces.cut_off(window)]
-    for name, make in faces.dialogs(window, folder).items():
-        face = make()
-        face.show()
-        qtbot.wait(1)
-        found += [f"{name}: {text}" for text in faces.cut_off(face)]
-        faces.close(face)
-    return found
-
-
 def test_what_is_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
     dressed(language="de")
     face = QWidget()
@@ -207,32 +192,40 @@ def test_what_is_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
     assert list(faces.cut_off(face)) == []
 
 
-@pytest.mark.parametrize("language", list(languages.NAMES))
-def test_every_text_is_whole(make_window, dressed, source, language, tmp_path, qtbot):
-    dressed(language=language)
-    assert whole_texts(make_window(), source, tmp_path, qtbot) == []
-
-
 SMALL_PX = (960, 540)
 """A screen of 1920 x 1080 pixels at 200 %."""
 
 
-@pytest.mark.parametrize("language", languages.NAMES)
-def test_every_dialog_fits_a_small_screen(
-    make_window, dressed, source, language, tmp_path
-):
+def wrong_with(face) -> list[str]:
+    """Return what has no room, or has no name."""
+    found = [*faces.cut_off(face)]
+    least = face.minimumSizeHint()
+    if least.width() > SMALL_PX[0] or least.height() > SMALL_PX[1]:
+        found.append(f"needs {least.width()} x {least.height()} pixels")
+    nameless = [w for w in faces.controls(face) if not faces.spoken_name(w)]
+    return found + [f"{type(w).__name__} without a name" for w in nameless]
+
+
+@pytest.mark.parametrize("language", list(languages.NAMES))
+def test_every_text_is_whole(dressed, make_window, source, language, tmp_path, qtbot):
+    """In the window and each dialog, which fit a small screen."""
     dressed(language=language)
     window = make_window()
     window.session.show_source(source)
-    large = {}
+    window.extras.statistics.setVisible(True)
+    window.extras.statistics.refresh(window.player)
+    qtbot.wait(20)
+    assert wrong_with(window) == []
+    assert all(action.text() for action in window.commands.by_name.values())
+    wrong = {}
     for name, make in faces.dialogs(window, tmp_path).items():
         face = make()
         face.show()
-        least = face.minimumSizeHint()
-        if least.width() > SMALL_PX[0] or least.height() > SMALL_PX[1]:
-            large[name] = (least.width(), least.height())
+        qtbot.wait(1)
+        if found := wrong_with(face):
+            wrong[name] = found
         faces.close(face)
-    assert large == {}
+    assert wrong == {}
 
 
 def test_every_text_is_whole_where_everything_is_larger(tmp_path):

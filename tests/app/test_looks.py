@@ -7,21 +7,12 @@ import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractSlider,
-    QAbstractSpinBox,
-    QComboBox,
-    QLineEdit,
     QScrollBar,
     QVBoxLayout,
     QWidget,
 )
 from shiboken6 import isValid
 
-from app.bridge import languages
-from app.experimenter.import_wizard import ImportWizard
-from app.experimenter.library_page import LibraryPage
-from app.player.keys_dialog import KeysDialog
 from app.player.remake import OpenWindow
 from app.player.window import PlayerWindow
 from app.widgets import theme
@@ -113,10 +104,10 @@ def test_english_again_after_german(shown, wait_for):
         assert shown.window.transport.play.accessibleName() == word
 
 
-def test_the_clip_plays_on_into_the_new_window(shown, wait_for):
+def test_the_clip_plays_on_into_the_new_window(shown, long_source, wait_for):
     """No seek, no pause: one epoch of the clock from the old window to the new."""
     player, before = shown.window.player, shown.window
-    player.set_speed(0.5)  # else a busy machine sees the end of this short clip
+    before.session.show_source(long_source)
     player.play()
     wait_for(lambda: player.snapshot().phase is Phase.PLAYING)
     epoch, begun_s = player.snapshot().epoch, player.snapshot().media_s
@@ -176,43 +167,6 @@ def test_closing_ends_what_is_being_made(shown, qapp, wait_for):
     wait_for(lambda: not any(map(isValid, made)))
 
 
-def controls_without_a_name(window: QWidget) -> list[str]:
-    kinds = (
-        QAbstractButton,
-        QAbstractSlider,
-        QAbstractSpinBox,
-        QComboBox,
-        QLineEdit,
-    )
-    return [
-        f"{type(w).__name__} in {type(w.parent()).__name__}"
-        for w in window.findChildren(QWidget)
-        if isinstance(w, kinds)
-        and w.focusPolicy().value
-        and not (w.accessibleName() or getattr(w, "text", str)() or w.toolTip())
-        and not w.objectName().startswith("qt_")
-    ]
-
-
-@pytest.mark.parametrize("language", list(languages.NAMES))
-def test_every_control_has_a_name_in_every_language(
-    make_window, dressed, source, language, settings, qtbot, tmp_path
-):
-    dressed(language=language)
-    window = make_window()
-    window.session.show_source(source)
-    dialogs = [
-        ImportWizard("", tmp_path, window),
-        LibraryPage(tmp_path, window),
-        KeysDialog(settings, window),
-    ]
-    assert controls_without_a_name(window) == []
-    for dialog in dialogs:
-        qtbot.addWidget(dialog)
-        assert controls_without_a_name(dialog) == []
-    assert all(action.text() for action in window.commands.by_name.values())
-
-
 def lightness(colour: QColor) -> float:
     """Return the relative luminance of WCAG 2.2."""
     parts = (value / 255 for value in colour.getRgb()[:3])
@@ -236,15 +190,3 @@ def test_high_contrast_gives_buttons_an_edge(dressed, qtbot, role):
     lit = [lightness(image.pixelColor(x, y)) for x, y in spots]
     strong = sum((light + 0.05) / (ground + 0.05) >= 7.0 for light in lit)
     assert strong >= 300  # what is round a button of 170 pixels
-
-
-@pytest.mark.parametrize("language", list(languages.NAMES))
-def test_no_text_is_cut_off(make_window, dressed, source, language):
-    dressed(language=language)
-    window = make_window()
-    window.session.show_source(source)
-    window.resize(1280, 800)
-    for button in window.findChildren(QAbstractButton):
-        if button.isVisible() and button.text():
-            wide = button.fontMetrics().horizontalAdvance(button.text())
-            assert wide <= button.width() - 8, button.text()

@@ -117,6 +117,7 @@ def test_using_the_window_causes_no_unintended_reaction(
     person.do(person.open_menus, person.open_dialogs, person.resize)
     person.do(person.show_and_hide, person.drag_splitter)
     assert person.causes <= MAY_BE_LOAD | {Cause.NONE}
+    feel(window, person.look)
     person.do(person.seek)
     feel(window, person.look)
     assert person.causes <= MAY_BE_LOAD | {Cause.NONE, Cause.SEEK, Cause.PAUSED}
