@@ -6,10 +6,8 @@ from typing import NamedTuple
 from PySide6.QtCore import QKeyCombination, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
-    QCheckBox,
     QDialog,
     QMessageBox,
-    QScrollBar,
     QSplitter,
     QVBoxLayout,
     QWidget,
@@ -18,6 +16,7 @@ from PySide6.QtWidgets import (
 from app.bridge.jobs import Jobs, Progress, in_child
 from app.bridge.settings import screen_name
 from app.editor.comparison import Comparison
+from app.editor.controls import ChangeBar, PlayBar, ViewBar
 from app.editor.document import Document
 from app.editor.editing import Editing
 from app.editor.editing_lanes import EditingLanes
@@ -26,21 +25,15 @@ from app.editor.kind_list import KindList
 from app.editor.live_force import LiveForce
 from app.editor.playing import Means, Playing
 from app.editor.view import TimeView
-from app.player.transport import fix_stop_width, offer_play, offer_stop
-from app.widgets import theme
-from app.widgets.buttons import text_button, tool_button
 from app.widgets.layout import (
-    STRETCH,
-    ElidedLabel,
     column_of,
     fill_page,
     framed,
-    paragraph,
     resize_within_screen,
     row_of,
 )
 from app.widgets.messages import JobBar, MessageBar
-from app.widgets.texts import position_text, titled
+from app.widgets.texts import titled
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.playback.source import Source, open_source
@@ -55,9 +48,7 @@ POLL_MS = 20  # an edit is felt within 200 ms
 _AROUND_S = 0.3  # of an effect, that is repeated with it
 _VIDEO_PX = 130  # high, at least
 _STAGE_PX, _LANES_PX = 330, 420  # only the proportion counts
-_ZOOM = 1.6
 _REARM = QKeyCombination(Qt.KeyboardModifier.ControlModifier, Qt.Key.Key_R)
-_PER_S = 1000  # steps of the scroll bar
 
 
 class Loaded(NamedTuple):
@@ -98,9 +89,12 @@ class EditorPage(QDialog):
         self.messages, self.job_bar = MessageBar(), JobBar()
         self.playing = Playing(means, self.messages.show_text, self)
         self.comparison = Comparison()
+        self.play_bar = PlayBar(self.playing, self.view)
+        self.view_bar, self.change_bar = ViewBar(self.view), ChangeBar(self.document)
         self._saved_effects = self.document.effects
         self._closes_when_saved = False
-        self._make_parts()
+        self._connect_parts()
+        self._set_usable(is_usable=False)
         self._lay_out()
         self._poll_timer = QTimer(self)
         self._poll_timer.timeout.connect(self._poll)
@@ -109,67 +103,22 @@ class EditorPage(QDialog):
 
     # --- building ------------------------------------------------------------
 
-    def _make_parts(self) -> None:
-        self.play_button = tool_button("play", "", "")
-        self.stop_button = text_button("", "", "stop")
-        fix_stop_width(self.stop_button)
-        offer_play(self.play_button, is_playing=False)
-        offer_stop(self.stop_button, is_stopped=False)
-        self.time = ElidedLabel()
-        self.time.setAccessibleName(self.tr("Time"))
-        self.closer = text_button("+", self.tr("Show less of the clip (+)"), "tool")
-        self.wider = text_button(
-            "\u2212", self.tr("Show more of the clip (\u2212)"), "tool"
-        )
-        self.whole = text_button(self.tr("&Whole clip"), self.tr("Show the whole clip"))
-        self.closer.setAccessibleName(self.tr("Zoom in"))
-        self.wider.setAccessibleName(self.tr("Zoom out"))
-        for button in (self.closer, self.wider):
-            button.setMinimumWidth(36)
-        self.loop = QCheckBox(self.tr("&Loop"))
-        self.loop.setToolTip(
-            self.tr("Repeat the selected effect, or what is in view without one")
-        )
-        self.compare = QCheckBox(self.tr("&Before"))
-        self.compare.setToolTip(self.tr("Show the force without effects behind it"))
-        self.compare.setChecked(True)
-        self.snap = QCheckBox(self.tr("S&nap"))
-        self.snap.setToolTip(self.tr("Snap to frames, events and other effects"))
-        self.snap.setChecked(True)
-        self.undo_button = text_button(self.tr("&Undo"), "")
-        self.redo_button = text_button(self.tr("&Redo"), "")
-        self.save_button = text_button(
-            self.tr("&Save"),
-            self.tr("Save the effects and render the force with them (Ctrl+S)"),
-            "primary",
-        )
-        self.close_button = text_button(self.tr("Close"), "")
-        self.bar = QScrollBar(Qt.Orientation.Horizontal)
-        self.bar.setEnabled(False)
-        self.note = paragraph(colour=theme.DIM)
-        self.note.setTextFormat(Qt.TextFormat.PlainText)
-        self._connect_parts()
-        self._set_usable(is_usable=False)
-
     def _connect_parts(self) -> None:
-        self.play_button.clicked.connect(self.playing.toggle)
-        self.stop_button.clicked.connect(self.playing.stop_or_rearm)
         self.playing.moved.connect(self._follow)
-        self.playing.changed.connect(self._show_state)
-        self.loop.toggled.connect(lambda _is_on: self._apply_loop())
-        self.compare.toggled.connect(self.lanes.show_before)
-        self.closer.clicked.connect(lambda: self._zoom(1.0 / _ZOOM))
-        self.wider.clicked.connect(lambda: self._zoom(_ZOOM))
-        self.whole.clicked.connect(self.view.show_whole)
-        self.close_button.clicked.connect(self.close)
-        self.snap.toggled.connect(self._on_snap)
+        play, change = self.play_bar, self.change_bar
+        play.loop.toggled.connect(lambda _is_on: self._apply_loop())
+        play.compare.toggled.connect(self.lanes.show_before)
+        play.zoomed.connect(self._zoom)
+        play.snap.toggled.connect(self._on_snap)
         self.kinds.wanted.connect(self._add_at_cursor)
-        stack = self.document.stack
-        self.undo_button.clicked.connect(self.undo)
-        self.redo_button.clicked.connect(self.redo)
-        self.save_button.clicked.connect(self.save)
+        change.undo_button.clicked.connect(self.undo)
+        change.redo_button.clicked.connect(self.redo)
+        change.save_button.clicked.connect(self.save)
+        change.close_button.clicked.connect(self.close)
         self.document.changed.connect(self._on_document)
-        stack.cleanChanged.connect(lambda _is_clean: self._show_document())
+        self.document.stack.cleanChanged.connect(
+            lambda _is_clean: self._show_document()
+        )
         keys = QKeySequence.StandardKey
         for key, slot in (
             (keys.Undo, self.undo),
@@ -177,8 +126,6 @@ class EditorPage(QDialog):
             (keys.Save, self.save),
         ):
             QShortcut(key, self).activated.connect(slot)
-        self.bar.valueChanged.connect(self._on_scrolled)
-        self.view.changed.connect(self._show_scroll)
         self.lanes.pointed.connect(self._on_pointed)
         self.job_bar.cancelled.connect(self._cancel)
 
@@ -194,32 +141,19 @@ class EditorPage(QDialog):
             spacing=8,
             of=stage,
         )
-        controls = row_of(
-            *(self.play_button, self.stop_button, self.time, STRETCH),
-            *(self.loop, self.compare, self.snap, self.wider, self.closer, self.whole),
-            spacing=8,
-        )
-        column_of(controls, (framed(self.lanes), 1), self.bar, spacing=6, of=below)
+        lanes = (framed(self.lanes), 1)
+        column_of(self.play_bar, lanes, self.view_bar, spacing=6, of=below)
         for part in (stage, below):
             split.addWidget(part)
         split.setSizes([_STAGE_PX, _LANES_PX])
         split.setChildrenCollapsible(False)
-        buttons = row_of(
-            *(self.undo_button, self.redo_button, (self.note, 1)),
-            *(self.save_button, self.close_button),
-            spacing=8,
-        )
-        parts = (self.messages, self.job_bar, (split, 1), self.comparison, buttons)
-        whole: QVBoxLayout = fill_page(self, *parts, spacing=8)
+        above = (self.messages, self.job_bar, (split, 1), self.comparison)
+        whole: QVBoxLayout = fill_page(self, *above, self.change_bar, spacing=8)
         whole.setContentsMargins(12, 10, 12, 10)
 
     def _set_usable(self, *, is_usable: bool) -> None:
-        for widget in (
-            *(self.play_button, self.stop_button, self.lanes),
-            *(self.closer, self.wider, self.whole),
-            *(self.snap, self.loop, self.compare),
-            *(self.kinds, self.panel),
-        ):
+        self.play_bar.set_usable(is_usable=is_usable)
+        for widget in (self.lanes, self.kinds, self.panel):
             widget.setEnabled(is_usable)
         self._show_document()
 
@@ -250,14 +184,14 @@ class EditorPage(QDialog):
         self.live.made.connect(self._on_made)
         self.live.failed.connect(self._on_failed)
         self.document.open(line.effects)
-        self._show_scroll()
-        self._show_time(0.0)
+        self.view_bar.show_view()
+        self.play_bar.show_time(0.0)
         if line.problem:
             self.messages.show_text(line.problem)
         self._set_usable(is_usable=True)
         if not self.playing.begin(source, screen_name(self)):
-            self.play_button.setEnabled(False)
-            self.stop_button.setEnabled(False)
+            self.play_bar.play_button.setEnabled(False)
+            self.play_bar.stop_button.setEnabled(False)
         self.lanes.setFocus()
         self.ready.emit()
 
@@ -375,12 +309,8 @@ class EditorPage(QDialog):
         self.view.zoom(factor, self.lanes.cursor_s)
 
     def _on_pointed(self, media_s: float) -> None:
-        self._show_time(media_s)
+        self.play_bar.show_time(media_s)
         self.playing.seek(media_s)
-
-    def _on_scrolled(self, value: int) -> None:
-        begin_s = value / _PER_S
-        self.view.show_span(begin_s, begin_s + self.view.span_s)
 
     # --- what is shown -------------------------------------------------------
 
@@ -400,7 +330,7 @@ class EditorPage(QDialog):
         self._show_document()
         if self.live is not None:
             self.live.want(self.document.effects)
-        if self.loop.isChecked():
+        if self.play_bar.loop.isChecked():
             self._apply_loop()
 
     def _on_made(self, effects: EffectList, track: ForceTrack) -> None:
@@ -423,7 +353,7 @@ class EditorPage(QDialog):
     def _apply_loop(self) -> None:
         """Repeat the selected effect with a little around it, or what is in view."""
         effect, span_s = self.document.effect, None
-        if self.loop.isChecked():
+        if self.play_bar.loop.isChecked():
             span_s = self.view.begin_s, self.view.end_s
             if effect is not None:
                 end_s = min(effect.end_s + _AROUND_S, self.view.duration_s)
@@ -436,39 +366,8 @@ class EditorPage(QDialog):
         self.lanes.set_cursor(media_s)
         if self.view.begin_s <= before_s <= self.view.end_s:
             self.view.reveal(media_s)  # else a person looks somewhere else
-        self._show_time(media_s)
-
-    def _show_state(self) -> None:
-        offer_play(self.play_button, is_playing=self.playing.is_playing)
-        offer_stop(self.stop_button, is_stopped=self.playing.is_stopped)
-
-    def _show_time(self, media_s: float) -> None:
-        text = position_text(media_s, self.view.duration_s)
-        if len(text) != len(self.time.text()):
-            widest = "".join("8" if c.isdigit() else c for c in text)
-            self.time.fix_width(self.time.fontMetrics().horizontalAdvance(widest) + 4)
-        self.time.set_text(text)
+        self.play_bar.show_time(media_s)
 
     def _show_document(self) -> None:
-        """Show what can be undone, and whether there is anything to save."""
-        stack, can_edit = self.document.stack, self.lanes.isEnabled()
-        for button, text, can_do in (
-            (self.undo_button, stack.undoText(), stack.canUndo()),
-            (self.redo_button, stack.redoText(), stack.canRedo()),
-        ):
-            button.setEnabled(can_edit and can_do)
-            name = button.text().replace("&", "")
-            button.setToolTip(titled(name, text) if can_do else name)
-        self.save_button.setEnabled(can_edit and not stack.isClean())
-        self.setWindowModified(not stack.isClean())
-        self.note.setText("" if stack.isClean() else self.tr("Not saved yet"))
-
-    def _show_scroll(self) -> None:
-        view, bar = self.view, self.bar
-        bar.blockSignals(True)
-        bar.setRange(0, round(_PER_S * (view.duration_s - view.span_s)))
-        bar.setPageStep(max(1, round(_PER_S * view.span_s)))
-        bar.setSingleStep(max(1, round(0.1 * _PER_S * view.span_s)))
-        bar.setValue(round(_PER_S * view.begin_s))
-        bar.setEnabled(bar.maximum() > 0)
-        bar.blockSignals(False)
+        self.change_bar.show_changes(can_edit=self.lanes.isEnabled())
+        self.setWindowModified(not self.document.stack.isClean())

@@ -263,6 +263,33 @@
     </message>
 </context>
 <context>
+    <name>ChangeBar</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the effects and render the force with them (Ctrl+S)</source>
+        <translation>Effekte speichern und die Kraft damit rendern (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+</context>
+<context>
     <name>CheckList</name>
     <message>
         <source>What the device needs</source>
@@ -779,78 +806,6 @@
 <context>
     <name>EditorPage</name>
     <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Show less of the clip (+)</source>
-        <translation>Weniger vom Clip zeigen (+)</translation>
-    </message>
-    <message>
-        <source>Show more of the clip (−)</source>
-        <translation>Mehr vom Clip zeigen (−)</translation>
-    </message>
-    <message>
-        <source>&amp;Whole clip</source>
-        <translation>&amp;Ganzer Clip</translation>
-    </message>
-    <message>
-        <source>Show the whole clip</source>
-        <translation>Den ganzen Clip zeigen</translation>
-    </message>
-    <message>
-        <source>Zoom in</source>
-        <translation>Vergrößern</translation>
-    </message>
-    <message>
-        <source>Zoom out</source>
-        <translation>Verkleinern</translation>
-    </message>
-    <message>
-        <source>&amp;Loop</source>
-        <translation>S&amp;chleife</translation>
-    </message>
-    <message>
-        <source>Repeat the selected effect, or what is in view without one</source>
-        <translation>Den gewählten Effekt wiederholen, ohne Auswahl das Sichtbare</translation>
-    </message>
-    <message>
-        <source>&amp;Before</source>
-        <translation>&amp;Vorher</translation>
-    </message>
-    <message>
-        <source>Show the force without effects behind it</source>
-        <translation>Dahinter die Kraft ohne Effekte zeigen</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Ei&amp;nrasten</translation>
-    </message>
-    <message>
-        <source>Snap to frames, events and other effects</source>
-        <translation>An Bildern, Ereignissen und anderen Effekten einrasten</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Save the effects and render the force with them (Ctrl+S)</source>
-        <translation>Effekte speichern und die Kraft damit rendern (Strg+S)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Edit effects</source>
         <translation>Effekte bearbeiten</translation>
     </message>
@@ -861,10 +816,6 @@
     <message>
         <source>Rendering the force</source>
         <translation>Kraft wird berechnet</translation>
-    </message>
-    <message>
-        <source>Not saved yet</source>
-        <translation>Noch nicht gespeichert</translation>
     </message>
     <message>
         <source>Reading the sequence</source>
@@ -2552,6 +2503,61 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Release this device</source>
         <translation>Dieses Gerät freigeben</translation>
+    </message>
+</context>
+<context>
+    <name>PlayBar</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Show less of the clip (+)</source>
+        <translation>Weniger vom Clip zeigen (+)</translation>
+    </message>
+    <message>
+        <source>Show more of the clip (−)</source>
+        <translation>Mehr vom Clip zeigen (−)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole clip</source>
+        <translation>&amp;Ganzer Clip</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation>Den ganzen Clip zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>S&amp;chleife</translation>
+    </message>
+    <message>
+        <source>Repeat the selected effect, or what is in view without one</source>
+        <translation>Den gewählten Effekt wiederholen, ohne Auswahl das Sichtbare</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>&amp;Vorher</translation>
+    </message>
+    <message>
+        <source>Show the force without effects behind it</source>
+        <translation>Dahinter die Kraft ohne Effekte zeigen</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>Snap to frames, events and other effects</source>
+        <translation>An Bildern, Ereignissen und anderen Effekten einrasten</translation>
     </message>
 </context>
 <context>

@@ -263,6 +263,33 @@
     </message>
 </context>
 <context>
+    <name>ChangeBar</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>Enre&amp;gistrer</translation>
+    </message>
+    <message>
+        <source>Save the effects and render the force with them (Ctrl+S)</source>
+        <translation>Enregistrer les effets et calculer la force avec eux (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Pas encore enregistré</translation>
+    </message>
+</context>
+<context>
     <name>CheckList</name>
     <message>
         <source>What the device needs</source>
@@ -779,78 +806,6 @@
 <context>
     <name>EditorPage</name>
     <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Show less of the clip (+)</source>
-        <translation>Montrer moins du clip (+)</translation>
-    </message>
-    <message>
-        <source>Show more of the clip (−)</source>
-        <translation>Montrer plus du clip (−)</translation>
-    </message>
-    <message>
-        <source>&amp;Whole clip</source>
-        <translation>Clip &amp;entier</translation>
-    </message>
-    <message>
-        <source>Show the whole clip</source>
-        <translation>Montrer tout le clip</translation>
-    </message>
-    <message>
-        <source>Zoom in</source>
-        <translation>Agrandir</translation>
-    </message>
-    <message>
-        <source>Zoom out</source>
-        <translation>Réduire</translation>
-    </message>
-    <message>
-        <source>&amp;Loop</source>
-        <translation>&amp;Boucle</translation>
-    </message>
-    <message>
-        <source>Repeat the selected effect, or what is in view without one</source>
-        <translation>Répéter l’effet choisi, ou sans choix ce qui est visible</translation>
-    </message>
-    <message>
-        <source>&amp;Before</source>
-        <translation>A&amp;vant</translation>
-    </message>
-    <message>
-        <source>Show the force without effects behind it</source>
-        <translation>Montrer derrière la force sans effets</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Mag&amp;nétisme</translation>
-    </message>
-    <message>
-        <source>Snap to frames, events and other effects</source>
-        <translation>Aligner sur les images, les événements et les autres effets</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Annuler</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rétablir</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>Enre&amp;gistrer</translation>
-    </message>
-    <message>
-        <source>Save the effects and render the force with them (Ctrl+S)</source>
-        <translation>Enregistrer les effets et calculer la force avec eux (Ctrl+S)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
         <source>Edit effects</source>
         <translation>Modifier les effets</translation>
     </message>
@@ -861,10 +816,6 @@
     <message>
         <source>Rendering the force</source>
         <translation>Calcul de la force</translation>
-    </message>
-    <message>
-        <source>Not saved yet</source>
-        <translation>Pas encore enregistré</translation>
     </message>
     <message>
         <source>Reading the sequence</source>
@@ -2552,6 +2503,61 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Release this device</source>
         <translation>Libérer cet appareil</translation>
+    </message>
+</context>
+<context>
+    <name>PlayBar</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Show less of the clip (+)</source>
+        <translation>Montrer moins du clip (+)</translation>
+    </message>
+    <message>
+        <source>Show more of the clip (−)</source>
+        <translation>Montrer plus du clip (−)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole clip</source>
+        <translation>Clip &amp;entier</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation>Montrer tout le clip</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Agrandir</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Réduire</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>&amp;Boucle</translation>
+    </message>
+    <message>
+        <source>Repeat the selected effect, or what is in view without one</source>
+        <translation>Répéter l’effet choisi, ou sans choix ce qui est visible</translation>
+    </message>
+    <message>
+        <source>&amp;Before</source>
+        <translation>A&amp;vant</translation>
+    </message>
+    <message>
+        <source>Show the force without effects behind it</source>
+        <translation>Montrer derrière la force sans effets</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Mag&amp;nétisme</translation>
+    </message>
+    <message>
+        <source>Snap to frames, events and other effects</source>
+        <translation>Aligner sur les images, les événements et les autres effets</translation>
     </message>
 </context>
 <context>

@@ -68,15 +68,15 @@ def test_dragging_moves_in_one_step_and_snaps_to_frames(page):
     assert moved.start_s == pytest.approx(0.52)  # the next frame to 0.511
     assert moved.duration_s == pytest.approx(0.4)
     assert page.document.stack.count() == 1
-    page.undo_button.click()
+    page.change_bar.undo_button.click()
     assert page.document.effects == EFFECTS
     assert page.document.stack.isClean()
-    page.redo_button.click()
+    page.change_bar.redo_button.click()
     assert page.document.effect == moved
 
 
 def test_without_snapping_it_stays_where_it_is_let_go(page):
-    page.snap.click()
+    page.play_bar.snap.click()
     drag(page.lanes, page.lanes.effect_box(0).center(), px(page, 0.311))
     assert page.document.effect.start_s == pytest.approx(0.511, abs=0.004)
 
@@ -186,9 +186,9 @@ def test_saving_writes_effects_and_renders(page, folder, wait_for):
     page.kinds.setCurrentRow(3)
     page.lanes.point_at(0.0)
     QTest.keyClick(page.kinds, Qt.Key.Key_Return)
-    assert page.note.text() == "Not saved yet"
+    assert page.change_bar.note.text() == "Not saved yet"
     kept = page.document.effects
-    page.save_button.click()
+    page.change_bar.save_button.click()
     assert not page.lanes.isEnabled()
     wait_for(lambda: page.document.stack.isClean() and page.lanes.isEnabled())
     verify_sequence(folder)
@@ -197,8 +197,8 @@ def test_saving_writes_effects_and_renders(page, folder, wait_for):
     after, at_s = sequence.tracks["realistic"], np.array([0.62])  # of a shake of 2 Hz
     assert abs(after.at(at_s)).max() < 0.2 * abs(before.at(at_s)).max()
     assert page.lanes.track.provenance == after.provenance
-    page.undo_button.click()  # also what was saved
-    assert page.save_button.isEnabled()
+    page.change_bar.undo_button.click()  # also what was saved
+    assert page.change_bar.save_button.isEnabled()
 
 
 @pytest.mark.parametrize("answer", ["Cancel", "Discard", "Save"])
@@ -244,7 +244,7 @@ def test_saving_can_be_cancelled_and_nothing_is_written(
             QTest.qSleep(1)
 
     monkeypatch.setattr("app.editor.page.in_child", never_ends)
-    page.save_button.click()
+    page.change_bar.save_button.click()
     page.reject()
     assert page.isVisible()  # it is being saved
     page.job_bar.cancelled.emit()

@@ -67,7 +67,7 @@ def test_an_edit_is_rendered_as_it_will_be_saved(make_page, folder, wait_for):
     )
     assert np.array_equal(track.force_n, expected.force_n)
     assert np.array_equal(track.time_s, expected.time_s)
-    page.undo_button.click()
+    page.change_bar.undo_button.click()
     wait_for(lambda: page.playing.track is stored)
     assert page.lanes.track is stored
 
@@ -80,7 +80,7 @@ def test_the_force_without_effects_lies_behind_it(make_page, wait_for):
     page.editing.add(PULSE, "Add")
     wait_for(lambda: not page.live.is_busy)
     with_both = page.lanes.grab().toImage()
-    page.compare.click()
+    page.play_bar.compare.click()
     assert page.lanes.grab().toImage() != with_both
 
 
@@ -139,13 +139,13 @@ def test_what_cannot_be_rendered_is_told_of(application, qtbot):
 def test_a_loop_follows_the_effect_and_goes_there(make_page):
     page = make_page()
     page.editing.add(PULSE, "Add")
-    page.loop.click()
+    page.play_bar.loop.click()
     player = page.playing.session.player
     assert player.snapshot().loop_s == pytest.approx((0.2, 1.8))
     assert page.lanes.cursor_s == pytest.approx(0.2)
     page.panel.fields["end_s"].box.setValue(1.0)
     assert player.snapshot().loop_s == pytest.approx((0.2, 1.3))
-    page.loop.click()
+    page.play_bar.loop.click()
     assert player.snapshot().loop_s is None
 
 
@@ -155,7 +155,7 @@ def test_a_slider_is_felt_while_the_clip_plays(make_page, wait_for):
     player = page.playing.session.player
     wait_for(lambda: player.snapshot().tick is not None)
     page.editing.add(PULSE, "Add")
-    page.loop.click()
+    page.play_bar.loop.click()
     page.playing.toggle()
 
     def pushed() -> float:

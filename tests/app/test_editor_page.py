@@ -79,12 +79,12 @@ def test_keys_move_the_cursor_by_frames_and_zoom(make_page, folder):
     assert lanes.cursor_s == pytest.approx(1.12)  # 25 frames a second
     QTest.keyClick(lanes, Qt.Key.Key_Plus)
     assert page.view.span_s == pytest.approx(2.0 / 1.25)
-    assert page.bar.isEnabled()
-    page.bar.setValue(page.bar.maximum())
+    assert page.view_bar.isEnabled()
+    page.view_bar.setValue(page.view_bar.maximum())
     assert page.view.end_s == pytest.approx(2.0, abs=0.002)
-    page.whole.click()
+    page.play_bar.whole.click()
     assert page.view.span_s == pytest.approx(2.0)
-    assert not page.bar.isEnabled()
+    assert not page.view_bar.isEnabled()
     QTest.keyClick(lanes, Qt.Key.Key_End)
     assert lanes.cursor_s == pytest.approx(2.0)
 
@@ -110,7 +110,7 @@ def test_a_damaged_sequence_is_told_of(make_page, folder):
     page = make_page(folder)
     assert "is not the description of a sequence" in page.messages.text()
     assert not page.lanes.isEnabled()
-    assert not page.play_button.isEnabled()
+    assert not page.play_bar.play_button.isEnabled()
 
 
 def test_without_the_device_it_shows_everything(make_page, folder):
@@ -121,7 +121,7 @@ def test_without_the_device_it_shows_everything(make_page, folder):
 
     page = make_page(folder, "simulated", refuse)
     assert "no device here" in page.messages.text()
-    assert page.play_button.isEnabled()
+    assert page.play_bar.play_button.isEnabled()
 
 
 def test_space_plays_and_escape_stops_before_it_closes(make_page, folder, wait_for):
@@ -152,8 +152,8 @@ def test_what_plays_is_felt_and_escape_ends_it(make_page, folder, wait_for):
     wait_for(lambda: player.snapshot().mode is Mode.TRIPPED)
     assert player.snapshot().tick["force_n"].tolist() == [0.0, 0.0, 0.0]
     assert page.isVisible()
-    wait_for(lambda: page.stop_button.text() == "Re-arm")
-    page.stop_button.click()
+    wait_for(lambda: page.play_bar.stop_button.text() == "Re-arm")
+    page.play_bar.stop_button.click()
     wait_for(lambda: player.snapshot().mode is not Mode.TRIPPED)
 
 

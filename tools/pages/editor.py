@@ -26,7 +26,7 @@ def pictures(stage: Stage) -> Pictures:
         yield "editor-empty", stage.picture(page)
         _edit(page)
         page.document.select(1)
-        page.loop.click()
+        page.play_bar.loop.click()
         page.lanes.point_at(IN_THE_TURN_S)
         stage.wait_until(lambda: page.comparison.after is not None)
         yield "editor-working", stage.picture(page, 300)
