@@ -14,6 +14,7 @@ from hapticplayer.errors import DeviceError, InputError
 from hapticplayer.playback.latency import (
     DEVICE,
     DISPLAY,
+    ENTERED,
     LATENCIES,
     MOST_NAMES,
     SETTINGS_NAME,
@@ -208,6 +209,7 @@ __all__ = [
     "DEVICE",
     "DISPLAY",
     "SOUND",
+    "enter_latency",
     "is_known",
     "keep_latency",
     "latencies_of",
@@ -233,6 +235,15 @@ def keep_latency(settings: Settings, part: str, name: str, latency_ms: float) ->
     known[name] = latency_ms
     newest = list(known.items())[-MOST_NAMES:]
     settings.keep(LATENCIES, {**kept, part: dict(newest)})
+
+
+def enter_latency(settings: Settings, name: str, latency_ms: float) -> None:
+    """Remember what a person has entered for a device, in place of what was measured."""
+    kept = settings.table(LATENCIES)
+    measured = {key: 1e3 * value for key, value in table_s(kept, DEVICE).items()}
+    measured.pop(name, None)
+    settings.keep(LATENCIES, {**kept, DEVICE: measured})
+    keep_latency(settings, ENTERED, name, latency_ms)
 
 
 def is_known(settings: Settings, part: str, name: str) -> bool:

@@ -8,7 +8,7 @@ from app.bridge.jobs import Jobs, Progress
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.layout import paragraph
-from app.widgets.texts import titled
+from app.widgets.texts import breakable, titled
 from hapticplayer.devices import find_device
 from hapticplayer.devices.checks import Check
 from hapticplayer.devices.guides import checks_of
@@ -83,6 +83,11 @@ class CheckList(QObject):
         self._look_timer.stop()
         self._poll_timer.stop()
 
+    def close(self) -> None:
+        """Look no more, and wait for the look that is under way."""
+        self.stop()
+        self._jobs.close()
+
     def _take(self, found: tuple[str, list[Check]]) -> None:
         name, checks = found
         if name != self._name:
@@ -115,6 +120,4 @@ def _row(check: Check) -> str:
     if check.is_met is False:
         text += f"\n\u2192 {translated(check.remedy)}"
     sign = f"<td style='color:{colour}'><b>{_SIGNS[check.is_met]}</b>&nbsp;</td>"
-    return (
-        f"<tr>{sign}<td>{escape(text, quote=False).replace(chr(10), '<br>')}</td></tr>"
-    )
+    return f"<tr>{sign}<td>{escape(breakable(text), quote=False).replace(chr(10), '<br>')}</td></tr>"

@@ -65,12 +65,13 @@ class DeviceDialogs(QObject):
         self._release()
         self._lend()
         page = SetupPage(
-            *(clock, outlet or before, self.plugged, self._window),
+            *(clock, outlet or before, self.plugged, self._settings, self._window),
             is_free=self._are_lent_free,
         )
         wanted, shown, others = list[str](), list[str](), list[bool]()
         page.wanted.connect(wanted.append)
         page.demonstration_wanted.connect(shown.append)
+        page.latency_changed.connect(self.settings_taken)
         page.others_wanted.connect(lambda: others.append(True))
 
         def go_on(_result: int) -> None:
@@ -180,20 +181,19 @@ class DeviceDialogs(QObject):
 
     def _lend(self) -> None:
         """Let go of what plays beside the device, too."""
-        outlets = self._session.player.outlets
-        for one in outlets:
-            outlets.lend(one.name)
+        for one in self._session.player.snapshot().outlets:
+            self._session.player.lend_outlet(one.name)
 
     def _are_lent_free(self) -> bool:
-        outlets = self._session.player.outlets
-        return all(outlets.is_free(one.name) for one in outlets)
+        player = self._session.player
+        return all(player.is_outlet_free(one.name) for one in player.snapshot().outlets)
 
     def _take_back(self) -> None:
         """Play on it again."""
-        outlets = self._session.player.outlets
-        for name in [one.name for one in outlets if one.is_lent]:
+        player = self._session.player
+        for one in player.snapshot().outlets:
             try:
-                outlets.take_back(name)
+                player.take_back_outlet(one.name)
             except HapticPlayerError as problem:
                 self._session.gateway.report(problem)
 

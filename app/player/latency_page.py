@@ -101,6 +101,7 @@ class LatencyPage(QDialog):
         self.mode = TOGETHER
         self.rows: dict[str, Row] = {}
         self._sound_name, self._entered_display_ms = "", 0.0
+        self._assumed_ms: dict[str, float] = {}
         self.meters = {part: TapMeter() for part in PARTS}
         self.surface = VideoSurface()
         self._jobs = Jobs(self._on_problem)
@@ -164,11 +165,10 @@ class LatencyPage(QDialog):
         """Remember the numbers, each for its output."""
         names = self._names()
         for part, row in self.rows.items():
-            is_new = row.number.value() > 0.0 or is_known(
-                self._settings, part, names[part]
-            )
-            if names[part] and is_new:
-                keep_latency(self._settings, part, names[part], row.number.value())
+            value_ms = row.number.value()
+            is_new = value_ms != self._assumed_ms.get(part, 0.0)
+            if names[part] and (is_new or is_known(self._settings, part, names[part])):
+                keep_latency(self._settings, part, names[part], value_ms)
         self._settings.save()
         self._end()
         self.measured.emit()
@@ -246,7 +246,7 @@ class LatencyPage(QDialog):
         latencies = self._latencies()
         if self.mode != TOGETHER:
             shown = {part: part == self.mode for part in PARTS}
-            latencies = Latencies()
+            latencies = Latencies(device_s={self._device: 0.0})
         player.set_latencies(latencies)
         player.set_volume(1.0 if shown[SOUND] else 0.0)
         player.set_feedback(FELT if shown[DEVICE] else Feedback.NONE.value)
@@ -372,7 +372,8 @@ class LatencyPage(QDialog):
         known = latencies_of(self._settings, names[DISPLAY])
         self._fill(DISPLAY, known.display_s)
         self._entered_display_ms = self.rows[DISPLAY].number.value()
-        self._fill(DEVICE, known.device_s.get(names[DEVICE], 0.0))
+        self._fill(DEVICE, known.of_device(names[DEVICE]).latency_s)
+        self._assumed_ms = {DEVICE: self.rows[DEVICE].number.value()}
         self._name_rows()
 
     def _fill(self, part: str, latency_s: float) -> None:

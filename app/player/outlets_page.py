@@ -24,6 +24,7 @@ from app.player.device_form import (
 )
 from app.player.device_test_panel import DeviceTestPanel
 from app.player.health import mode_text
+from app.player.latency_field import source_text
 from app.player.session import Session
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -46,6 +47,7 @@ from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.devices.rig.settings import GAIN, LATENCY_MS
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.processes import Health
+from hapticplayer.playback.latency import LatencySource
 from hapticplayer.playback.snapshot import OutletState, Snapshot
 
 translate = QCoreApplication.translate
@@ -68,7 +70,9 @@ def state_text(outlet: OutletState) -> str:
 
 def figures_text(outlet: OutletState) -> str:
     """Return latency and gain of an outlet."""
-    return local(f"{1e3 * outlet.latency_s:.0f} ms, \u00d7\u2009{outlet.gain:.2f}")
+    sign = "\u2248\u2009" * (outlet.latency_source is LatencySource.ASSUMED)
+    latency = f"{sign}{1e3 * outlet.latency_s:.0f}\u00a0ms"
+    return local(f"{latency}, \u00d7\u2009{outlet.gain:.2f}")
 
 
 class OutletsPage(QDialog):
@@ -151,10 +155,10 @@ class OutletsPage(QDialog):
 
     def _on_test_begun(self) -> None:
         self._show_panel(is_wanted=True)
-        self._player.outlets.lend(self._tested)
+        self._player.lend_outlet(self._tested)
 
     def _is_free(self) -> bool:
-        return self._player.outlets.is_free(self._tested)
+        return self._player.is_outlet_free(self._tested)
 
     def _on_test_ended(self) -> None:
         """Let the outlet play again, and say how the test has ended."""
@@ -162,7 +166,7 @@ class OutletsPage(QDialog):
         self._say(self.panel.state.text())
         if self._tested in self._names():
             try:
-                self._player.outlets.take_back(self._tested)
+                self._player.take_back_outlet(self._tested)
             except HapticPlayerError as problem:
                 self._say(translated(message_of(problem)))
 
@@ -206,6 +210,9 @@ class OutletsPage(QDialog):
         for outlet in now.outlets:
             self.states[outlet.name].setText(state_text(outlet))
             self.figures[outlet.name].setText(figures_text(outlet))
+            source = source_text(outlet.latency_source)
+            tip = self.tr("Latency that is compensated ({source}), and gain")
+            self.figures[outlet.name].setToolTip(tip.format(source=source))
             self.mutes[outlet.name].setChecked(outlet.is_muted)
             self.meters[outlet.name].show_levels(outlet.levels)
             may_test = not (now.is_playing or self.panel.is_running)
@@ -316,7 +323,6 @@ class OutletsPage(QDialog):
         label, self.states[name] = ElidedLabel(text), paragraph("", theme.DIM)
         label.setToolTip(text)
         self.figures[name] = figures = QLabel()
-        figures.setToolTip(self.tr("Latency that is compensated, and gain"))
         self.mutes[name] = mute = QCheckBox(self.tr("Mute"))
         test = text_button(
             self.tr("Test\u2026"), self.tr("Move it gently, after a question")

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog, QLabel, QProgressBar, QWidget
 from app.bridge.jobs import Jobs
 from app.bridge.jobs import Progress as Report
 from app.bridge.languages import translated
+from app.bridge.settings import Settings
 from app.player import setup_texts
 from app.player.check_list import CheckList
 from app.player.choices import PluggedFalcons
@@ -16,6 +17,7 @@ from app.player.device_form import DeviceForm, entry_of, problem_of
 from app.player.device_test_panel import DeviceTestPanel
 from app.player.firmware_dialog import ask_for_firmware
 from app.player.homing_view import HomingDrawing, TravelEstimate, view_of
+from app.player.latency_field import LatencyField
 from app.player.setup_texts import Trouble, trouble
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -26,8 +28,9 @@ from app.widgets.layout import (
     paragraph,
     resize_within_screen,
     row_of,
+    scrolling,
 )
-from app.widgets.texts import PERCENT
+from app.widgets.texts import PERCENT, breakable
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, OUTLETS
 from hapticplayer.devices.falcon.reach import Reach, reach_of
@@ -38,7 +41,7 @@ from hapticplayer.errors import message_of
 POLL_MS = 33
 LOOK_MS = 1000
 """Period of looking for Falcons and of retries."""
-_WIDTH_PX, _HEIGHT_PX = 900, 500
+_WIDTH_PX, _HEIGHT_PX, _SETTINGS_PX = 900, 500, 160
 
 
 def _always() -> bool:
@@ -54,17 +57,20 @@ class SetupPage(QDialog):
         wanted: a device is to be used.
         demonstration_wanted: its forces are to be felt.
         others_wanted: the list of more devices is wanted, once this page has closed.
+        latency_changed: another latency is compensated from here on.
     """
 
     wanted = Signal(str)
     demonstration_wanted = Signal(str)
     others_wanted = Signal()
+    latency_changed = Signal()
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - two of them only tests and outlets have
         self,
         clock: Clock,
         device: str,
         plugged: PluggedFalcons,
+        settings: Settings,
         parent: QWidget | None = None,
         find_reach: Callable[[str], Reach] = reach_of,
         *,
@@ -84,6 +90,7 @@ class SetupPage(QDialog):
         self.title = paragraph()
         self.what, self.text = paragraph(lines=2), paragraph(lines=4)
         self.checks, self.bar = CheckList(self), QProgressBar()
+        self.latency = LatencyField(settings, self)
         self._make_buttons()
         self._lay_out()
         start = device if device != NO_DEVICE else plugged.falcons()[0][0]
@@ -94,6 +101,8 @@ class SetupPage(QDialog):
         self._look_timer = self._timer(LOOK_MS, self._look)
         self.panel.began.connect(self._jobs.cancel)
         self.panel.ended.connect(self._on_test_ended)
+        self.panel.measured.connect(self.latency.take)
+        self.latency.changed.connect(self.latency_changed)
         self._follow()
         self._look()
         self._show()
@@ -143,9 +152,10 @@ class SetupPage(QDialog):
             super().reject()
 
     def close_jobs(self) -> None:
-        """End what still moves: the window closes."""
+        """End what still moves, and what is looked at: the window closes."""
         self.panel.stop()
         self.panel.wait()
+        self.checks.close()
 
     def done(self, result: int) -> None:
         """Close, but not before the device is let go of."""
@@ -206,14 +216,21 @@ class SetupPage(QDialog):
         caption.setBuddy(self.device)
         self.title.setMinimumHeight(QFontMetrics(self.title.font()).lineSpacing())
         pictures = column_of((self.drawing, 1), (self.panel, 1), spacing=8)
-        words = column_of(
+        said = column_of(
             *(self.title, self.what, self.text, self.checks.label, self.bar, STRETCH),
             spacing=8,
         )
+        latency = self.latency
+        words = column_of(
+            (scrolling(said), 1),
+            row_of(latency.caption, latency.number, (latency.source, 1)),
+            spacing=8,
+        )
+        self.form.settings.setMinimumWidth(_SETTINGS_PX)
         fill_page(
             self,
             row_of(
-                caption, (self.device, 1), self.form.caption, (self.form.settings, 1)
+                caption, (self.device, 1), self.form.caption, (self.form.settings, 2)
             ),
             (row_of((pictures, 1), (words, 1), spacing=16), 1),
             row_of(
@@ -278,6 +295,7 @@ class SetupPage(QDialog):
         self.checks.follow(self.chosen if is_right else "")
         if is_right:
             self.panel.set_device(self.chosen)
+            self.latency.follow(self.chosen)
 
     def _is_free(self) -> bool:
         """Whether this page and the window have let go of the device."""
@@ -339,7 +357,7 @@ class SetupPage(QDialog):
     def _state(self) -> tuple[str, str]:
         """Return how far a device is that is not led through homing, and its colour."""
         if problem := problem_of(self.chosen):
-            return translated(message_of(problem)), theme.WARN
+            return breakable(translated(message_of(problem))), theme.WARN
         found, is_met = self.checks.found, self.checks.is_met
         if found is None:
             return self.tr("Looking for the device"), theme.TEXT

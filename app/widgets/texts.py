@@ -38,6 +38,14 @@ def job_text(state: JobState) -> str:
     return titled(state.title, translated(state.step)) if state.step else state.title
 
 
+_LONG_WORD = re.compile(r"(\S{24})(?=\S)")
+
+
+def breakable(text: str) -> str:
+    """Return a text in which names without a space can be broken between lines."""
+    return _LONG_WORD.sub("\\1\u200b", text)
+
+
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
 
 

@@ -91,6 +91,8 @@ class DeviceEntry:
         fades_alone: whether it falls silent by itself when its loop stands still, so
             that the guard writes zero only after the loop's end.
         guard: what makes the loop's guard; "" for the one that writes zero.
+        keeps_latency: whether its driver keeps the latency of its settings, by the
+            device's own clock.
         guide: its set-up page, a `guides.Guide`; "" for one made of what is here.
         record: called with what follows `name:`, returns the capabilities with these
             options, or raises DeviceError; "" where they are always the same.
@@ -117,6 +119,7 @@ class DeviceEntry:
     guard: str = ""
     guide: str = ""
     fades_alone: bool = False
+    keeps_latency: bool = False
 
     def make(self, descriptor: int) -> HapticDevice:
         """Return the device, not yet open."""
@@ -232,6 +235,7 @@ _BUILT_IN = (
         settings="hapticplayer.devices.transducer.settings:shaker_settings",
         guide=f"{_GUIDES}:SHAKER",
         fades_alone=True,
+        keeps_latency=True,
     ),
     DeviceEntry(
         "buttplug",

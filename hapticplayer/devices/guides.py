@@ -64,8 +64,6 @@ class Guide:
             tested by itself; for devices with several channels.
         tells_latency: whether it answers each command when it acts on it: the age of
             its answers is its latency.
-        keeps_latency: whether its driver keeps the latency of its settings by the
-            device's own clock.
     """
 
     what: Message
@@ -76,7 +74,6 @@ class Guide:
     variants: Mapping[str, str] = field(default_factory=dict)
     parts: Callable[[str], Sequence[tuple[str, str]]] | None = None
     tells_latency: bool = False
-    keeps_latency: bool = False
 
 
 def guide_of(entry: DeviceEntry) -> Guide:
@@ -271,7 +268,6 @@ SHAKER = Guide(
     checks=_shaker,
     example="pulse,channels=3+4",
     parts=_channels,
-    keeps_latency=True,
 )
 BUTTPLUG = Guide(
     Message(

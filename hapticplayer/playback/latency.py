@@ -6,13 +6,15 @@ all come late, and no interface tells by how much. A person measures it once
 than the others is begun earlier.
 """
 
+import enum
 import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+from hapticplayer.devices import NO_DEVICE, find_device, settings_of
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.sequence.files import config_home
 from hapticplayer.untrusted import read_regular
@@ -35,6 +37,8 @@ SETTINGS_VERSION = 1
 VERSION, LATENCIES = "version", "latencies"
 DISPLAY, SOUND, DEVICE = "display", "sound", "device"
 """Tables within the table of the settings: milliseconds by the name of the output."""
+ENTERED = "entered"
+"""The same for devices whose latency nobody has measured: what a person has entered."""
 
 MOST_NAMES = 64
 _MAX_BYTES = 1 << 20
@@ -70,6 +74,27 @@ class Latency:
         return max(self.display_s, self.device_s)
 
 
+class LatencySource(enum.StrEnum):
+    """How a device's latency is known.
+
+    MEASURED by a person's taps or by the age of its answers, ENTERED by a person, in its
+    SETTINGS, KEPT by its driver after its own clock, or ASSUMED: typical for its kind.
+    """
+
+    MEASURED = "measured"
+    ENTERED = "entered"
+    SETTINGS = "settings"
+    KEPT = "kept"
+    ASSUMED = "assumed"
+
+
+class DeviceLatency(NamedTuple):
+    """From a command to what is felt, s, and how that is known."""
+
+    latency_s: float
+    source: LatencySource
+
+
 @dataclass(frozen=True, slots=True)
 class Latencies:
     """What was measured on this machine: the screen's, and others by output."""
@@ -77,12 +102,36 @@ class Latencies:
     display_s: float = 0.0
     sound_s: Mapping[str, float] = field(default_factory=dict)
     device_s: Mapping[str, float] = field(default_factory=dict)
+    entered_s: Mapping[str, float] = field(default_factory=dict)
 
     def of(self, sound: str, device: str) -> Latency:
-        """Return those of the outputs in use; 0 for what was not measured."""
-        return Latency(
-            self.display_s, self.sound_s.get(sound, 0.0), self.device_s.get(device, 0.0)
-        )
+        """Return those of the outputs in use; 0 for a sound that was not measured."""
+        device_s = self.of_device(device).latency_s
+        return Latency(self.display_s, self.sound_s.get(sound, 0.0), device_s)
+
+    def of_device(self, name: str) -> "DeviceLatency":
+        """Return the best that is known of a device or outlet.
+
+        What its settings say counts first, then what was measured or entered for it, then
+        what its driver keeps by the device's own clock, then what is typical.
+
+        Raises:
+            DeviceError: for a name or settings that are not allowed.
+        """
+        if name in ("", NO_DEVICE):
+            return DeviceLatency(self.device_s.get(name, 0.0), LatencySource.ASSUMED)
+        entry = find_device(name)
+        chosen = settings_of(entry)
+        own_s = chosen.latency_s if chosen else 0.0
+        if own_s and not entry.keeps_latency:
+            return DeviceLatency(own_s, LatencySource.SETTINGS)
+        if name in self.device_s:
+            return DeviceLatency(self.device_s[name], LatencySource.MEASURED)
+        if name in self.entered_s:
+            return DeviceLatency(self.entered_s[name], LatencySource.ENTERED)
+        if own_s:
+            return DeviceLatency(own_s, LatencySource.KEPT)
+        return DeviceLatency(entry.capabilities.latency_s, LatencySource.ASSUMED)
 
 
 def is_wireless(output: str) -> bool:
@@ -106,7 +155,8 @@ def saved_latencies() -> Latencies:
 def latencies_in(table: Mapping[str, Any], screen: str = "") -> Latencies:
     """Return what a table of the settings, ms by part and output, says for a screen."""
     display_s = table_s(table, DISPLAY).get(screen, 0.0)
-    return Latencies(display_s, table_s(table, SOUND), table_s(table, DEVICE))
+    parts_s = (table_s(table, part) for part in (SOUND, DEVICE, ENTERED))
+    return Latencies(display_s, *parts_s)
 
 
 def table_s(table: Mapping[str, Any], part: str) -> dict[str, float]:

@@ -71,8 +71,7 @@ class Outlet:
         self.takes_motion = entry.capabilities.signal is Signal.MOTION
         self.gain = chosen.gain if chosen else 1.0
         self.address = chosen.address if chosen else ""
-        self._entered_s = chosen.latency_s if chosen else 0.0
-        self.latency_s = self._entered_s
+        self.latency_s, self.latency_source = Latencies().of_device(name)
         self.is_muted, self.feedback = False, ""
         self.is_lent = self._is_stopped = False
         self._names: set[str] = set()
@@ -102,9 +101,8 @@ class Outlet:
         self.output.processes.rearm()
 
     def set_latencies(self, latencies: Latencies) -> None:
-        """Take what was measured, unless a person entered a latency with the outlet."""
-        measured_s = latencies.device_s.get(self.name, 0.0)
-        self.latency_s = self._entered_s or measured_s
+        """Take what is known of this outlet."""
+        self.latency_s, self.latency_source = latencies.of_device(self.name)
 
     def load(self, tracks: Mapping[str, AnyForce], rig: RigTrack | None) -> None:
         """Hand over the signal of each condition."""
@@ -143,6 +141,7 @@ class Outlet:
             self.is_muted,
             self.gain,
             self.latency_s,
+            self.latency_source,
             Mode(int(tick["mode"])) if tick is not None else Mode.IDLE,
             Cause(int(tick["cause"])) if tick is not None else Cause.NONE,
             processes.pids.get("loop"),
@@ -256,7 +255,11 @@ class Outlets:
             one.rearm()
 
     def lend(self, name: str) -> None:
-        """Let go of a device, for a test or a set-up, until `take_back`."""
+        """Let go of a device, for a test or a set-up, until `take_back`.
+
+        Raises:
+            UsageError: when there is no such outlet.
+        """
         self[name].lend()
         self._reporter.event("outlet", outlet=name, lent=True)
 
@@ -265,15 +268,19 @@ class Outlets:
         return not self[name].output.is_releasing
 
     def take_back(self, name: str) -> None:
-        """Open a device again that was lent, with the tracks of the clip.
+        """Open a device again, if it was lent, with the tracks of the clip.
+
+        What was stopped stays stopped.
 
         Raises:
+            UsageError: when there is no such outlet.
             HapticsError: when its processes cannot be started.
         """
-        self._reporter.event("outlet", outlet=name, lent=False)
         one = self[name]
-        one.take_back()
-        self._hand_over([one])
+        if one.is_lent:
+            self._reporter.event("outlet", outlet=name, lent=False)
+            one.take_back()
+            self._hand_over([one])
 
     def poll(self, clock: PlaybackClock, feedback: str) -> None:
         """Read what they have done since, beat, and publish the clock."""

@@ -48,9 +48,6 @@ class Player:
         audio: makes the sound output, see `SoundKeeper`; None plays without sound.
         scheduling: of the haptic loop; None for the best there is.
         haptics: makes the owner of the haptics processes; None for the usual one.
-
-    Attributes:
-        outlets: what plays beside the device; to lend one for a test.
     """
 
     def __init__(
@@ -70,7 +67,7 @@ class Player:
         )
         make = haptics or HapticsProcesses
         self._force = ForceOutput(clock, self._reporter, device, scheduling, make)
-        self.outlets = Outlets(clock, self._reporter, scheduling, make)
+        self._outlets = Outlets(clock, self._reporter, scheduling, make)
         self._clip.set_device(device)
         self._logged_audio_s = float("-inf")
         self._was_stalled = self._is_force_late = False
@@ -85,7 +82,7 @@ class Player:
         self._feedback = feedback or source.feedback
         tracks = source.stream.tracks if source.stream else source.tracks
         self._force.load(tracks)
-        self.outlets.load(tracks, source.motion)
+        self._outlets.load(tracks, source.motion)
 
     def prepare_sound(self) -> None:
         """Open the sound output already: a clip with sound is about to be opened."""
@@ -142,8 +139,8 @@ class Player:
 
     def set_latencies(self, latencies: Latencies) -> None:
         """Begin earlier from here on what reaches the person later."""
-        self.outlets.set_latencies(latencies)
-        self._clip.outlets_s = self.outlets.lead_s
+        self._outlets.set_latencies(latencies)
+        self._clip.outlets_s = self._outlets.lead_s
         self._clip.set_latencies(latencies)
 
     # --- commands: the force --------------------------------------------------
@@ -170,7 +167,7 @@ class Player:
         tracks = {**source.tracks, name: track}
         self._clip.source = replace(source, tracks=tracks)
         self._force.replace(name, track)
-        self.outlets.replace(name, track)
+        self._outlets.replace(name, track)
         self._reporter.event("track_replaced", feedback=name)
 
     def set_device(
@@ -189,8 +186,8 @@ class Player:
 
         Names are those of `devices`, with their settings. Raises as `Outlets.use`.
         """
-        self.outlets.use(names)
-        self._clip.outlets_s = self.outlets.lead_s
+        self._outlets.use(names)
+        self._clip.outlets_s = self._outlets.lead_s
         self._reporter.event("outlets", outlets=list(names))
 
     def set_outlet(
@@ -203,7 +200,7 @@ class Player:
         Raises:
             UsageError: when there is no such outlet.
         """
-        outlet = self.outlets[name]
+        outlet = self._outlets[name]
         if feedback is not None:
             outlet.feedback = feedback
         if is_muted is not None:
@@ -211,10 +208,22 @@ class Player:
         now = {"feedback": outlet.feedback, "muted": outlet.is_muted}
         self._reporter.event("outlet", outlet=name, **now)
 
+    def lend_outlet(self, name: str) -> None:
+        """Let go of an outlet's device, for a test; see `Outlets.lend`."""
+        self._outlets.lend(name)
+
+    def is_outlet_free(self, name: str) -> bool:
+        """Whether a device that was lent has come to rest, so that others can open it."""
+        return self._outlets.is_free(name)
+
+    def take_back_outlet(self, name: str) -> None:
+        """Play again on an outlet that was lent; see `Outlets.take_back`."""
+        self._outlets.take_back(name)
+
     def wait_ready(self) -> None:
         """Wait for device and outlets; see `HapticsProcesses.wait_ready`."""
         self._force.processes.wait_ready()
-        self.outlets.wait_ready()
+        self._outlets.wait_ready()
 
     def wait_released(self) -> None:
         """Wait until other programs can open the hardware that was released."""
@@ -228,12 +237,12 @@ class Player:
 
     def _stop_all(self) -> None:
         self._force.processes.stop_force()
-        self.outlets.stop()
+        self._outlets.stop()
 
     def rearm(self) -> None:
         """Let the force fade in again after a stop."""
         self._force.processes.rearm()
-        self.outlets.rearm()
+        self._outlets.rearm()
         self._reporter.event("rearm")
 
     def inject(self, fault: str) -> float:
@@ -250,7 +259,7 @@ class Player:
     def restart_meters(self) -> None:
         """Measure the force against frames and sound from here on."""
         self._force.restart_meters()
-        self.outlets.restart_meters()
+        self._outlets.restart_meters()
 
     def close(self) -> None:
         """Ramp the force to zero, end all threads and finish the log."""
@@ -258,7 +267,7 @@ class Player:
         self._end_source()
         self._clip.close()
         self._force.close()
-        self.outlets.close()
+        self._outlets.close()
         self._clip.video.close()
         if (log := self._reporter.log) is not None:
             self._reporter.log = None
@@ -302,7 +311,7 @@ class Player:
             problem=clip.problem,
             notices=tuple(self._reporter.notices),
             log_problem=self._log_problem,
-            outlets=self.outlets.states(self._feedback),
+            outlets=self._outlets.states(self._feedback),
         )
 
     def measurements(self) -> Measurements:
@@ -322,7 +331,7 @@ class Player:
         video = self._clip.video
         return {
             **self._force.summary(),
-            "outlets": self.outlets.summary(),
+            "outlets": self._outlets.summary(),
             "frames": {
                 "shown": video.shown,
                 "dropped": video.dropped,
@@ -344,7 +353,7 @@ class Player:
         track = NO_TRACK if has_no_force else self._feedback
         self._force.processes.beat()
         self._force.processes.publish(self._clip.force_clock(), track)
-        self.outlets.poll(self._clip.clock(), track)
+        self._outlets.poll(self._clip.clock(), track)
         return min(next_s, now_s + POLL_S)
 
     def _has_stalled(self, now_s: float) -> bool:
@@ -395,7 +404,7 @@ class Player:
         seen_s = shown_s + self._clip.latency.display_s
         commanded_s = seen_s - self._clip.latency.device_s
         self._force.video.event(commanded_s, frame_s)
-        self.outlets.note_frame(seen_s, frame_s)
+        self._outlets.note_frame(seen_s, frame_s)
         self._reporter.line("frame", monotonic_s=seen_s, media_s=frame_s)
 
     def _note_sound(self, report: AudioReport) -> None:

@@ -11,7 +11,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
 from hapticplayer.model.device import ChannelLevel
-from hapticplayer.playback.latency import Latency
+from hapticplayer.playback.latency import Latency, LatencySource
 from hapticplayer.playback.phases import PLAYING_PHASES, Phase
 from hapticplayer.playback.source import Source
 
@@ -29,6 +29,7 @@ class OutletState:
         is_muted: whether a person has silenced it.
         gain: multiplies what it plays.
         latency_s: compensated.
+        latency_source: how that is known.
         mode: what its loop does, and why.
         cause: of the mode.
         loop_pid: of its process, None where there is none.
@@ -43,6 +44,7 @@ class OutletState:
     is_muted: bool
     gain: float
     latency_s: float
+    latency_source: LatencySource
     mode: Mode
     cause: Cause
     loop_pid: int | None

@@ -1919,6 +1919,37 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>LatencyField</name>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>entered</source>
+        <translation>eingegeben</translation>
+    </message>
+    <message>
+        <source>entered in its settings</source>
+        <translation>in den Einstellungen eingegeben</translation>
+    </message>
+    <message>
+        <source>kept by the device&apos;s clock</source>
+        <translation>von der Uhr des Geräts eingehalten</translation>
+    </message>
+    <message>
+        <source>assumed, as is typical</source>
+        <translation>angenommen, wie üblich</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation type="unfinished">Latenz</translation>
+    </message>
+    <message>
+        <source>From a command to what is felt: compensated</source>
+        <translation>Vom Befehl bis zum Fühlen: wird ausgeglichen</translation>
+    </message>
+</context>
+<context>
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
@@ -2425,6 +2456,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Es können keine weiteren Geräte hinzugefügt werden; entfernen Sie erst eines</translation>
     </message>
     <message>
+        <source>Latency that is compensated ({source}), and gain</source>
+        <translation>Latenz, die ausgeglichen wird ({source}), und Verstärkung</translation>
+    </message>
+    <message>
         <source>More devices</source>
         <translation>Weitere Geräte</translation>
     </message>
@@ -2471,10 +2506,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Each of these plays beside the chosen device and stops with it. A rig moves with the motion of the recording: begin with a small gain.</source>
         <translation>Jedes davon spielt neben dem gewählten Gerät und hält mit ihm an. Eine Plattform bewegt sich mit der Bewegung der Aufnahme: Beginnen Sie mit einer kleinen Verstärkung.</translation>
-    </message>
-    <message>
-        <source>Latency that is compensated, and gain</source>
-        <translation>Latenz, die ausgeglichen wird, und Verstärkung</translation>
     </message>
     <message>
         <source>Mute</source>

@@ -1919,6 +1919,37 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>LatencyField</name>
+    <message>
+        <source>measured</source>
+        <translation>mesurée</translation>
+    </message>
+    <message>
+        <source>entered</source>
+        <translation>saisie</translation>
+    </message>
+    <message>
+        <source>entered in its settings</source>
+        <translation>saisie dans les réglages</translation>
+    </message>
+    <message>
+        <source>kept by the device&apos;s clock</source>
+        <translation>tenue par l&apos;horloge de l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>assumed, as is typical</source>
+        <translation>supposée, valeur courante</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation type="unfinished">Latence</translation>
+    </message>
+    <message>
+        <source>From a command to what is felt: compensated</source>
+        <translation>De la commande au ressenti&#xa0;: compensée</translation>
+    </message>
+</context>
+<context>
     <name>LatencyMonitor</name>
     <message>
         <source>The sound output {name} reports a latency of {ms:.0f} ms</source>
@@ -2425,6 +2456,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Aucun autre appareil ne peut être ajouté&#xa0;; retirez-en un d’abord</translation>
     </message>
     <message>
+        <source>Latency that is compensated ({source}), and gain</source>
+        <translation>Latence compensée ({source}) et gain</translation>
+    </message>
+    <message>
         <source>More devices</source>
         <translation>Autres appareils</translation>
     </message>
@@ -2471,10 +2506,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Each of these plays beside the chosen device and stops with it. A rig moves with the motion of the recording: begin with a small gain.</source>
         <translation>Chacun joue à côté de l’appareil choisi et s’arrête avec lui. Une plateforme suit le mouvement de l’enregistrement&#xa0;: commencez avec un petit gain.</translation>
-    </message>
-    <message>
-        <source>Latency that is compensated, and gain</source>
-        <translation>Latence compensée, et gain</translation>
     </message>
     <message>
         <source>Mute</source>

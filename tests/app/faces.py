@@ -74,6 +74,7 @@ CONTROLS = (
     Lanes,
     PlayheadPlot,
 )
+WORKING = (EditorPage, ImportWizard, LibraryPage, RenderingPage, SetupPage)
 EVERY_PLACE = 80  # more stops of the Tab key than any page has
 SEEN = 40  # of 255: a change of colour that is no rounding
 MARGIN_PX = 4
@@ -97,10 +98,26 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "keyboard": lambda: KeysDialog(window.settings, window),
         "about": lambda: about_dialog(window),
         "set-up": lambda: SetupPage(
-            window.clock, "simulated", PluggedFalcons(list, window), window
+            window.clock,
+            "simulated",
+            PluggedFalcons(list, window),
+            window.settings,
+            window,
         ),
         "set-up-falcon": lambda: SetupPage(
-            window.clock, "falcon", PluggedFalcons(list, window), window, _no_reach
+            window.clock,
+            "falcon",
+            PluggedFalcons(list, window),
+            window.settings,
+            window,
+            _no_reach,
+        ),
+        "set-up-shaker": lambda: SetupPage(
+            window.clock,
+            "shaker:a card with a name that goes on and on,channels=1+2+3+4",
+            PluggedFalcons(list, window),
+            window.settings,
+            window,
         ),
         "licence": lambda: Question(window, "Firmware", setup_texts.licence(), "OK"),
         "unknown-image": lambda: Question(
@@ -129,7 +146,7 @@ def _no_export(_target, _form, _progress) -> list[str]:
 def close(face: QWidget) -> None:
     """Close a page, which goes with its next event."""
     face.close()
-    if isinstance(face, EditorPage | ImportWizard | LibraryPage | RenderingPage):
+    if isinstance(face, WORKING):
         face.close_jobs()
     face.deleteLater()
 

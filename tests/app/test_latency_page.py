@@ -192,7 +192,7 @@ def test_each_output_has_its_latency_and_bad_files_are_ignored(tmp_path):
     settings.save()
     again = latencies_of(Settings(path), "any")
     assert again.of("headphones", "falcon:A") == Latency(0.0, 0.18, 0.003)
-    assert again.of("speakers", "falcon") == Latency(0.0, 0.02, 0.0)
+    assert again.of("speakers", "falcon") == Latency(0.0, 0.02, 0.001)
     assert is_known(settings, SOUND, "speakers")
     assert not is_known(settings, SOUND, "television")
     shared = tmp_path / "exported.json"

@@ -57,7 +57,7 @@ def test_an_outlet_with_channels_has_a_meter(make_window, wait_for, qtbot):
 
     wait_for(lambda: states()["simulated"].health is Health.READY)
     assert not page.meters["simulated"].isVisible()
-    block = window.player.outlets["simulated"].output.processes.block
+    block = window.player._outlets["simulated"].output.processes.block
     block.write_levels(LEVELS)
     page.look()
     qtbot.wait(20)

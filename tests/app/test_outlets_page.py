@@ -28,6 +28,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import RigTrack
 from hapticplayer.playback import device_test
+from hapticplayer.playback.latency import LatencySource
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import OutletState
 from hapticplayer.rendering.rig import RigStep
@@ -165,7 +166,8 @@ def test_escape_stops_a_test_and_everything_else(window, page, ears, wait_for):
 def test_names_and_states_are_words():
     assert outlet_text("rig:outsim,gain=0.5") == "Motion rig: outsim, gain=0.5"
     assert outlet_text("simulated") == "Simulated"
-    values = ("", "realistic", False, 1.0, 0.0, Mode.FOLLOWING, Cause.NONE, 1)
+    assumed = LatencySource.ASSUMED
+    values = ("", "realistic", False, 1.0, 0.0, assumed, Mode.FOLLOWING, Cause.NONE, 1)
     playing = OutletState("rig", Health.READY, "", *values)
     assert state_text(playing) == "active"
     lost = OutletState("rig", Health.FAILED, "the network is down", *values)
@@ -188,7 +190,9 @@ def test_any_kind_takes_the_settings_that_it_has(window, page):
     choose(page, "tcode", "127.0.0.1:1")
     page.add()
     assert list(playing_on(window)) == ["tcode:127.0.0.1:1"]
-    assert page.figures["tcode:127.0.0.1:1"].text() == "0 ms, \u00d7\u20091.00"
+    figures = page.figures["tcode:127.0.0.1:1"]
+    assert figures.text() == "\u2248\u200930\u00a0ms, \u00d7\u20091.00"
+    assert "assumed" in figures.toolTip()
     choose(page, "falcon", "1\u200b2")
     page.add()
     assert page.problem.text() == "Settings are letters, digits and signs"

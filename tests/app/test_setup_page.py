@@ -69,7 +69,7 @@ def others():
 
 
 @pytest.fixture
-def make_page(application, qtbot, falcon, wait_for, tmp_path, monkeypatch):
+def make_page(application, qtbot, falcon, wait_for, tmp_path, settings, monkeypatch):
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     made = []
 
@@ -79,7 +79,7 @@ def make_page(application, qtbot, falcon, wait_for, tmp_path, monkeypatch):
         def find_reach(_name):
             return Reach(lambda: open_falcon(backend=falcon.bus), image)
 
-        page = SetupPage(SystemClock(), device, plugged, None, find_reach)
+        page = SetupPage(SystemClock(), device, plugged, settings, None, find_reach)
         page.show()
         qtbot.waitExposed(page)
         made.append((page, plugged))

@@ -1,5 +1,6 @@
 """Pictures of the device's pages: setting up, every trouble, forces, latencies."""
 
+from app.bridge.settings import Settings
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
 from app.player.device_page import DevicePage, homing_text
@@ -76,7 +77,9 @@ def _set_up(stage: Stage) -> Pictures:
 
 
 def _page(device: str, kind: type[DeviceError]) -> SetupPage:
-    page = SetupPage(SystemClock(), device, _plugged(), None, lambda _name: _no(kind))
+    page = SetupPage(
+        SystemClock(), device, _plugged(), Settings(None), None, lambda _name: _no(kind)
+    )
     page.resize(page.sizeHint())
     return page
 

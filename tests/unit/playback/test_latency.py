@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import DeviceError, UsageError
 from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.latency import MOST_S, Latencies, Latency, is_wireless
 from hapticplayer.playback.log import PlaybackLog
@@ -121,7 +121,7 @@ def test_another_latency_while_playing_begins_a_new_epoch(theatre):
 def test_latencies_belong_to_outputs():
     known = Latencies(0.01, {"speakers": 0.02, "headphones": 0.2}, {"falcon:A": 0.003})
     assert known.of("headphones", "falcon:A") == Latency(0.01, 0.2, 0.003)
-    assert known.of("speakers", "falcon:B") == Latency(0.01, 0.02, 0.0)
+    assert known.of("speakers", "falcon:B") == Latency(0.01, 0.02, 0.001)
     assert known.of("", "none") == Latency(0.01, 0.0, 0.0)
 
 
@@ -205,3 +205,25 @@ def test_the_log_has_the_latencies_and_perceived_times(theatre, tmp_path):
     heard = [(line["monotonic_s"], line["media_s"]) for line in said]
     at_dac = list(notes.sound.items())
     assert notes.offset_s(heard)[1] == pytest.approx(notes.offset_s(at_dac)[1] - 0.1)
+
+
+def test_the_best_that_is_known_of_a_device_is_compensated():
+    def known(name, **more):
+        latency_s, source = Latencies(**more).of_device(name)
+        return round(latency_s, 6), source.value
+
+    assert known("buttplug") == (0.05, "assumed")
+    assert known("buttplug", entered_s={"buttplug": 0.07}) == (0.07, "entered")
+    both = {"device_s": {"buttplug": 0.06}, "entered_s": {"buttplug": 0.07}}
+    assert known("buttplug", **both) == (0.06, "measured")
+    assert known("shaker") == (0.08, "kept")  # by the clock of its card
+    assert known("shaker:pulse,latency_ms=40") == (0.04, "kept")
+    assert known("shaker", device_s={"shaker": 0.095}) == (0.095, "measured")
+    rig = "rig:outsim,latency_ms=40"
+    assert known(rig) == known(rig, device_s={rig: 0.1}) == (0.04, "settings")
+    assert known("rig:outsim", device_s={"rig:outsim": 0.1}) == (0.1, "measured")
+    assert known("rig:outsim") == (0.0, "assumed")
+    assert known("none") == (0.0, "assumed")
+    assert known("buttplug", device_s={"buttplug": 0.0}) == (0.0, "measured")
+    with pytest.raises(DeviceError, match="no driver"):
+        known("teleporter")

@@ -1,0 +1,86 @@
+"""The latency of a device on its set-up page: its source, kept at once, compensated."""
+
+import pytest
+
+from app.bridge.settings import DEVICE, Settings, keep_latency, latencies_of
+from app.player.latency_field import LatencyField
+from app.player.setup_page import SetupPage
+
+
+@pytest.fixture
+def field(application, settings, qtbot):
+    made = LatencyField(settings, application)
+    for widget in (made.number, made.source, made.caption):
+        qtbot.addWidget(widget)
+    made.changes = []
+    made.changed.connect(lambda: made.changes.append(made.number.value()))
+    return made
+
+
+def shown(field):
+    return field.number.value(), field.source.text()
+
+
+def enter(field, value_ms):
+    field.number.setValue(value_ms)
+    field.number.editingFinished.emit()
+
+
+def test_what_is_entered_is_kept_at_once_and_told(field, settings):
+    field.follow("gamepad")
+    assert shown(field) == (10.0, "assumed, as is typical")
+    field.number.editingFinished.emit()  # nothing was entered
+    assert field.changes == []
+    enter(field, 25.0)
+    assert shown(field) == (25.0, "entered")
+    assert field.changes == [25.0]
+    again = latencies_of(Settings(settings._path), "")
+    assert again.of_device("gamepad").latency_s == pytest.approx(0.025)
+    enter(field, 0.0)
+    assert shown(field) == (0.0, "entered")
+
+
+def test_an_entered_value_takes_the_place_of_a_measured_one(field, settings):
+    keep_latency(settings, DEVICE, "gamepad", 40.0)
+    field.follow("gamepad")
+    assert shown(field) == (40.0, "measured")
+    enter(field, 30.0)
+    assert shown(field) == (30.0, "entered")
+    keep_latency(settings, DEVICE, "gamepad", 50.0)  # measured again, by tapping
+    field.follow("gamepad")
+    assert shown(field) == (50.0, "measured")
+
+
+def test_a_test_measures_what_nobody_has_entered(field):
+    field.follow("simulated")
+    field.take(0.0023)
+    assert shown(field) == (2.3, "measured")
+    enter(field, 5.0)
+    field.take(0.001)
+    assert shown(field) == (5.0, "entered")
+
+
+def test_what_its_settings_say_is_not_changed_here(field):
+    field.follow("rig:outsim,latency_ms=40")
+    assert shown(field) == (40.0, "entered in its settings")
+    assert not field.number.isEnabled()
+    field.follow("shaker")
+    assert shown(field) == (80.0, "kept by the device's clock")
+    assert field.number.isEnabled()
+
+
+def test_what_is_entered_on_the_page_is_compensated(make_window, wait_for):
+    window = make_window("none")
+    window.player.set_outlets(["rumble"])
+    (outlet,) = window.player.snapshot().outlets
+    assert (outlet.latency_s, outlet.latency_source.value) == (0.015, "assumed")
+    window.commands.set_up_device.trigger()
+    page = window.findChild(SetupPage)
+    page.device.setCurrentIndex(page.device.findData("rumble"))
+    page.device.activated.emit(page.device.currentIndex())
+    enter(page.latency, 45.0)
+    (outlet,) = window.player.snapshot().outlets
+    assert outlet.latency_s == pytest.approx(0.045)
+    assert outlet.latency_source.value == "entered"
+    page.reject()
+    wait_for(lambda: not page.isVisible())
