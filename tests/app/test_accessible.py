@@ -115,13 +115,13 @@ TURNS, TURN_MS = 50, 10  # of the event loop, on a busy machine
 ROOMS = ((1920, 1080), (960, 540), (1280, 720), (1024, 768))
 
 
-def cut_off_at_rest(page, qtbot) -> list[str]:
-    """Return what is cut off once the letters have had time to take their size."""
+def at_rest(look, page, qtbot) -> list[str]:
+    """Return what is wrong once the letters have had time to take their size."""
     for _ in range(TURNS):
         qtbot.wait(TURN_MS)
-        if not (texts := list(faces.cut_off(page))):
+        if not (found := look(page)):
             break
-    return texts
+    return found
 
 
 @pytest.mark.parametrize("language", list(languages.NAMES))
@@ -133,7 +133,7 @@ def test_every_text_of_a_participant_is_whole(make_study, sit, language, qtbot):
         window.resize(*room)
         for kind, step in PARTICIPANTS_PAGES:
             window.show_page(maker.page(kind, step, 99))
-            texts = cut_off_at_rest(window.content, qtbot)
+            texts = at_rest(cut_off, window.content, qtbot)
             found += [f"{room} {step} {kind}: {text}" for text in texts]
     assert found == []
 
@@ -196,9 +196,14 @@ SMALL_PX = (960, 540)
 """A screen of 1920 x 1080 pixels at 200 %."""
 
 
+def cut_off(face) -> list[str]:
+    """Return the texts that have no room."""
+    return list(faces.cut_off(face))
+
+
 def wrong_with(face) -> list[str]:
     """Return what has no room, or has no name."""
-    found = [*faces.cut_off(face)]
+    found = cut_off(face)
     least = face.minimumSizeHint()
     if least.width() > SMALL_PX[0] or least.height() > SMALL_PX[1]:
         found.append(f"needs {least.width()} x {least.height()} pixels")
@@ -221,8 +226,7 @@ def test_every_text_is_whole(dressed, make_window, source, language, tmp_path, q
     for name, make in faces.dialogs(window, tmp_path).items():
         face = make()
         face.show()
-        qtbot.wait(1)
-        if found := wrong_with(face):
+        if found := at_rest(wrong_with, face, qtbot):
             wrong[name] = found
         faces.close(face)
     assert wrong == {}
@@ -246,7 +250,7 @@ def test_every_text_is_whole_where_everything_is_larger(tmp_path):
             stdout=subprocess.PIPE,
             text=True,
         )
-        for scale, language in (("1.5", "fr"), ("2", "en"), ("3", "de"))
+        for scale, language in (("1.5", "fr"), ("2", "de"))
     ]
     said = [one.communicate()[0] for one in running]
-    assert [one.returncode for one in running] == [0, 0, 0], "\n".join(said)[-6000:]
+    assert [one.returncode for one in running] == [0, 0], "\n".join(said)[-6000:]

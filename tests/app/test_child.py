@@ -100,18 +100,3 @@ def test_a_cancelled_child_tidies_up_before_it_ends(tmp_path):
     with pytest.raises(Cancelled):
         in_child(writing, tmp_path / "sequence", progress=stop)
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize("module", ["session", "application"])
-def test_heavy_libraries_stay_out_of_the_window(module):
-    """Loading them took half of the time to the first picture."""
-    heavy = (
-        f"import sys, app.player.{module};"
-        "print(bool({'scipy', 'pandas', 'matplotlib'} & set(sys.modules)))"
-    )
-    import subprocess
-
-    said = subprocess.run(
-        [sys.executable, "-c", heavy], capture_output=True, text=True, check=True
-    )
-    assert said.stdout.strip() == "False"

@@ -78,7 +78,6 @@ def true_offset_s(made) -> float:
     return float(made.pats_s[1] - log_s)
 
 
-@pytest.mark.usefixtures("real_children")
 def test_a_ride_goes_from_files_to_a_report_in_the_library(
     wizard, qtbot, ride, wait_for, tmp_path
 ):
