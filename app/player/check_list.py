@@ -2,7 +2,7 @@
 
 from html import escape
 
-from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QElapsedTimer, QObject, Qt, QTimer, Signal
 
 from app.bridge.jobs import Jobs, Progress
 from app.bridge.languages import translated
@@ -18,6 +18,8 @@ translate = QCoreApplication.translate
 
 LOOK_MS = 3000
 """Period of looking again while something is missing."""
+MOST_SHARE = 0.05
+"""Of the time in which it may look; some looks need a process of their own."""
 POLL_MS = 50
 _SIGNS = {True: "\u2713", False: "\u2717", None: "?"}
 
@@ -39,6 +41,7 @@ class CheckList(QObject):
         self.found: list[Check] | None = None
         self._name = ""
         self._jobs = Jobs(self._on_problem)
+        self._begun = QElapsedTimer()
         self._poll_timer, self._look_timer = QTimer(self), QTimer(self)
         self._poll_timer.setInterval(POLL_MS)
         self._look_timer.setInterval(LOOK_MS)
@@ -71,6 +74,7 @@ class CheckList(QObject):
             return
         self._look_timer.start()
         self._poll_timer.start()
+        self._begun.start()
         name = self._name
 
         def work(_progress: Progress) -> tuple[str, list[Check]]:
@@ -90,6 +94,8 @@ class CheckList(QObject):
 
     def _take(self, found: tuple[str, list[Check]]) -> None:
         name, checks = found
+        pause_ms = max(LOOK_MS, round(self._begun.elapsed() / MOST_SHARE))
+        self._look_timer.setInterval(pause_ms)
         if name != self._name:
             self.look()
         elif checks != self.found:

@@ -34,6 +34,7 @@ from hapticplayer.devices.falcon.transport import (
     Transport,
     list_falcons,
 )
+from hapticplayer.devices.guides import checks_of
 from hapticplayer.errors import DeviceError
 from hapticplayer.model import ranges
 
@@ -67,7 +68,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
         list_devices,
         device="",
     )
-    add("info", "what a device can do, its firmware, whether it is homed", info)
+    what = "what a device can do and needs here, its firmware, whether it is homed"
+    add("info", what, info, "falcon", *OUTLETS)
     home = add("home", "home the Falcon, with guidance", home_falcon)
     add_number(
         home,
@@ -105,6 +107,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_monitor_options(add("rig-monitor", rig, monitor, device=""))
 
 
+_MET = {True: "found", False: "missing", None: "not visible from here"}
+
+
 def _add_yes(action: argparse.ArgumentParser) -> None:
     action.add_argument("--yes", action="store_true", help="do not ask")
 
@@ -136,6 +141,7 @@ def info(options: argparse.Namespace) -> int:
     entry = find_device(options.device)
     report: dict[str, Any] = {"device": entry.name, "title": entry.title}
     report["capabilities"] = asdict(entry.capabilities)
+    report["needs"] = [check._asdict() for check in checks_of(entry)]
     if entry.name.startswith("falcon"):
         report |= _falcon_report(reach_of(entry.name))
     if options.json:
@@ -143,8 +149,11 @@ def info(options: argparse.Namespace) -> int:
         return 0
     say(f"{entry.title}")
     for name, value in report["capabilities"].items():
-        shown = ("no", "yes")[value] if isinstance(value, bool) else f"{value:g}"
-        say(f"  {name:<22}{shown}")
+        say(f"  {name:<22}{_shown(value)}")
+    for need in report["needs"]:
+        say(f"  {_MET[need['is_met']]:<22}{need['what']}")
+        if need["is_met"] is False:
+            say(f"  {'':<22}{need['remedy']}")
     for name in ("firmware", "kept_firmware", "homed", "position_m", "buttons"):
         if name in report:
             say(f"  {name:<22}{report[name]}")
@@ -200,6 +209,13 @@ def upload_firmware(options: argparse.Namespace) -> int:
     elif report["loaded"]:
         say("The Falcon runs its firmware.")
     return 0
+
+
+def _shown(value: Any) -> str:
+    """Return a value of a capability record."""
+    if isinstance(value, str):
+        return value
+    return ("no", "yes")[value] if isinstance(value, bool) else f"{value:g}"
 
 
 class _GuidanceLine:

@@ -257,6 +257,7 @@ def test_every_kind_says_what_it_is_and_how_to_connect_it(make_page):
 
 def test_what_is_missing_is_said_until_it_is_there(make_page, wait_for, monkeypatch):
     monkeypatch.setattr(check_list, "LOOK_MS", 50)
+    monkeypatch.setattr(check_list, "MOST_SHARE", 1.0)
     page = make_page("simulated")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
         end.bind(("127.0.0.1", 0))

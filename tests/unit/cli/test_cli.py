@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 from app.player import choices
+from app.player.device_form import kinds
 from hapticplayer import cli, rendering
 from hapticplayer.cli import play
-from hapticplayer.devices import installed_devices
+from hapticplayer.devices import find_device, installed_devices
+from hapticplayer.devices.guides import guide_of
 from hapticplayer.errors import Message
 from hapticplayer.interchange import exporters
 from hapticplayer.model.ranges import Range
@@ -35,8 +37,18 @@ from hapticplayer.devices import DeviceEntry
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import Message
 
-ENTRY = DeviceEntry("seat", Message("Seat"), "a seat by UDP", FALCON, "seat:make", "")
+ENTRY = DeviceEntry(
+    "seat", Message("Seat"), "a seat by UDP", FALCON, "seat:make", "", guide="page:GUIDE"
+)
 NOTHING = 1
+"""
+PAGE = """
+from hapticplayer.devices.checks import Check
+from hapticplayer.devices.guides import Guide
+from hapticplayer.errors import Message
+
+NEEDS = (Check(Message("Ticket"), False, Message("Pay it.")),)
+GUIDE = Guide(Message("A seat by UDP."), Message("Push it in."), checks=lambda _: NEEDS)
 """
 
 
@@ -52,11 +64,13 @@ def install(tmp_path, monkeypatch):
             f"[hapticplayer.devices]\nseat = {entry}\n"
         )
         (tmp_path / "seat.py").write_text(SEAT)
+        (tmp_path / "page.py").write_text(PAGE)
         monkeypatch.syspath_prepend(str(tmp_path))
         installed_devices.cache_clear()
 
     yield install_with
-    sys.modules.pop("seat", None)
+    for name in ("seat", "page"):
+        sys.modules.pop(name, None)
     installed_devices.cache_clear()
 
 
@@ -113,6 +127,24 @@ def test_an_installed_device_is_offered_everywhere(install, capsys, qapp):
     assert cli.main(["device", "list"]) == 0
     assert "a seat by UDP" in capsys.readouterr().out
     assert "Seat" in [choice.text for choice in choices.devices()]
+    assert "Seat" in [choice.text for choice in kinds()]
+    assert "Push it in." in guide_of(find_device("seat")).connect
+    assert cli.main(["device", "info", "--device", "seat"]) == 0
+    said = capsys.readouterr().out.split("\n")
+    (need,) = [row for row in said if "Ticket" in row]
+    assert need.split() == ["missing", "Ticket"]
+    assert said[said.index(need) + 1].strip() == "Pay it."
+
+
+@pytest.mark.parametrize("device", ["simulated", "rig:outsim", "wheel:event5,axis=y"])
+def test_what_a_device_can_do_is_printed(capsys, device):
+    assert cli.main(["device", "info", "--device", device]) == 0
+    said = capsys.readouterr().out
+    assert "latency_s" in said
+    assert cli.main(["device", "info", "--device", device, "--json"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    assert report["capabilities"]["signal"] in said
+    assert all(need["what"] in said for need in report["needs"])
 
 
 @pytest.mark.parametrize(
