@@ -1,62 +1,25 @@
 """Getting to know a device: homing, then every force that it can make, step by step."""
 
-from PySide6.QtCore import QCoreApplication, Qt, QTimer, Signal
-from PySide6.QtWidgets import QDialog, QLabel, QProgressBar, QWidget
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
 
 from app.bridge.languages import translated
+from app.player.force_words import homing_text, step_text
 from app.player.health import device_name, stop_reason
+from app.plots.device_picture import DevicePicture
 from app.widgets.buttons import text_button
 from app.widgets.layout import STRETCH, fill_page, paragraph, row_of
-from app.widgets.texts import local
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
+from hapticplayer.devices.guides import guide_of, hold_text
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.playback.forces import ForcePlayer
 from hapticplayer.rendering import demonstration
-from hapticplayer.rendering.demonstration import DemonstrationStep
 
 POLL_MS = 30
 HOMING_AFTER_MS = 1000
 WIDTH_PX = 460
-_SIGN_PX = 72
-
-translate = QCoreApplication.translate
-
-
-def homing_text() -> str:
-    """Return what a person does to home a device."""
-    return translate(
-        "DevicePage",
-        "Pull the grip all the way out, then push it in until it locks",
-    )
-
-
-def sign_of(direction: str) -> str:
-    """Return an arrow, or a point for what comes out of the screen."""
-    signs = {
-        "right": "\u2192",
-        "left": "\u2190",
-        "up": "\u2191",
-        "down": "\u2193",
-        "towards you": "\u2299",
-        "away from you": "\u2297",
-    }
-    return signs.get(direction, "\u2248")
-
-
-def step_text(step: DemonstrationStep) -> str:
-    """Return what is felt now."""
-    ways = {
-        "right": translate("DevicePage", "To the right"),
-        "left": translate("DevicePage", "To the left"),
-        "up": translate("DevicePage", "Up"),
-        "down": translate("DevicePage", "Down"),
-        "towards you": translate("DevicePage", "Towards you"),
-        "away from you": translate("DevicePage", "Away from you"),
-        "vibration": translate("DevicePage", "Vibration"),
-    }
-    return local(f"{ways[step.direction]}, {step.strength_n:.1f} N")
 
 
 class DevicePage(QDialog):
@@ -75,8 +38,10 @@ class DevicePage(QDialog):
         self._clock, self._device = clock, device
         self.force_player: ForcePlayer | None = None
         self._unhomed_polls = 0
-        self._track, self._steps = demonstration(find_device(device).capabilities)
-        self.sign, self.text = QLabel(), paragraph(is_centred=True, lines=4)
+        entry = find_device(device)
+        self._record = entry.capabilities
+        self._track, self._steps = demonstration(self._record)
+        self.picture, self.text = DevicePicture(), paragraph(is_centred=True, lines=4)
         self.progress = QProgressBar()
         self.start_button = text_button(
             self.tr("Start"),
@@ -92,13 +57,12 @@ class DevicePage(QDialog):
         self.start_button.clicked.connect(self.begin)
         self.stop_button.clicked.connect(self.stop)
         self._lay_out()
-        self._show_end(
-            self.tr(
-                "Hold the grip loosely. You will feel each direction three "
-                "times, starting gently. Esc, STOP or a button on the grip "
-                "stops it immediately."
-            )
+        how = self.tr(
+            "You will feel each force three times, starting gently. Esc, STOP or a button "
+            "on the device stops it immediately."
         )
+        hold = translated(hold_text(guide_of(entry), self._record))
+        self._show_end(f"{hold} {how}")
 
     @property
     def is_running(self) -> bool:
@@ -133,38 +97,33 @@ class DevicePage(QDialog):
         name = device_name(self._device)
         self.setWindowTitle(self.tr("Try out the forces: {name}").format(name=name))
         self.setMinimumWidth(WIDTH_PX)
-        font = self.sign.font()
-        font.setPixelSize(_SIGN_PX)
-        self.sign.setFont(font)
-        self.sign.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.progress.setTextVisible(False)
         self.progress.setRange(0, 1000)
         self.progress.setAccessibleName(self.tr("Progress"))
         close = text_button(self.tr("Close"), self.tr("Release the device"))
         close.clicked.connect(self.reject)
         buttons = row_of(self.start_button, self.stop_button, STRETCH, close)
-        fill_page(self, self.sign, self.text, self.progress, buttons)
+        fill_page(self, (self.picture, 1), self.text, self.progress, buttons)
 
     def _poll(self) -> None:
         player = self.force_player
         if player is None:
             return
-        player.poll()
+        ticks = player.poll()
+        if len(ticks):
+            self.picture.show_sent(ticks, player.levels)
         if player.is_over:
             self._end(self._verdict(player))
             return
         self.progress.setValue(round(1000 * player.media_s / player.end_s))
         if player.cause is Cause.NOT_HOMED:
             self._wait_for_homing()
-            self.sign.setText("")
             self.text.setText(homing_text())
             return
         now = [s for s in self._steps if s.begin_s <= player.media_s < s.end_s]
         if now:
-            self.sign.setText(sign_of(now[0].direction))
-            self.text.setText(step_text(now[0]))
+            self.text.setText(step_text(now[0], self._record))
         else:
-            self.sign.setText("")
             self.text.setText(
                 self.tr("Pause") if player.media_s else self.tr("Starting")
             )
@@ -193,7 +152,7 @@ class DevicePage(QDialog):
         self._show_end(text)
 
     def _show_end(self, text: str) -> None:
-        self.sign.setText("")
+        self.picture.set_record(self._record)
         self.text.setText(text)
         self.progress.setValue(0)
         self.start_button.setEnabled(True)

@@ -4,9 +4,8 @@ from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
 from app.player.device_form import entry_of, outlet_text
-from app.player.device_page import homing_text, step_text
+from app.player.force_words import homing_text, step_text, strength_text
 from app.player.health import stop_reason
-from app.widgets.texts import local
 from hapticplayer.devices import find_device
 from hapticplayer.devices.guides import guide_of, hold_text
 from hapticplayer.haptics.contract import Cause, Mode
@@ -24,7 +23,7 @@ def question_text(name: str) -> str:
     how_to_stop = translate("DeviceTestWords", "Esc or STOP ends it immediately.")
     what = _what(record, parts).format(
         seconds=round(sum(part.end_s for part in parts)),
-        strength=_strength(record, _largest_n(parts[0])),
+        strength=strength_text(record, _largest_n(parts[0])),
         channels=", ".join(part.label for part in parts),
     )
     return f"{outlet_text(name)}\n\n{what}\n\n{hold} {how_to_stop}"
@@ -65,14 +64,6 @@ def _largest_n(part: DevicePart) -> float:
     return max((one.strength_n for one in steps), default=0.0)
 
 
-def _strength(record: DeviceCapabilities, force_n: float) -> str:
-    """Return a force in newtons, or as a share where the device knows none."""
-    if record.has_newtons:
-        return local(f"{force_n:.1f}\u00a0N")
-    share = translate("DeviceTestWords", "{percent}\u00a0% of its strength")
-    return share.format(percent=round(100 * force_n / (record.peak_force_n or 1.0)))
-
-
 def state_text(test: DeviceTest, record: DeviceCapabilities) -> str:
     """Return what is done now."""
     step = test.step
@@ -90,10 +81,7 @@ def state_text(test: DeviceTest, record: DeviceCapabilities) -> str:
 def _step_text(step: Step, record: DeviceCapabilities) -> str:
     if not isinstance(step, DemonstrationStep):
         return _axis_text(step.axis)
-    if record.has_newtons:
-        return step_text(step)
-    direction = step_text(step).rpartition(",")[0]
-    return f"{direction}, {_strength(record, step.strength_n)}"
+    return step_text(step, record)
 
 
 def _axis_text(axis: str) -> str:

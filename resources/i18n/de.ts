@@ -465,38 +465,6 @@
 <context>
     <name>DevicePage</name>
     <message>
-        <source>Pull the grip all the way out, then push it in until it locks</source>
-        <translation>Ziehen Sie den Griff ganz heraus und schieben Sie ihn dann hinein, bis er einrastet</translation>
-    </message>
-    <message>
-        <source>To the right</source>
-        <translation>Nach rechts</translation>
-    </message>
-    <message>
-        <source>To the left</source>
-        <translation>Nach links</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>Nach oben</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Nach unten</translation>
-    </message>
-    <message>
-        <source>Towards you</source>
-        <translation>Zu Ihnen hin</translation>
-    </message>
-    <message>
-        <source>Away from you</source>
-        <translation>Von Ihnen weg</translation>
-    </message>
-    <message>
-        <source>Vibration</source>
-        <translation>Vibration</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Starten</translation>
     </message>
@@ -507,10 +475,6 @@
     <message>
         <source>Stop the force immediately (Esc)</source>
         <translation>Kraft sofort abschalten (Esc)</translation>
-    </message>
-    <message>
-        <source>Hold the grip loosely. You will feel each direction three times, starting gently. Esc, STOP or a button on the grip stops it immediately.</source>
-        <translation>Halten Sie den Griff locker. Sie spüren jede Richtung dreimal, sanft beginnend. Esc, STOPP oder eine Taste am Griff beendet es sofort.</translation>
     </message>
     <message>
         <source>Try out the forces: {name}</source>
@@ -531,6 +495,10 @@
     <message>
         <source>STOP</source>
         <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>You will feel each force three times, starting gently. Esc, STOP or a button on the device stops it immediately.</source>
+        <translation>Sie spüren jede Kraft dreimal, zuerst sanft. Esc, STOPP oder eine Taste am Gerät beendet sie sofort.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -648,10 +616,6 @@
     <message>
         <source>It will push gently in each direction for {seconds} s, with up to {strength}.</source>
         <translation>Es drückt {seconds} s lang sanft in jede Richtung, mit bis zu {strength}.</translation>
-    </message>
-    <message>
-        <source>{percent}&#xa0;% of its strength</source>
-        <translation>{percent}&#xa0;% seiner Stärke</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -1336,6 +1300,45 @@
     <message>
         <source>; largest error {error} N</source>
         <translation>; größter Fehler {error} N</translation>
+    </message>
+</context>
+<context>
+    <name>ForceWords</name>
+    <message>
+        <source>Pull the grip all the way out, then push it in until it locks</source>
+        <translation type="unfinished">Ziehen Sie den Griff ganz heraus und schieben Sie ihn dann hinein, bis er einrastet</translation>
+    </message>
+    <message>
+        <source>{percent} % of its strength</source>
+        <translation>{percent}&#xa0;% seiner Stärke</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation type="unfinished">Nach rechts</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation type="unfinished">Nach links</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished">Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished">Nach unten</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation type="unfinished">Zu Ihnen hin</translation>
+    </message>
+    <message>
+        <source>Away from you</source>
+        <translation type="unfinished">Von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation type="unfinished">Vibration</translation>
     </message>
 </context>
 <context>

@@ -465,38 +465,6 @@
 <context>
     <name>DevicePage</name>
     <message>
-        <source>Pull the grip all the way out, then push it in until it locks</source>
-        <translation>Tirez la poignée à fond, puis poussez-la jusqu’au verrouillage</translation>
-    </message>
-    <message>
-        <source>To the right</source>
-        <translation>Vers la droite</translation>
-    </message>
-    <message>
-        <source>To the left</source>
-        <translation>Vers la gauche</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>Vers le haut</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Vers le bas</translation>
-    </message>
-    <message>
-        <source>Towards you</source>
-        <translation>Vers vous</translation>
-    </message>
-    <message>
-        <source>Away from you</source>
-        <translation>Loin de vous</translation>
-    </message>
-    <message>
-        <source>Vibration</source>
-        <translation>Vibration</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Démarrer</translation>
     </message>
@@ -507,10 +475,6 @@
     <message>
         <source>Stop the force immediately (Esc)</source>
         <translation>Couper la force immédiatement (Échap)</translation>
-    </message>
-    <message>
-        <source>Hold the grip loosely. You will feel each direction three times, starting gently. Esc, STOP or a button on the grip stops it immediately.</source>
-        <translation>Tenez la poignée sans serrer. Vous sentirez chaque direction trois fois, doucement d’abord. Échap, STOP ou un bouton de la poignée arrête tout immédiatement.</translation>
     </message>
     <message>
         <source>Try out the forces: {name}</source>
@@ -531,6 +495,10 @@
     <message>
         <source>STOP</source>
         <translation>STOP</translation>
+    </message>
+    <message>
+        <source>You will feel each force three times, starting gently. Esc, STOP or a button on the device stops it immediately.</source>
+        <translation>Vous sentirez chaque force trois fois, d&apos;abord doucement. Échap, STOP ou un bouton de l&apos;appareil l&apos;arrête aussitôt.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -648,10 +616,6 @@
     <message>
         <source>It will push gently in each direction for {seconds} s, with up to {strength}.</source>
         <translation>Il poussera doucement dans chaque direction pendant {seconds} s, jusqu&apos;à {strength}.</translation>
-    </message>
-    <message>
-        <source>{percent}&#xa0;% of its strength</source>
-        <translation>{percent}&#xa0;% de sa force</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -1336,6 +1300,45 @@
     <message>
         <source>; largest error {error} N</source>
         <translation>&#xa0;; erreur maximale {error} N</translation>
+    </message>
+</context>
+<context>
+    <name>ForceWords</name>
+    <message>
+        <source>Pull the grip all the way out, then push it in until it locks</source>
+        <translation type="unfinished">Tirez la poignée à fond, puis poussez-la jusqu’au verrouillage</translation>
+    </message>
+    <message>
+        <source>{percent} % of its strength</source>
+        <translation>{percent}&#xa0;% de sa force</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation type="unfinished">Vers la droite</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation type="unfinished">Vers la gauche</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished">Vers le haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished">Vers le bas</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation type="unfinished">Vers vous</translation>
+    </message>
+    <message>
+        <source>Away from you</source>
+        <translation type="unfinished">Loin de vous</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation type="unfinished">Vibration</translation>
     </message>
 </context>
 <context>

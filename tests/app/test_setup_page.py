@@ -315,7 +315,7 @@ def test_a_device_is_tested_after_asking_and_stopped_by_escape(make_page, wait_f
     )
     assert "with up to 1.1\u00a0N" in text
     assert "Esc or STOP ends it immediately." in text
-    wait_for(lambda: page.panel.state.text() == "To the right, 1.1 N")
+    wait_for(lambda: page.panel.state.text() == "To the right, 1.1\u00a0N")
     wait_for(lambda: page.panel.picture.shown.grip.force_n[0] > 0.3)
     assert not page.use.isEnabled()
     assert not page.device.isEnabled()

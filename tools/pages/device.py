@@ -3,7 +3,8 @@
 from app.bridge.settings import Settings
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
-from app.player.device_page import DevicePage, homing_text
+from app.player.device_page import DevicePage
+from app.player.force_words import homing_text
 from app.player.latency_page import LatencyPage
 from app.player.question import Question
 from app.player.setup_page import SetupPage
@@ -100,11 +101,10 @@ def _forces(stage: Stage) -> Pictures:
     with stage.shown(page):
         yield "forces", page.grab()
         page.begin()
-        stage.wait_until(lambda: bool(page.sign.text()))
+        stage.wait_until(lambda: "1" in page.text.text())
         yield "forces-felt", page.grab()
         page.stop()
         yield "forces-stopped", stage.picture(page)
-        page.sign.setText("")
         page.text.setText(homing_text())
         yield "forces-homing", stage.picture(page)
 
