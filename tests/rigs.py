@@ -12,7 +12,7 @@ from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, map_track, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
 
-PATIENCE_S = 30.0
+PATIENCE_S = 60.0
 
 
 def loaded(track):

@@ -129,7 +129,7 @@ def test_a_rig_is_tested_and_left_in_neutral(rigs, monkeypatch):
 
 
 def test_a_dead_loop_is_brought_to_rest_and_the_other_plays_on(demo, rigs):
-    player = started(demo, rigs.devices, "--duration", 6)
+    player = started(demo, rigs.devices, "--duration", 4)
     first = rigs.ears.rigs[rigs.first]
     second = rigs.ears.rigs[rigs.second]
     wait_for(lambda: first.peak_mps2 > 0.5 and second.peak_mps2 > 0.5)

@@ -94,7 +94,7 @@ def test_the_force_fades_but_never_steps_or_trips(name, url, packed):
         BadNetwork(url, FAULTS[name], CLOCK) as network,
         Viewer(network.url, 2.0) as viewer,
     ):
-        ticks = viewer.until_at(7.0)
+        ticks = viewer.until_at(5.0)
         assert viewer.now.mode is not Mode.TRIPPED
     track = open_source(packed).tracks["realistic"]
     planned, whole = ticks["planned_n"], track.at(ticks["media_s"])

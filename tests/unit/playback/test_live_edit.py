@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
@@ -13,7 +13,7 @@ from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.editing import rendering_of
 
-PATIENCE_S = 30.0
+PATIENCE_S = 60.0
 
 
 class Session:
@@ -61,7 +61,10 @@ def test_effects_are_felt_while_the_clip_plays(sequence_folder):
     finally:
         player.close()
     assert snapshot.phase is Phase.PLAYING
-    assert set(ticks["mode"].tolist()) == {Mode.FOLLOWING}
-    steps_n = np.linalg.norm(np.diff(ticks["planned_n"], axis=0), axis=1)
+    assert not {Cause.SEEK, Cause.NO_TRACK} & set(ticks["cause"].tolist())
+    follows = ticks["mode"] == Mode.FOLLOWING
+    is_step = follows[1:] & follows[:-1] & (np.diff(ticks["monotonic_s"]) < 0.0015)
+    assert is_step.sum() > 100  # a busy machine may be late in between
+    steps_n = np.linalg.norm(np.diff(ticks["planned_n"], axis=0), axis=1)[is_step]
     own_n = 1.0 / 100 + 0.005  # the fade of the pulse, and the clip
     assert steps_n.max() <= Limits().entry_slew_n + own_n
