@@ -237,15 +237,14 @@ def sync_causes(ride: Ride) -> dict[str, float]:
     """What is left after the averaging, shifted; of the 200 Hz log, all of it."""
     return {
         name: float(
-            np.mean(
-                [_shifted(ride, s, is_fine="30" not in name) for s in (-by_s, by_s)]
-            )
+            np.mean([shifted(ride, s, is_fine="30" not in name) for s in (-by_s, by_s)])
         )
         for name, by_s in SYNC_S.items()
     }
 
 
-def _shifted(ride: Ride, by_s: float, *, is_fine: bool) -> float:
+def shifted(ride: Ride, by_s: float, *, is_fine: bool) -> float:
+    """Return the mean square of a shift alone, of a log of 200 or of 30 Hz."""
     at = ride.scene.trajectory.at
     if is_fine:
         return ride.error_of(at(ride.time_s + by_s).acceleration_mps2)

@@ -1,21 +1,27 @@
 """Simulated clips whose log has another clock and mounting, for synchronisation by frames.
 
-Films are kept in the folder for temporary files, because drawing takes longer than all
-the rest. A rolling shutter is drawn by turning each row's rays: exact for rotation, and
-without the parallax of the milliseconds between rows.
+Drawing a film takes longer than all the rest: many logs are made of one ride. A rolling
+shutter is drawn by turning each row's rays: exact for rotation, and without the parallax
+of the milliseconds between rows. Films are encoded as finely as a camera's own file is
+when it is scaled down to so few pixels; coarser ones leave still what moves by a tenth of
+a pixel. They are kept until the process ends.
 """
 
+import functools
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.signal import butter, sosfiltfilt
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.capture.mounting import all_mountings, axes_matrix
 from hapticplayer.media.encode import write_clip
+from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
 from hapticplayer.simulation.film.film import Film
@@ -25,7 +31,7 @@ from hapticplayer.simulation.rides.board import PAPER, record
 from hapticplayer.simulation.rides.catalogue import RIDES
 from hapticplayer.simulation.rides.scenes import Scene
 
-SCENES = ("bike", "horse", "car-turning", "car-braking", "stairs")
+SCENES = ("bike", "horse", "car-turning", "car-braking", "stairs", "walk")
 RATES_HZ = (200, 30)
 FRAME_RATE_HZ = 30
 CLIP_S = 28.0  # the standstill with the pats and 22 s of the ride
@@ -34,74 +40,104 @@ _FINER = 2  # drawn in so many times the size: small steps of things in pixels
 MOST_READ_OUT_S = 0.03
 MOST_OFFSET_S, MOST_DRIFT = 60.0, 80e-6
 ASKEW_RAD = np.radians(2.0)
-CACHE = Path(tempfile.gettempdir()) / "hapticplayer-films"
+_RATE_FACTOR = 8.0  # of x264: 4 Mbit/s here
+_ZOOM = 1.15  # of a stabilised film, so that its edges are rarely seen
+_STEADY_HZ = 0.2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PictureClip:
-    """A clip on disk and what a logger beside the camera wrote.
+class Filmed:
+    """A ride and its film.
 
     Attributes:
-        path: the clip, silent.
+        scene: its name.
+        seed: of ride and film.
+        ridden: the truth.
+        path: the film, silent.
         audio: (n, 2) its sound.
-        imu: as stored by the logger, in its own frame.
-        clock_map: the truth.
-        axes: its mounting, as `capture.mounting` names it.
         read_out_s: from the first row to the last.
-        duration_s: of the clip.
+        duration_s: of the film.
     """
 
+    scene: str
+    seed: int
+    ridden: Scene
     path: Path
     audio: NDArray[np.float32]
-    imu: ImuLog
-    clock_map: ClockMap
-    axes: str
     read_out_s: float
     duration_s: float
 
 
-def picture_clip(
-    scene: str, seed: int, rate_hz: int, *, draw: bool = True
-) -> PictureClip:
-    """Return a seeded clip; the film of both rates is the same, if it is drawn at all."""
-    ridden = RIDES[scene](np.random.default_rng([seed, 0]))
-    rng = np.random.default_rng([seed, 70])
+@dataclass(frozen=True, slots=True, eq=False)
+class Logged:
+    """What a logger beside the camera wrote.
+
+    Attributes:
+        imu: as stored, in its own frame.
+        clock_map: the truth.
+        axes: its mounting, as `capture.mounting` names it.
+    """
+
+    imu: ImuLog
+    clock_map: ClockMap
+    axes: str
+
+
+@functools.cache
+def _folder() -> tempfile.TemporaryDirectory[str]:
+    return tempfile.TemporaryDirectory(prefix="hapticplayer-films-")
+
+
+def ride_of(scene: str, seed: int) -> Scene:
+    """Return a seeded ride."""
+    return RIDES[scene](np.random.default_rng([seed, 0]))
+
+
+def filmed(scene: str, seed: int) -> Filmed:
+    """Return a seeded ride with its film and sound."""
+    ridden = ride_of(scene, seed)
     duration_s = min(CLIP_S, ridden.duration_s)
-    read_out_s = _read_out_s(rng)
     audio = ride_sound(ridden, np.random.default_rng([seed, 4]))
-    axes = all_mountings()[int(rng.integers(24))]
-    askew = Rotation.from_rotvec(ASKEW_RAD * rng.standard_normal(3)).as_matrix()
-    clock = ClockMap(
-        float(rng.uniform(-MOST_OFFSET_S, MOST_OFFSET_S)),
-        1.0 + float(rng.uniform(-MOST_DRIFT, MOST_DRIFT)),
-    )
-    return PictureClip(
-        film_of(scene, seed) if draw else _film_path(scene, seed, duration_s),
+    return Filmed(
+        scene,
+        seed,
+        ridden,
+        film_of(scene, seed),
         audio[: round(duration_s * RATE_HZ)],
-        _logged(ridden, seed, rate_hz, (axes, askew, clock)),
-        clock,
-        axes,
-        read_out_s,
+        _read_out_s(seed),
         duration_s,
     )
 
 
 def film_of(scene: str, seed: int) -> Path:
     """Return the film of a ride, drawn at the first time."""
-    ridden = RIDES[scene](np.random.default_rng([seed, 0]))
-    path = _film_path(scene, seed, min(CLIP_S, ridden.duration_s))
+    path = Path(_folder().name) / f"{scene}-{seed}.mp4"
     if not path.exists():
-        read_out_s = _read_out_s(np.random.default_rng([seed, 70]))
-        _write_film(path, ridden, seed, read_out_s)
+        _write_film(path, ride_of(scene, seed), seed, _read_out_s(seed))
     return path
 
 
-def _read_out_s(rng: np.random.Generator) -> float:
-    return float(rng.uniform(0.0, MOST_READ_OUT_S))
+def _read_out_s(seed: int) -> float:
+    return float(np.random.default_rng([seed, 70]).uniform(0.0, MOST_READ_OUT_S))
 
 
-def _logged(
-    ridden: Scene, seed: int, rate_hz: int, lies: tuple[str, Floats, ClockMap]
+def logged(ridden: Scene, seeds: tuple[int, int], rate_hz: int) -> Logged:
+    """Return what a logger wrote beside a ride: clock, mounting and noise by the seeds."""
+    rng = np.random.default_rng([*seeds, 71])
+    axes = all_mountings()[int(rng.integers(24))]
+    askew = Rotation.from_rotvec(ASKEW_RAD * rng.standard_normal(3)).as_matrix()
+    clock = ClockMap(
+        float(rng.uniform(-MOST_OFFSET_S, MOST_OFFSET_S)),
+        1.0 + float(rng.uniform(-MOST_DRIFT, MOST_DRIFT)),
+    )
+    return Logged(_imu(ridden, rng, rate_hz, (axes, askew, clock)), clock, axes)
+
+
+def _imu(
+    ridden: Scene,
+    rng: np.random.Generator,
+    rate_hz: int,
+    lies: tuple[str, Floats, ClockMap],
 ) -> ImuLog:
     """Return what a board wrote on its own clock and in its own frame."""
     axes, askew, clock = lies
@@ -110,7 +146,7 @@ def _logged(
     )
     board = replace(PAPER, sensor=sensor, clock_ppm=0.0, boot_s=(0.0, 0.0), stamp_s=0.0)
     span_s = (-ridden.lead_s, ridden.duration_s + ridden.tail_s)
-    log = record(ridden.trajectory, span_s, board, np.random.default_rng([seed, 3]))
+    log = record(ridden.trajectory, span_s, board, rng)
     imu, to_media = log.imu, log.clock_map
     own_s = (
         to_media.rate * imu.time_s + to_media.offset_s - clock.offset_s
@@ -127,18 +163,69 @@ def _logged(
     )
 
 
-def _film_path(scene: str, seed: int, duration_s: float) -> Path:
-    name = f"{scene}-{seed}-{WIDTH_PX}x{HEIGHT_PX}-{duration_s:g}.mp4"
-    return CACHE / name
-
-
 def _write_film(path: Path, ridden: Scene, seed: int, read_out_s: float) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
     size = _FINER * WIDTH_PX, _FINER * HEIGHT_PX
     film = Film(ridden, seed, *size, FRAME_RATE_HZ)
     duration_s = min(CLIP_S, ridden.duration_s)
     frames = _rolling(film, read_out_s, round(duration_s * FRAME_RATE_HZ))
-    write_clip(path, frames, frame_rate_hz=FRAME_RATE_HZ, is_quick=True)
+    _write(path, frames)
+
+
+def _write(path: Path, frames: Iterable[NDArray[np.uint8]]) -> None:
+    write_clip(
+        path, frames, frame_rate_hz=FRAME_RATE_HZ, is_quick=True,
+        rate_factor=_RATE_FACTOR,
+    )  # fmt: skip
+
+
+def stabilised(film: Filmed) -> Path:
+    """Return the film as a camera's stabiliser would have left it: only slow turns stay."""
+    path = film.path.with_name(f"{film.path.stem}-stabilised.mp4")
+    _write(path, _steadied(film))
+    return path
+
+
+def _steadied(film: Filmed) -> Iterator[NDArray[np.uint8]]:
+    view = View.of_size(WIDTH_PX, HEIGHT_PX)
+    rays = np.empty((HEIGHT_PX, WIDTH_PX, 3), np.float32)
+    rays[..., 0], rays[..., 1], rays[..., 2] = view.x / _ZOOM, 1.0, view.z / _ZOOM
+    for frame, matrix in zip(_pixels(film.path), _to_camera(film), strict=False):
+        seen = rays @ matrix.astype(np.float32).T
+        scale = np.float32(view.focal_px) / seen[..., 1]
+        across = 0.5 * WIDTH_PX + scale * seen[..., 0]
+        yield _sampled(frame, across, 0.5 * HEIGHT_PX - scale * seen[..., 2])
+
+
+def _to_camera(film: Filmed) -> Floats:
+    """Return for each frame the rotation from the steadied camera to the real one."""
+    count = round(film.duration_s * FRAME_RATE_HZ)
+    motion = film.ridden.trajectory.at(np.arange(count) / FRAME_RATE_HZ)
+    turned = Rotation.from_quat(motion.quaternion_wxyz[:, [1, 2, 3, 0]])
+    first = turned[0]
+    angles = np.unwrap((first.inv() * turned).as_euler("zxy"), axis=0)
+    sos = butter(2, _STEADY_HZ, fs=FRAME_RATE_HZ, output="sos")
+    steady = first * Rotation.from_euler("zxy", sosfiltfilt(sos, angles, axis=0))
+    return np.asarray((turned.inv() * steady).as_matrix())
+
+
+def _pixels(path: Path) -> Iterator[NDArray[np.uint8]]:
+    converter = FrameConverter()
+    with VideoDecoder(path) as decoder:
+        for frame in decoder.frames():
+            rgb = converter.convert(frame, WIDTH_PX, HEIGHT_PX).as_rgb()
+            yield np.dstack([rgb, rgb[..., :1]])
+
+
+def still(film: Filmed, rng: np.random.Generator) -> Path:
+    """Return a film of one frame and the noise of a sensor."""
+    path = film.path.with_name(f"{film.path.stem}-still.mp4")
+    first = next(_pixels(film.path)).astype(np.float32)
+    noisy = (
+        np.clip(first + 2.0 * rng.standard_normal(first.shape), 0, 255).astype(np.uint8)
+        for _ in range(round(film.duration_s * FRAME_RATE_HZ))
+    )
+    _write(path, noisy)
+    return path
 
 
 def _rolling(film: Film, read_out_s: float, count: int) -> Iterator[NDArray[np.uint8]]:

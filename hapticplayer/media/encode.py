@@ -58,6 +58,7 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
     audio: NDArray[np.float32] | None = None,
     audio_rate_hz: int = 48_000,
     is_quick: bool = False,
+    rate_factor: float | None = None,
     progress: Progress | None = None,
     rest: Callable[[], Path] | None = None,
 ) -> None:
@@ -74,6 +75,7 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
         audio: (n, channels) with 1 or 2 channels, 1.0 is full scale, or None.
         audio_rate_hz: of the sound.
         is_quick: save time rather than quality.
+        rate_factor: of x264, instead of the usual one; smaller is finer.
         progress: called after each frame with the seconds written so far; what
             it raises (Cancelled) ends the work and leaves nothing behind.
         rest: called after the last frame; gives a clip that this function has
@@ -89,7 +91,9 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
         with media_errors(
             target, Message("cannot be written"), Message("choose another folder")
         ):
-            options = _QUICK if is_quick else _SMALL
+            options = dict(_QUICK if is_quick else _SMALL)
+            if rate_factor is not None:
+                options["crf"] = f"{rate_factor:g}"
             sound = None if audio is None else (audio, audio_rate_hz)
             _write(part, iter(frames), rate, options, sound, progress, rest)
             part.replace(target)

@@ -31,6 +31,7 @@ class Line(NamedTuple):
         middle_s: media time of the middle.
         shift_sigma_s: SD of the shift.
         drift_sigma: SD of the drift.
+        window_at_s: (W,) media time of the middle of each window.
         window_sigma_s: (W,) SD of the shift of each window.
         window_error_s: (W,) what each window leaves of the line.
         row: mean row of the frames that decides, -0.5 to 0.5.
@@ -43,6 +44,7 @@ class Line(NamedTuple):
     middle_s: float
     shift_sigma_s: float
     drift_sigma: float
+    window_at_s: Floats
     window_sigma_s: Floats
     window_error_s: Floats
     row: float
@@ -95,6 +97,7 @@ def fit_line(watched: Watched, gyro: Gyro, start: Fit) -> Line:
         middle_s,
         float(sigma[0]),
         float(sigma[1]),
+        windows.at_s,
         windows.sigma_s,
         windows.shift_s,
         *steps.read_out(watched),

@@ -76,7 +76,8 @@ def egomotion(before: Floats, after: Floats, travel: Floats, px: float) -> Egomo
         travel = travel / np.linalg.norm(travel)
         at = _linearised(middle, flow, rotation, travel)
     weight = _weight(at.error**2, _FINE_PX[-1] * px)
-    height, skew = _skew(at, middle[:, 1], px)
+    height = _height(at, middle[:, 1], px)
+    skew = _skew(middle, flow, (rotation, travel, expected), px)
     return Egomotion(rotation, travel, weight > _INLIER, height, skew)
 
 
@@ -142,23 +143,40 @@ def _normal(jacobian: Floats, trust: Floats) -> Floats:
     return np.asarray(normal)
 
 
-def _skew(at: _Linearised, y: Floats, px: float) -> tuple[Floats, Floats]:
-    """Return `Egomotion.height` and `skew_rad`, at the end of the fit."""
-    jacobian, error = at.jacobian, at.error
-    trust = _weight(error**2, _FINE_PX[-1] * px) / (_NOISE_PX * px) ** 2
-    by_height = jacobian[:, :3] * y[:, None]
-    weighted = (jacobian * trust[:, None]).T
-    shares = np.linalg.solve(_normal(jacobian, trust), weighted @ by_height)
-    longer = np.column_stack([jacobian, by_height])
-    found: Floats = np.zeros(8)
+def _height(at: _Linearised, y: Floats, px: float) -> Floats:
+    """Return `Egomotion.height`, at the end of the fit."""
+    trust = _weight(at.error**2, _FINE_PX[-1] * px) / (_NOISE_PX * px) ** 2
+    weighted = (at.jacobian * trust[:, None]).T
+    by_height = weighted @ (at.jacobian[:, :3] * y[:, None])
+    return np.diag(np.linalg.solve(_normal(at.jacobian, trust), by_height)[:3]).copy()
+
+
+def _skew(
+    points: Floats, flow: Floats, start: tuple[Floats, Floats, Floats], px: float
+) -> Floats:
+    """Return `Egomotion.skew_rad`: rotation, travel and skew together, from the fit on.
+
+    `start` is the rotation, the direction of travel and the expected one.
+    """
+    rotation, travel, expected = start
+    y = points[:, 1]
+    by_height = rotation_flow(points) * y[:, None, None]
+    skew: Floats = np.zeros(3)
     for _ in range(_SKEW_ROUNDS):
-        left = error + longer @ found
-        trust = _weight(left**2, _FINE_PX[-1] * px) / (_NOISE_PX * px) ** 2
+        at = _linearised(points, flow - by_height @ skew, rotation, travel)
+        trust = _weight(at.error**2, _FINE_PX[-1] * px) / (_NOISE_PX * px) ** 2
+        longer = np.column_stack([at.jacobian, at.jacobian[:, :3] * y[:, None]])
         normal = _normal(longer, trust)
         normal[5:, 5:] += np.eye(3) / _MOST_SKEW_RAD**2
-        right = -(longer * trust[:, None]).T @ error
-        found = np.asarray(np.linalg.solve(normal, right))
-    return np.diag(shares[:3]).copy(), found[5:]
+        right = -(longer * trust[:, None]).T @ at.error
+        right[3:5] += at.tangent.T @ (expected - travel) / _CHANGE_RAD**2
+        right[5:] -= skew / _MOST_SKEW_RAD**2
+        step = np.asarray(np.linalg.solve(normal, right))
+        aside = np.clip(step[3:5], -_MOST_STEP_RAD, _MOST_STEP_RAD)
+        rotation, skew = rotation + step[:3], skew + step[5:]
+        travel = travel + at.tangent @ aside
+        travel = travel / np.linalg.norm(travel)
+    return skew
 
 
 def rotation_alone(middle: Floats, flow: Floats, px: float) -> Floats:

@@ -1,4 +1,4 @@
-"""The paper's four rides, and three motions that show a pipeline's limits.
+"""The paper's four rides, two on foot, and two motions that show a pipeline's limits.
 
 Each begins with a standstill in which the camera is patted three times, as the
 paper's protocol has it (Danieau et al. 2012: a bicycle, 61 s; a horse, 60 s; a car
@@ -265,6 +265,19 @@ def _stairs(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridde
     return _Ridden(trajectory, path, _steps(trajectory), stairs_m=risers)
 
 
+def _walk(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+    """A walk on a path with bends, the camera on the chest."""
+    drive = Drive(edge_s=0.6)
+    drive.stand(start_s, engine_off=True)
+    drive.change_speed(WALK.speed_mps, 0.7)
+    while drive.clock_s < length_s - 9.0:
+        drive.cruise(float(rng.uniform(1.5, 3.0)))
+        drive.bend(rng.choice((-1.0, 1.0)) * float(rng.uniform(0.15, 0.35)), 3.0)
+    drive.change_speed(0.0, 0.7)
+    trajectory = go_on_foot(drive, WALK, rng, length_s)
+    return _Ridden(trajectory, drive.path(length_s), _steps(trajectory))
+
+
 def _steps(trajectory: Trajectory) -> tuple[tuple[float, float], ...]:
     """Return when feet land: the peaks of the upward acceleration."""
     time_s = trajectory.time_s
@@ -282,6 +295,7 @@ _RIDES = (
     Ride("still", "Camera on a tripod", 20.0, "tripod", _still),
     Ride("free-fall", "Camera dropped three times", 22.0, "tripod", _free_fall),
     Ride("stairs", "Up a flight of stairs", 25.0, "foot", _stairs),
+    Ride("walk", "Walking, camera on the chest", 40.0, "foot", _walk),
 )
 
 RIDES: dict[str, Ride] = {ride.name: ride for ride in _RIDES}

@@ -117,3 +117,18 @@ def test_sound_of_a_wrong_shape_is_refused(tmp_path: Path) -> None:
             frame_rate_hz=30.0,
             audio=np.zeros((100, 3), np.float32),
         )
+
+
+def test_a_smaller_rate_factor_is_nearer_to_the_frames(tmp_path: Path) -> None:
+    rng = np.random.default_rng(1)
+    noise = [rng.integers(60, 200, (48, 64, 1), np.uint8) for _ in range(5)]
+    frames = [np.repeat(one, 3, axis=2) for one in noise]
+    errors = {}
+    for factor in (8.0, 30.0):
+        path = tmp_path / f"{factor:g}.mp4"
+        write_clip(path, frames, frame_rate_hz=25.0, rate_factor=factor)
+        with VideoDecoder(path) as decoder:
+            luma = [one.native.to_ndarray(format="gray") for one in decoder.frames()]
+        wrong = np.array(luma, float) - np.array(noise, float)[..., 0]
+        errors[factor] = wrong.std()
+    assert errors[8.0] < 0.5 * errors[30.0]

@@ -169,6 +169,18 @@ def test_frames_played_at_another_rate_are_not_believed() -> None:
     assert not synchronize_pictures(ride.log(ClockMap()), slower).is_confident
 
 
+def test_clip_of_which_seconds_were_cut_out_is_not_believed() -> None:
+    ride = Ride(1)
+    frames = ride.frames()
+    kept = (frames.end_s < 12.0) | (frames.begin_s > 17.0)
+    values = [getattr(frames, field.name)[kept] for field in fields(FrameRotation)]
+    cut = FrameRotation(*values)
+    earlier_s = np.where(cut.begin_s > 12.0, 5.0, 0.0)
+    cut = replace(cut, begin_s=cut.begin_s - earlier_s, end_s=cut.end_s - earlier_s)
+
+    assert not synchronize_pictures(ride.log(ClockMap()), cut).is_confident
+
+
 def test_mirrored_frames_keep_their_time() -> None:
     ride, clock = Ride(1), ClockMap(2.0)
     frames = ride.frames()
