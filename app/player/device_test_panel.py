@@ -45,7 +45,7 @@ class DeviceTestPanel(QWidget):
     def __init__(self, clock: Clock, is_free: Callable[[], bool] = _always) -> None:
         super().__init__()
         self._clock, self._is_free = clock, is_free
-        self._name, self._is_waiting = "", False
+        self._name, self._is_waiting, self._had_focus = "", False, False
         self.test: DeviceTest | None = None
         self.question: Question | None = None
         self.picture, self.progress = DevicePicture(), QProgressBar()
@@ -100,9 +100,11 @@ class DeviceTestPanel(QWidget):
 
     def begin(self) -> None:
         """Test the device, once nobody else holds it."""
-        self._is_waiting = True
+        self._is_waiting, self._had_focus = True, False
+        self.state.setStyleSheet(f"color: {theme.TEXT};")
         self.state.setText(self.tr("Waiting until the device is at rest"))
         self._show_buttons()
+        self.stop_button.setFocus()
         self.began.emit()
         self._timer.start()
 
@@ -147,19 +149,22 @@ class DeviceTestPanel(QWidget):
         try:
             self.test = DeviceTest(self._clock, self._name)
         except HapticPlayerError as problem:
-            self._end(translated(message_of(problem)))
+            self._end(translated(message_of(problem)), theme.WARN)
 
     def _finish(self, test: DeviceTest) -> None:
         self.test = None
-        self._end(verdict_text(test))
+        self._end(verdict_text(test), theme.WARN if test.problem else theme.DIM)
         if (latency_s := test.latency_s) is not None:
             self.measured.emit(latency_s)
 
-    def _end(self, text: str) -> None:
+    def _end(self, text: str, colour: str = "") -> None:
         self._timer.stop()
+        self.state.setStyleSheet(f"color: {colour or theme.DIM};")
         self.picture.set_record(find_device(self._name).capabilities)
         self.state.setText(text)
         self._show_buttons()
+        if self._had_focus:
+            self.test_button.setFocus()
         self.ended.emit()
 
     def _say(self, text: str) -> None:
@@ -168,5 +173,7 @@ class DeviceTestPanel(QWidget):
         self._show_buttons()
 
     def _show_buttons(self) -> None:
+        is_there = self.window().focusWidget() is self.stop_button
+        self._had_focus = self._had_focus or is_there
         self.test_button.setEnabled(not self.is_running)
         self.stop_button.setEnabled(self.is_acting)

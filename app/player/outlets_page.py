@@ -155,6 +155,7 @@ class OutletsPage(QDialog):
 
     def _on_test_begun(self) -> None:
         self._show_panel(is_wanted=True)
+        self.stop_button.setFocus()
         self._player.lend_outlet(self._tested)
 
     def _is_free(self) -> bool:
@@ -272,8 +273,10 @@ class OutletsPage(QDialog):
         add = text_button(self.tr("Add"), self.tr("Play on this device, too"))
         add.clicked.connect(self.add)
         self.address.returnPressed.connect(self.add)
-        stop = text_button(self.tr("STOP"), self.tr("Stop all of them (Esc)"), "stop")
-        stop.clicked.connect(self._session.stop)
+        self.stop_button = text_button(
+            self.tr("STOP"), self.tr("Stop all of them (Esc)"), "stop"
+        )
+        self.stop_button.clicked.connect(self._session.stop)
         close = text_button(self.tr("Close"), self.tr("The devices keep playing"))
         close.clicked.connect(self.accept)
         where = captioned(self.tr("Address or settings"), self.address)
@@ -305,7 +308,7 @@ class OutletsPage(QDialog):
             (scrolling(column_of(self.rows, STRETCH)), 1),
             (self.panel, 2),
             self._form,
-            row_of(stop, STRETCH, close),
+            row_of(self.stop_button, STRETCH, close),
         )
         resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
 

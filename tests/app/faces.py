@@ -126,6 +126,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "feedback": lambda: ConditionDialog(["mine"], window),
         "faults": lambda: FaultPanel(window.clock, window.session, window),
         "outlets": lambda: OutletsPage(window.clock, window.session, window),
+        "outlets-test": lambda: _outlets_in_test(window),
         "rig": lambda: RigPanel(window.clock, window, (0,)),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "latencies": lambda: LatencyPage(
@@ -137,6 +138,15 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         ),
         "session": lambda: _operator(window.surface),
     }
+
+
+def _outlets_in_test(window: PlayerWindow) -> OutletsPage:
+    """Return the page as it is while an outlet is tested."""
+    page = OutletsPage(window.clock, window.session, window)
+    page.panel.set_device("wheel")
+    page._show_panel(is_wanted=True)
+    page.panel.state.setText("an answer that did not come, and what to do about it")
+    return page
 
 
 def _no_export(_target, _form, _progress) -> list[str]:

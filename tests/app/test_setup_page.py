@@ -319,6 +319,7 @@ def test_a_device_is_tested_after_asking_and_stopped_by_escape(make_page, wait_f
     wait_for(lambda: page.panel.picture.shown.grip.force_n[0] > 0.3)
     assert not page.use.isEnabled()
     assert not page.device.isEnabled()
+    assert page.focusWidget() is page.panel.stop_button
     player = page.panel.test._player
     QTest.keyClick(page, Qt.Key.Key_Escape)
     assert not page.panel.is_acting
@@ -326,6 +327,7 @@ def test_a_device_is_tested_after_asking_and_stopped_by_escape(make_page, wait_f
     wait_for(lambda: not page.panel.is_running)
     assert page.isVisible()  # the first Escape ends the test, the next one the page
     assert page.panel.state.text() == "Stopped."
+    assert page.focusWidget() is page.panel.test_button
     wait_for(page.use.isEnabled)
 
 
