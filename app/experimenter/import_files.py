@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.bridge.languages import translated
 from app.experimenter.import_mounting import Triad
+from app.experimenter.import_suggestion import SuggestionBox
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import dropped_paths, file_dialog, video_filter
@@ -31,7 +32,7 @@ from hapticplayer.capture.choices import (
     write_template,
 )
 from hapticplayer.capture.mounting import AS_RECORDED
-from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.errors import HapticPlayerError, TelemetryError, message_of
 from hapticplayer.sequence.recognising import Recognised, pair
 
 translate = QCoreApplication.translate
@@ -70,6 +71,7 @@ class FilesPage(QWidget):
         self.triad, self.place = Triad(), _drop_place(self.tr("Drop a recording here"))
         self.problem = paragraph("", theme.BAD)
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
+        self.suggestion = SuggestionBox()
         self.question = _Question()
         self.question.answered.connect(self._answer)
         self.question.template_wanted.connect(self._choose_template)
@@ -118,7 +120,8 @@ class FilesPage(QWidget):
         keep = row_of(self.keep, STRETCH)
         texts = column_of(self.facts, self.notes, keep, STRETCH)
         found = row_of((texts, 1), column_of(self.triad, STRETCH))
-        parts = (intro, grid, self.problem, self.question, (found, 1))
+        asked = (self.problem, self.question, self.suggestion)
+        parts = (intro, grid, *asked, (found, 1))
         column_of(*parts, (self.place, _ALL_THE_ROOM), spacing=10, of=self)
 
     # --- what is chosen ------------------------------------------------------
@@ -171,7 +174,8 @@ class FilesPage(QWidget):
 
     def forget(self) -> None:
         """Show nothing until something is recognised."""
-        for widget in (self.problem, self.question, self.triad, self.keep):
+        parts = (self.problem, self.question, self.suggestion, self.triad, self.keep)
+        for widget in parts:
             widget.hide()
         self.facts.clear()
         self.notes.clear()
@@ -187,6 +191,9 @@ class FilesPage(QWidget):
             self._words = self._before  # the answer is none: it is asked again
             self.question.ask(self._asked)
             self.question.show_problem(translated(message_of(problem)))
+            return
+        if isinstance(problem, TelemetryError) and not self.log.text().strip():
+            self.suggestion.offer(Path(self.video.text().strip()), problem)
             return
         self.problem.setText(translated(message_of(problem)))
         self.problem.show()

@@ -230,7 +230,7 @@ class MountingPage(QWidget):
             self.tr("Change\u2026"), self.tr("Choose another library folder")
         )
         change.clicked.connect(self._choose_library)
-        form = QFormLayout()
+        form = self._form = QFormLayout()
         form.setLabelAlignment(Qt.AlignmentFlag.AlignRight)
         form.setVerticalSpacing(10)
         form.addRow(self.tr("&Mounting"), self.mounting)
@@ -239,7 +239,9 @@ class MountingPage(QWidget):
         choose = text_button(self.tr("Choose\u2026"), self.tr("Choose a calibration"))
         choose.clicked.connect(self._choose_calibration)
         name, field = captioned(self.tr("&Calibration"), self.calibration)
-        form.addRow(name, row_of((field, 1), choose))
+        calibration = row_of((field, 1), choose)
+        form.addRow(name, calibration)
+        self._of_recording = (self.mounting, self.gravity, calibration)
         form.addRow(self.tr("&Title"), self.title)
         form.addRow(self.tr("Library"), row_of((self.place, 1), change))
         hint = paragraph(
@@ -249,11 +251,13 @@ class MountingPage(QWidget):
             ),
             theme.DIM,
         )
-        beside = column_of(row_of(STRETCH, self.triad, STRETCH), hint, STRETCH)
-        row_of((scrolling(form), 3), (beside, 2), spacing=18, of=self)
+        self._drawing = QWidget()
+        column_of(row_of(STRETCH, self.triad, STRETCH), hint, STRETCH, of=self._drawing)
+        row_of((scrolling(form), 3), (self._drawing, 2), spacing=18, of=self)
 
     def show_found(self, found: Recognised) -> None:
         """Propose the mounting that the frames show, or in which up is up, and a title."""
+        self._show_recording(is_recorded=True)
         self._up = found.up
         mounting = found.found.mounting if found.found else None
         is_clear = mounting is not None and mounting.is_clear
@@ -262,6 +266,16 @@ class MountingPage(QWidget):
         self.mounting.setCurrentIndex(at)
         self._on_mounting()
         self.title.setText(found.clip.path.stem)
+
+    def show_suggested(self, video: Path) -> None:
+        """Ask for rendering, title and place alone: nothing was mounted anywhere."""
+        self._show_recording(is_recorded=False)
+        self.title.setText(video.stem)
+
+    def _show_recording(self, *, is_recorded: bool) -> None:
+        for row in self._of_recording:
+            self._form.setRowVisible(row, is_recorded)
+        self._drawing.setVisible(is_recorded)
 
     @property
     def axes(self) -> str:

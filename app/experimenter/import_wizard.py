@@ -1,5 +1,6 @@
 """From files to a sequence in the library: five steps in one window."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -59,6 +60,7 @@ class ImportWizard(JobDialog):
         self.mounting, self.report = MountingPage(library), QualityView()
         self._lay_out()
         self.files.changed.connect(self._look)
+        self.files.suggestion.changed.connect(self._show_buttons)
         self.sync.decided.connect(self._show_buttons)
         self.sync.method_chosen.connect(self._look)
         self.begin()
@@ -91,7 +93,7 @@ class ImportWizard(JobDialog):
         )
         self.another.clicked.connect(self._begin_again)
         self.back = text_button(self.tr("&Back"), self.tr("Go to the previous step"))
-        self.back.clicked.connect(lambda: self.go_to(self.stack.currentIndex() - 1))
+        self.back.clicked.connect(lambda: self.go_to(self._neighbour(-1)))
         self.next = text_button(
             self.tr("&Next"), self.tr("Go to the next step"), "primary"
         )
@@ -144,7 +146,7 @@ class ImportWizard(JobDialog):
         text = {MOUNTING: self.tr("&Import"), REPORT: self.tr("&Play")}
         self.next.setText(text.get(at, self.tr("&Next")))
         may = {
-            FILES: self.recognised is not None,
+            FILES: self.recognised is not None or self._suggests,
             SYNC: self.sync.may_go_on(),
             MOUNTING: True,
             REPORT: self.made is not None,
@@ -162,7 +164,19 @@ class ImportWizard(JobDialog):
         elif at == MOUNTING:
             self._import()
         else:
-            self.go_to(at + 1)
+            if at == FILES and self._suggests:
+                self.mounting.show_suggested(Path(self.files.video.text().strip()))
+            self.go_to(self._neighbour(1))
+
+    @property
+    def _suggests(self) -> bool:
+        """Whether the motion is to be estimated from the picture."""
+        return self.files.suggestion.is_chosen
+
+    def _neighbour(self, by: int) -> int:
+        """Return the step before or after; an estimate has no log to synchronise."""
+        step = self.stack.currentIndex() + by
+        return step + by if step == SYNC and self._suggests else step
 
     def _begin_again(self) -> None:
         self.recognised = self.made = None
@@ -222,7 +236,8 @@ class ImportWizard(JobDialog):
         chosen = self.files.chosen()
         assert chosen is not None
         try:
-            self.sync.keep()
+            if not self._suggests:
+                self.sync.keep()
             target, choices = self.mounting.target(), self._choices()
         except HapticPlayerError as problem:
             self.problem.setText(translated(message_of(problem)))
@@ -245,11 +260,16 @@ class ImportWizard(JobDialog):
 
     def _choices(self) -> Choices:
         rendering = self.mounting.rendering.chosen()
-        return Choices(
+        made = Choices(
             title=self.mounting.title.text().strip() or None,
             mapping=rendering.mapping,
             fits_gain=rendering.fits_gain,
             preset=rendering.preset,
+        )
+        if self._suggests:
+            return replace(made, suggest_gain=1.0)
+        return replace(
+            made,
             processing=self.mounting.processing(),
             log=self.files.choices(),
             sync=SyncChoices(accepted=self.sync.choice()),

@@ -1,7 +1,7 @@
 """What a sequence is made of whose motion was estimated from the picture."""
 
 from hapticplayer.capture.source import LogPath
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import ClockMap, Mapping
@@ -36,7 +36,7 @@ def suggested(
     Raises:
         UsageError: when there is a log, or telemetry in the clip: what was measured is
             better; or for a lever arm.
-        InputError: without OpenCV, or when the clip is too short.
+        InputError: without OpenCV, when the clip is too short, or shows nothing.
         MediaError: when it cannot be decoded.
     """
     if log is not None or read_telemetry_packets(clip.path):
@@ -50,6 +50,12 @@ def suggested(
     from hapticplayer.capture.vision import estimate
 
     found = estimate.suggest_motion(clip.path, gain=gain, progress=progress)
+    if not found.motion.acceleration_mps2.any():
+        raise InputError(
+            "no motion can be estimated from its picture ({why})",
+            where=clip.path.name,
+            why=joined(Message("; "), found.notes),
+        )
     sway, bounce = (float(value) for value in found.trust.mean(axis=0))
     provenance = {
         "motion_source": str(SOURCE),

@@ -4057,6 +4057,25 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>SuggestionBox</name>
+    <message>
+        <source>S&amp;uggest motion from the picture (estimate)</source>
+        <translation>Bewegung aus dem Bild &amp;vorschlagen (Schätzung)</translation>
+    </message>
+    <message>
+        <source>Expect to feel turns of a vehicle, and steps when walking or riding; braking, knocks and potholes will be missing. Nothing measures this motion: set its strength by hand with the gain, and do not use it in a study without saying so.</source>
+        <translation>Zu spüren sind Kurven eines Fahrzeugs und Schritte beim Gehen oder Reiten; Bremsen, Stöße und Schlaglöcher fehlen. Nichts misst diese Bewegung: stellen Sie ihre Stärke von Hand mit der Verstärkung ein, und verwenden Sie sie in keiner Studie, ohne es zu sagen.</translation>
+    </message>
+    <message>
+        <source>This needs OpenCV: install hapticplayer[vision].</source>
+        <translation>Das braucht OpenCV: installieren Sie hapticplayer[vision].</translation>
+    </message>
+    <message>
+        <source>Choose its motion log above, if there is one.</source>
+        <translation>Wählen Sie oben das Bewegungsprotokoll, falls es eines gibt.</translation>
+    </message>
+</context>
+<context>
     <name>SyncPage</name>
     <message>
         <source> s</source>
@@ -5973,6 +5992,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>/dev/input/{node}: hat keine solche Kraftrückmeldung; Geräte, die sie haben: {known}</translation>
     </message>
     <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
         <source>A second or more without motion</source>
         <translation>Eine Sekunde oder länger ohne Bewegung</translation>
     </message>
@@ -7011,6 +7034,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no force</source>
         <translation>keine Kraft</translation>
+    </message>
+    <message>
+        <source>no motion can be estimated from its picture ({why})</source>
+        <translation>aus seinem Bild lässt sich keine Bewegung schätzen ({why})</translation>
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>

@@ -4057,6 +4057,25 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>SuggestionBox</name>
+    <message>
+        <source>S&amp;uggest motion from the picture (estimate)</source>
+        <translation>S&amp;uggérer un mouvement d’après l’image (estimation)</translation>
+    </message>
+    <message>
+        <source>Expect to feel turns of a vehicle, and steps when walking or riding; braking, knocks and potholes will be missing. Nothing measures this motion: set its strength by hand with the gain, and do not use it in a study without saying so.</source>
+        <translation>Vous sentirez les virages d’un véhicule et les pas à pied ou à cheval&#xa0;; freinages, chocs et nids-de-poule manqueront. Rien ne mesure ce mouvement&#xa0;: réglez sa force à la main avec le gain, et ne l’utilisez pas dans une étude sans le dire.</translation>
+    </message>
+    <message>
+        <source>This needs OpenCV: install hapticplayer[vision].</source>
+        <translation>Cela nécessite OpenCV&#xa0;: installez hapticplayer[vision].</translation>
+    </message>
+    <message>
+        <source>Choose its motion log above, if there is one.</source>
+        <translation>Choisissez ci-dessus son journal de mouvement, s’il existe.</translation>
+    </message>
+</context>
+<context>
     <name>SyncPage</name>
     <message>
         <source> s</source>
@@ -5973,6 +5992,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>/dev/input/{node}&#xa0;: pas de tel retour de force&#xa0;; appareils qui en ont&#xa0;: {known}</translation>
     </message>
     <message>
+        <source>; </source>
+        <translation>&#xa0;; </translation>
+    </message>
+    <message>
         <source>A second or more without motion</source>
         <translation>Une seconde ou plus sans mouvement</translation>
     </message>
@@ -7011,6 +7034,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no force</source>
         <translation>aucune force</translation>
+    </message>
+    <message>
+        <source>no motion can be estimated from its picture ({why})</source>
+        <translation>aucun mouvement ne peut être estimé d’après son image ({why})</translation>
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>

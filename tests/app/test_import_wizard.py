@@ -13,7 +13,7 @@ from PySide6.QtGui import QDropEvent
 from scipy.signal import resample_poly
 
 from app.bridge.jobs import in_child
-from app.experimenter import import_wizard
+from app.experimenter import import_suggestion, import_wizard
 from app.experimenter.import_mounting import Triad
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.sync_strip import (
@@ -28,7 +28,7 @@ from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import PictureEvidence, Synchronisation
-from hapticplayer.capture.vision import is_available
+from hapticplayer.capture.vision import estimate, is_available
 from hapticplayer.errors import Message
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
@@ -41,6 +41,7 @@ from hapticplayer.sequence.recognising import recognise
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.rides.gpmf_writer import write_payloads
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
+from tests.unit.capture.vision.made_up import stepping, steps, suggested, turning
 
 SECONDS = 20
 
@@ -360,8 +361,8 @@ def test_the_chosen_rendering_is_explained_and_taken(wizard):
 
 def test_problems_are_told_on_the_page(wizard, ride, wait_for, tmp_path):
     wizard.take([ride[0] / "ride.mp4"])  # a clip without motion
-    wait_for(wizard.files.problem.isVisible)
-    assert "no motion" in wizard.files.problem.text()
+    wait_for(wizard.files.suggestion.isVisible)
+    assert "no motion" in wizard.files.suggestion.reason.text()
     assert not wizard.next.isEnabled()
     wizard.take([ride[0] / "ride.mp4", ride[0] / "gopro.mp4"])
     assert "two videos" in wizard.files.problem.text()
@@ -553,3 +554,66 @@ def test_another_method_and_format_can_be_chosen(wizard, ride, wait_for):
     wizard.sync.method.activated.emit(wizard.sync.method.currentIndex())
     wait_for(lambda: "variance" in wizard.sync.verdict.text())
     assert wizard.sync.offset.value() == pytest.approx(true_offset_s(made), abs=0.05)
+
+
+@pytest.fixture
+def plain(ride, tmp_path):
+    """A video that has neither telemetry nor a log."""
+    path = tmp_path / "plain.mp4"
+    path.write_bytes((ride[0] / "ride.mp4").read_bytes())
+    return path
+
+
+def test_a_plain_video_gets_an_estimate_if_a_person_wants_it(
+    wizard, ride, plain, wait_for, monkeypatch
+):
+    def here(work, *arguments, progress, **options):
+        return work(*arguments, progress=progress, **options)
+
+    def seen(_clip, *, gain, progress):
+        progress(0.5, "following")
+        return suggested(steps(turn_radps=turning, sinking=stepping), gain=gain)
+
+    monkeypatch.setattr(import_wizard, "in_child", here)
+    monkeypatch.setattr(estimate, "suggest_motion", seen)
+    box = wizard.files.suggestion
+    wizard.take([plain])
+    wait_for(box.isVisible)
+    assert "plain.mp4: holds no motion telemetry" in box.reason.text()
+    assert "Nothing measures this motion" in box.expect.text()
+    assert not wizard.files.problem.isVisible()
+    assert not wizard.next.isEnabled()
+
+    box.choice.click()
+    wizard.next.click()
+    assert wizard.stack.currentIndex() == MOUNTING
+    assert not wizard.mounting.mounting.isVisible()
+    assert not wizard.mounting.triad.isVisible()
+    wizard.back.click()
+    assert wizard.stack.currentIndex() == FILES
+    wizard.next.click()
+    wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    assert "estimated" in open_sequence(wizard.made).tracks
+    assert "estimated from the picture, nothing measured it" in (
+        wizard.report.toPlainText()
+    )
+
+    wizard.another.click()
+    wizard.take([ride[0] / "ride.mp4", ride[0] / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    assert not box.isVisible()
+    wizard.next.click()
+    wizard.next.click()
+    assert wizard.mounting.mounting.isVisible()
+
+
+def test_without_opencv_the_estimate_cannot_be_chosen(
+    wizard, plain, wait_for, monkeypatch
+):
+    monkeypatch.setattr(import_suggestion, "is_available", lambda: False)
+    wizard.take([plain])
+    wait_for(wizard.files.suggestion.isVisible)
+    assert not wizard.files.suggestion.choice.isEnabled()
+    assert "hapticplayer[vision]" in wizard.files.suggestion.missing.text()
+    assert wizard.files.suggestion.missing.isVisible()

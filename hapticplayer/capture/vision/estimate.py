@@ -41,6 +41,7 @@ _FADE_S = 0.25  # around what is not seen
 _TURN_SIGMA = (0.02, 0.15)  # rad/s, and share of the quick yaw, such as of steps
 _SPEED_SIGMA = 0.3  # share of the sway
 _LEAST_SIGMA_MPS2 = 0.05  # less is not noticed: 0.02 N at the default gain
+_SHARES = (0.3, 0.8)  # of sway in sway and error: from no trust to full trust
 _HALVES = (0.8, 0.95)  # correlation of the halves: from no trust to full trust
 _BOUNCE_SIGMA = (2.0, 0.45)  # of the halves' difference, and share of the bounce
 _LITTLE = 0.05  # mean trust below which a part is left out, and that is said
@@ -195,11 +196,12 @@ def _sway(watched_: _Watched) -> tuple[Floats, Floats, Floats]:
     sway = -metres_per_s * _filtered(slow, watched_.turn_radps)
     band = signal.butter(2, (0.5, 3.0), "band", fs=RATE_HZ, output="sos")
     quick = np.sqrt(_mean(_filtered(band, watched_.turn_radps) ** 2))
-    floor, share = _TURN_SIGMA
-    of_turn = np.hypot(metres_per_s * (floor + share * quick), _LEAST_SIGMA_MPS2)
+    floor, of_quick = _TURN_SIGMA
+    of_turn = np.hypot(metres_per_s * (floor + of_quick * quick), _LEAST_SIGMA_MPS2)
     square = _mean(sway**2)
     sigma = np.hypot(of_turn, _SPEED_SIGMA * np.sqrt(square))
-    return sway, sigma, square / (square + of_turn**2)
+    share = square / (square + of_turn**2)
+    return sway, sigma, _between(share, _SHARES)
 
 
 def _bounce(watched_: _Watched) -> tuple[Floats, Floats, Floats]:
@@ -209,11 +211,16 @@ def _bounce(watched_: _Watched) -> tuple[Floats, Floats, Floats]:
     bounce, one, other = _filtered(band, rising).T
     common, apart = _mean(one * other), _mean((one - other) ** 2 / 4.0)
     alike = common / (np.abs(common) + 2.0 * apart + 1e-12)
-    none, full = _HALVES
     of_noise, of_bounce = _BOUNCE_SIGMA
     of_halves = np.hypot(of_noise * np.sqrt(apart), _LEAST_SIGMA_MPS2)
     sigma = np.hypot(of_halves, of_bounce * np.sqrt(_mean(bounce**2)))
-    return bounce, sigma, np.clip((alike - none) / (full - none), 0.0, 1.0)
+    return bounce, sigma, _between(alike, _HALVES)
+
+
+def _between(values: Floats, bounds: tuple[float, float]) -> Floats:
+    """Return 0 up to the first bound, 1 from the second on."""
+    none, full = bounds
+    return np.asarray(np.clip((values - none) / (full - none), 0.0, 1.0))
 
 
 def _notes(watched_: _Watched, trust: Floats) -> tuple[tuple[str, ...], list[int]]:

@@ -183,3 +183,17 @@ def test_without_opencv_it_says_what_to_install(tiny_clip, monkeypatch):
 
     with pytest.raises(InputError, match=r"install hapticplayer\[vision\]"):
         next(watching.watched(tiny_clip.path))
+
+
+def test_a_picture_that_shows_nothing_makes_no_sequence(
+    tiny_clip, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(
+        estimate, "suggest_motion", lambda _clip, **_more: suggested(steps(), speed=0.0)
+    )
+
+    with pytest.raises(InputError, match="the camera stands still"):
+        build_sequence(
+            tiny_clip.path, tmp_path / "ride", choices=Choices(suggest_gain=1.0)
+        )
+    assert not (tmp_path / "ride").exists()
