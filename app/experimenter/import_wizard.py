@@ -38,7 +38,6 @@ from hapticplayer.sequence.store import DESCRIPTION
 from hapticplayer.sequence.synchronizing import SyncChoices
 
 WIDTH_PX, HEIGHT_PX = 940, 640
-_PARTS = 1000
 FILES, SYNC, MOUNTING, REPORT = range(4)
 
 

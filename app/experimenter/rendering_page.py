@@ -47,7 +47,6 @@ from hapticplayer.sequence.library import free_name
 
 WIDTH_PX, HEIGHT_PX = 1080, 680
 _SETTLE_POLLS = 8
-_PARTS = 1000
 _DASH = "\u2013"
 
 

@@ -35,7 +35,6 @@ from hapticplayer.sequence.travelling import MOTION_FILES, Contents, Part
 translate = QCoreApplication.translate
 
 WIDTH_PX, HEIGHT_PX = 760, 560
-_PARTS = 1000
 _MEGABYTE = 1e6
 
 

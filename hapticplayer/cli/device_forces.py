@@ -15,7 +15,9 @@ from hapticplayer.devices.transducer.settings import ShakerSettings
 from hapticplayer.errors import DeviceError, Message
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.rig.loop import REFUSED, SENT
+from hapticplayer.model import ForceTrack
 from hapticplayer.model.device import Signal
+from hapticplayer.model.rig_track import RigTrack
 from hapticplayer.playback.forces import ForcePlayer, moved_along
 from hapticplayer.rendering import circle, rig_demonstration
 from hapticplayer.rendering.demonstration import CIRCLE_N
@@ -38,17 +40,8 @@ def test_forces(options: argparse.Namespace) -> int:
         f"The device will draw a slow circle of {CIRCLE_N} N. Hold its grip loosely; "
         "any button on it, or Ctrl-C, stops. Ready?",
     )
-    clock = SystemClock()
-    player = ForcePlayer(clock, options.device, circle())
-    ticks: list[NDArray[Any]] = []
-    try:
-        with interruptible():
-            player.wait_ready()
-            _play(player, clock, ticks)
-    finally:
-        player.close()
-    felt = np.concatenate(ticks)
-    report = _report(options.device, felt)
+    player, ticks = _played(options.device, circle())
+    report = _report(options.device, ticks)
     say(json.dumps(report) if options.json else _text(report))
     if player.mode is Mode.TRIPPED:
         complain(f"stopped: {player.cause.name.lower().replace('_', ' ')}")
@@ -68,16 +61,8 @@ def _test_rig(options: argparse.Namespace) -> int:
         f"{', '.join(step.axis for step in steps)}. Its seat must be free, its emergency "
         "stop at hand; Ctrl-C brings it to rest. Ready?",
     )
-    clock = SystemClock()
-    player = ForcePlayer(clock, options.device, track)
-    ticks: list[NDArray[Any]] = []
-    try:
-        with interruptible():
-            player.wait_ready()
-            _play(player, clock, ticks)
-    finally:
-        player.close()
-    flags = np.concatenate(ticks)["buttons"]
+    player, ticks = _played(options.device, track)
+    flags = ticks["buttons"]
     packets = int(np.count_nonzero(flags & SENT))
     is_heard = not np.any(flags & REFUSED)
     report = {"device": options.device, "packets": packets, "is_heard": is_heard}
@@ -98,17 +83,10 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
         f"turn, {track.time_s[-1]:.0f} s each. Turn their amplifier low; Ctrl-C stops. "
         "Ready?",
     )
-    clock = SystemClock()
     played: list[dict[str, Any]] = []
     problem: Message | str = ""
     for channel in chosen.channels:
-        player = ForcePlayer(clock, chosen.alone(channel), track)
-        try:
-            with interruptible():
-                player.wait_ready()
-                _play(player, clock, [], has_grip=False)
-        finally:
-            player.close()
+        player, _ = _played(chosen.alone(channel), track, has_grip=False)
         if player.problem:
             problem = player.problem
             break
@@ -123,13 +101,24 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
     return int(bool(problem))
 
 
-def _play(
-    player: ForcePlayer,
-    clock: SystemClock,
-    ticks: list[NDArray[Any]],
-    *,
-    has_grip: bool = True,
-) -> None:
+def _played(
+    device: str, track: ForceTrack | RigTrack, *, has_grip: bool = True
+) -> tuple[ForcePlayer, NDArray[Any]]:
+    """Play a track to its end; return the player, closed, and its ticks."""
+    clock = SystemClock()
+    player = ForcePlayer(clock, device, track)
+    try:
+        with interruptible():
+            player.wait_ready()
+            return player, np.concatenate(_ticks(player, clock, has_grip=has_grip))
+    finally:
+        player.close()
+
+
+def _ticks(
+    player: ForcePlayer, clock: SystemClock, *, has_grip: bool
+) -> list[NDArray[Any]]:
+    ticks = [player.poll()]
     limit_s, is_shown = clock.now_s() + HOMING_S, not has_grip
     while not player.is_over:
         ticks.append(player.poll())
@@ -141,6 +130,7 @@ def _play(
                 f"the device was not homed in {HOMING_S:.0f} s; try again"
             )
         clock.sleep_until(clock.now_s() + POLL_S)
+    return ticks
 
 
 def _report(device: str, ticks: NDArray[Any]) -> dict[str, Any]:
