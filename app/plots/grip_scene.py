@@ -10,6 +10,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.devices.falcon.matrix3 import cross, dot
 from hapticplayer.model.device import Vector
 
 Pixel = tuple[float, float]
@@ -104,7 +105,7 @@ class Projection:
 
     def depth_m(self, point_m: Vector) -> float:
         """Return the distance from the camera along its line of sight."""
-        return self.distance_m - _dot(self.back, point_m)
+        return self.distance_m - dot(self.back, point_m)
 
     def px_per_m(self, point_m: Vector) -> float:
         """Return how large something at this point is shown."""
@@ -116,17 +117,13 @@ class Projection:
         scale = self.px_per_m(point_m)
         x_px, y_px = self.middle_px
         return (
-            x_px + scale * _dot(self.right, point_m),
-            y_px - scale * _dot(self.up, point_m),
+            x_px + scale * dot(self.right, point_m),
+            y_px - scale * dot(self.up, point_m),
         )
 
     def is_in_front(self, point_m: Vector) -> bool:
         """Whether a point of the workspace's surface is on the camera's side."""
-        return _dot(self.back, point_m) * self.distance_m >= self.radius_m**2
-
-
-def _dot(a: Vector, b: Vector) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+        return dot(self.back, point_m) * self.distance_m >= self.radius_m**2
 
 
 TRAIL_S = 0.5
@@ -315,12 +312,3 @@ def scaled(a: Vector, factor: float) -> Vector:
 def unit(a: Vector) -> Vector:
     """Return the direction of a vector that is not zero."""
     return scaled(a, 1.0 / math.hypot(*a))
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    """Return the vector product."""
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )

@@ -1,14 +1,13 @@
 """Fetches the force of a clip a few seconds ahead of where the clip is."""
 
-import threading
-
 import numpy as np
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.arriving import PACKET_SAMPLES, RATE_HZ
 from hapticplayer.haptics.filling import FillingTrack
-from hapticplayer.streaming.asking import Aborted, Asking, Place, Unreachable
+from hapticplayer.streaming.asking import Aborted, Place, Unreachable
+from hapticplayer.streaming.fetching import Fetching
 from hapticplayer.streaming.manifest import Manifest
 from hapticplayer.streaming.packets import PACKET_BYTES, decoded
 from hapticplayer.untrusted import MAX_PACKETS_AT_ONCE
@@ -22,7 +21,7 @@ FIRST_PACKETS = 8
 _RETRY_S, _SLOWEST_RETRY_S = 0.05, 1.0
 
 
-class ForceFetch:
+class ForceFetch(Fetching):
     """Fills the tracks of a stream in a thread of its own, until it is closed.
 
     Attributes:
@@ -31,16 +30,12 @@ class ForceFetch:
     """
 
     def __init__(self, place: Place, manifest: Manifest, clock: Clock) -> None:
+        super().__init__(place, clock, "force-fetch")
         self.tracks = {name: FillingTrack(manifest.samples) for name in manifest.tracks}
         self.problem: HapticPlayerError | None = None
         self._numbers = {name: k for k, name in enumerate(manifest.tracks)}
-        self._asking = Asking(place, clock)
-        self._news = threading.Condition()
         self._at = (manifest.feedback, 0)  # track, and packet at the playhead
-        self._is_closed = self._is_asking = False
-        self._thread = threading.Thread(
-            target=self._run, name="force-fetch", daemon=True
-        )
+        self._is_asking = False
         self._thread.start()
 
     def follow(self, feedback: str, media_s: float) -> None:
@@ -58,15 +53,6 @@ class ForceFetch:
     def has(self, feedback: str, media_s: float) -> bool:
         """Whether the force of a time has arrived."""
         return self.tracks[feedback].has(media_s)
-
-    def close(self) -> None:
-        """Ask for nothing any more."""
-        with self._news:
-            self._is_closed = True
-            self._news.notify_all()
-        self._asking.close()
-        self._thread.join()
-        self._asking.drop()
 
     def _run(self) -> None:
         failures = 0
@@ -114,9 +100,3 @@ class ForceFetch:
                 self._is_asking = False
                 self._news.wait()
             return None
-
-    def _wait(self, duration_s: float) -> None:
-        """Wait, unless there is something else to fetch."""
-        with self._news:
-            if not self._is_closed:
-                self._news.wait(duration_s)

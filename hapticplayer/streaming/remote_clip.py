@@ -3,14 +3,14 @@
 import io
 import itertools
 import os
-import threading
 from collections import OrderedDict
 from typing import Any, BinaryIO
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError, MediaError, Message, message_of
 from hapticplayer.media.clip_bytes import ClipBytes
-from hapticplayer.streaming.asking import Aborted, Asking, Place, Unreachable
+from hapticplayer.streaming.asking import Aborted, Place, Unreachable
+from hapticplayer.streaming.fetching import Fetching
 from hapticplayer.streaming.manifest import Manifest
 from hapticplayer.untrusted import MAX_BYTES_AT_ONCE, MAX_BYTES_KEPT, PATIENCE_S
 
@@ -26,39 +26,26 @@ _FAST_S, _SLOW_S = 0.6, 1.2
 _RETRY_S = 0.2
 
 
-class RemoteClip(ClipBytes):
+class RemoteClip(Fetching, ClipBytes):
     """Fetches blocks in a thread of its own and keeps the latest 64 MB; `close` ends it."""
 
     def __init__(self, place: Place, manifest: Manifest, clock: Clock) -> None:
-        super().__init__(manifest.clip_name, manifest.clip_bytes)
-        self._clock, self._asking = clock, Asking(place, clock)
+        ClipBytes.__init__(self, manifest.clip_name, manifest.clip_bytes)
+        Fetching.__init__(self, place, clock, "clip-fetch")
+        self._clock = clock
         self._blocks: OrderedDict[int, bytes] = OrderedDict()
         self._count = -(-self.size_bytes // BLOCK_BYTES)
         self._wanted: dict[int, int] = {}  # block by reader, the latest last
         self._readers = itertools.count()
         self._waiting: dict[int, int] = {}
         self._under_way = range(0)
-        self._news = threading.Condition()
         self._at_once = 2
         self._problem: HapticPlayerError | None = None
-        self._is_closed = False
-        self._thread = threading.Thread(
-            target=self._run, name="clip-fetch", daemon=True
-        )
         self._thread.start()
 
     def open(self) -> BinaryIO:
         """Return a reader from the beginning, for one thread; it raises MediaError."""
         return io.BufferedReader(_Reader(self, next(self._readers)))
-
-    def close(self) -> None:
-        """Ask for nothing any more; readers that wait get an error."""
-        with self._news:
-            self._is_closed = True
-            self._news.notify_all()
-        self._asking.close()
-        self._thread.join()
-        self._asking.drop()
 
     def block(self, reader: int, number: int) -> bytes:
         """Return a block, once it is there.
@@ -175,11 +162,6 @@ class RemoteClip(ClipBytes):
             self._at_once = min(2 * max(blocks, self._at_once), _MOST_BLOCKS)
         elif took_s > _SLOW_S:
             self._at_once = max(blocks // 2, 1)
-
-    def _wait(self, duration_s: float) -> None:
-        with self._news:
-            if not self._is_closed:
-                self._news.wait(duration_s)
 
 
 class _Reader(io.RawIOBase):

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
-from hapticplayer.simulation.film.view import Floats32, Pixels, mixed, packed
+from hapticplayer.simulation.film.view import Floats32, Pixels, mixed, packed, rgb_of
 from hapticplayer.simulation.rides.scenes import Vehicle
 
 Reals = NDArray[np.floating[Any]]
@@ -73,15 +73,11 @@ class Overlay:
         part[y, x] = mixed(part[y, x], self._edge_pixels[:count], self._share[:count])
 
 
-def _rgb(red: float, green: float, blue: float) -> Floats32:
-    return np.array((red, green, blue), np.float32)
-
-
-_STEEL = _rgb(58.0, 60.0, 66.0)
-_RUBBER = _rgb(36.0, 34.0, 36.0)
-_SILVER = _rgb(176.0, 180.0, 186.0)
-_BLACK = _rgb(70.0, 72.0, 78.0)
-_BRASS = _rgb(186.0, 148.0, 74.0)
+_STEEL = rgb_of(58.0, 60.0, 66.0)
+_RUBBER = rgb_of(36.0, 34.0, 36.0)
+_SILVER = rgb_of(176.0, 180.0, 186.0)
+_BLACK = rgb_of(70.0, 72.0, 78.0)
+_BRASS = rgb_of(186.0, 148.0, 74.0)
 
 
 def handlebar(width: int, height: int) -> Painting:
@@ -119,9 +115,9 @@ def _tube(
     painting.lay(np.multiply.outer(shine, tint), edge)
 
 
-_COAT = _rgb(132.0, 84.0, 50.0)
-_DARK = _rgb(46.0, 30.0, 24.0)
-_LEATHER = _rgb(58.0, 38.0, 28.0)
+_COAT = rgb_of(132.0, 84.0, 50.0)
+_DARK = rgb_of(46.0, 30.0, 24.0)
+_LEATHER = rgb_of(58.0, 38.0, 28.0)
 
 
 def horse(width: int, height: int, rng: np.random.Generator) -> Painting:
@@ -180,10 +176,10 @@ def _rein(painting: Painting, u: Floats32) -> None:
     painting.lay(light[..., None] * _LEATHER, over)
 
 
-_PAINT = _rgb(150.0, 34.0, 36.0)
-_PLASTIC = _rgb(40.0, 42.0, 46.0)
-_RIM = _rgb(30.0, 30.0, 33.0)
-_LAMP = _rgb(236.0, 226.0, 190.0)
+_PAINT = rgb_of(150.0, 34.0, 36.0)
+_PLASTIC = rgb_of(40.0, 42.0, 46.0)
+_RIM = rgb_of(30.0, 30.0, 33.0)
+_LAMP = rgb_of(236.0, 226.0, 190.0)
 
 _WHEEL_V, _RADIUS, _THICKNESS = 1.02, 0.70, 0.055
 """Of the steering wheel: middle, radius and half thickness in shares of the rows."""
@@ -228,12 +224,12 @@ def _dial(painting: Painting, u: Floats32, v: Floats32) -> None:
     """Paint a round instrument with ticks and a pointer."""
     within = painting.within
     radius, angle = np.hypot(u, v), np.arctan2(v, u)
-    painting.lay(_rgb(16.0, 18.0, 22.0), within(0.155 - radius))
+    painting.lay(rgb_of(16.0, 18.0, 22.0), within(0.155 - radius))
     painting.lay(0.55 * _LAMP, within(0.006 - np.abs(radius - 0.155)))
     ticks = (np.abs((angle * 8.0 / np.pi + 0.5) % 1.0 - 0.5) < 0.09) & (v < 0.08)
     painting.lay(0.8 * _LAMP, ticks * within(0.010 - np.abs(radius - 0.135)))
     pointer = within(0.006 - np.abs(u * 0.55 + v * 0.83)) * (radius < 0.12) * (u < 0.02)
-    painting.lay(_rgb(226.0, 74.0, 40.0), pointer)
+    painting.lay(rgb_of(226.0, 74.0, 40.0), pointer)
 
 
 def spokes(width: int, height: int, turned_rad: float) -> tuple[Painting, int]:

@@ -14,7 +14,7 @@ from hapticplayer.simulation.film.ground import (
     Surroundings,
     stair_faces,
 )
-from hapticplayer.simulation.film.view import Floats32, Pixels, Pose, packed
+from hapticplayer.simulation.film.view import Floats32, Pixels, Pose, packed, rgb_of
 from hapticplayer.simulation.rides.scenes import Scene
 
 Grid = NDArray[np.float32]
@@ -205,11 +205,11 @@ class Country:
                 stone = _inside(np.abs(along - edge_m), 0.11, softness)
                 stone *= _inside(np.abs(aside), road_half_m, softness)
                 _blend(
-                    rgb, np.add.outer(4.0 * fine, _colour(232.0, 228.0, 216.0)), stone
+                    rgb, np.add.outer(4.0 * fine, rgb_of(232.0, 228.0, 216.0)), stone
                 )
         if look.is_marked:
             marks = 0.92 * _marks(along, aside, road_half_m, softness)
-            _blend(rgb, _colour(236.0, 234.0, 226.0), marks)
+            _blend(rgb, rgb_of(236.0, 234.0, 226.0), marks)
         self._shade(rgb, east, north)
         return rgb
 
@@ -247,9 +247,9 @@ class Country:
 
 
 def _meadow(broad: Rgb, fine: Rgb) -> Rgb:
-    green = np.add.outer(0.0 * fine, _colour(104.0, 132.0, 62.0))
-    green += np.multiply.outer(broad, _colour(13.0, 9.0, 3.0))
-    green += np.multiply.outer(fine, _colour(8.0, 9.0, 6.0))
+    green = np.add.outer(0.0 * fine, rgb_of(104.0, 132.0, 62.0))
+    green += np.multiply.outer(broad, rgb_of(13.0, 9.0, 3.0))
+    green += np.multiply.outer(fine, rgb_of(8.0, 9.0, 6.0))
     return np.asarray(green)
 
 
@@ -257,7 +257,7 @@ def _paving(along: Rgb, aside: Rgb, fine: Rgb) -> Rgb:
     """Return the reddish stones of the raised crossing."""
     stones = (np.floor(along / 0.2) + np.floor(aside / 0.2)) % 2.0
     return np.asarray(
-        np.add.outer(9.0 * stones + 6.0 * fine, _colour(152.0, 108.0, 88.0))
+        np.add.outer(9.0 * stones + 6.0 * fine, rgb_of(152.0, 108.0, 88.0))
     )
 
 
@@ -277,7 +277,3 @@ def _inside(distance: Rgb, half: float, softness: float) -> Rgb:
 
 def _blend(rgb: Rgb, colour: Rgb, cover: Rgb) -> None:
     rgb += (colour - rgb) * cover[..., None]
-
-
-def _colour(red: float, green: float, blue: float) -> Rgb:
-    return np.array((red, green, blue), np.float32)

@@ -21,9 +21,14 @@ def packed(rgb: Floats32) -> Pixels:
     return np.asarray(np.bitwise_or.reduce(levels << shifts, axis=-1))
 
 
+def rgb_of(red: float, green: float, blue: float) -> Floats32:
+    """Return one colour, (3,)."""
+    return np.array((red, green, blue), np.float32)
+
+
 def colour(red: float, green: float, blue: float) -> np.uint32:
     """Return one packed colour."""
-    return np.uint32(int(packed(np.array([red, green, blue], np.float32))))
+    return np.uint32(int(packed(rgb_of(red, green, blue))))
 
 
 def mixed(
