@@ -58,23 +58,50 @@ def test_the_report_is_shown_with_its_figures_and_can_be_saved(
     assert failures == []
 
 
-def test_the_menu_of_the_window_opens_the_report_of_a_study(
-    window, tmp_path, monkeypatch, wait_for
-):
-    arguments = ["study", "simulate", str(tmp_path / "s"), "--participants", "6"]
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A study of six simulated participants."""
+    made = tmp_path_factory.mktemp("studies") / "s"
+    arguments = ["study", "simulate", str(made), "--participants", "6"]
     assert cli.main([*arguments, "--seed", "1"], None) == 0
-    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: tmp_path / "s")
+    return made
+
+
+def test_the_menu_opens_the_report_with_what_was_added(
+    window, folder, tmp_path, monkeypatch, wait_for
+):
+    """Also with a statistic and an exporter that came later."""
+
+    def write(data, target):
+        data.notices.append("nothing is left out")
+        (target / "n.txt").write_text(str(len(data.sessions)))
+
+    entry = Statistic("dummy", "Number of answers", lambda *_: {"n": {"n": 7.5}})
+    monkeypatch.setitem(STATISTICS, "dummy", entry)
+    monkeypatch.setitem(EXPORTERS, "dummy", Exporter("dummy", "a number", write))
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: folder)
     window.study_menu.analyse()
     (report,) = window.findChildren(AnalysisWindow)
-    wait_for(lambda: not report.page.is_busy)
-    shown = report.page.text.toPlainText()
-    assert "6 participants" in shown
+    page = report.page
+    wait_for(lambda: not page.is_busy)
+    shown = page.text.toPlainText()
+    for text in ("6 participants", "Number of answers", "7.5"):
+        assert text in shown
     assert shown.count("\ufffc") == 2
     assert not report.messages.isVisible()
     for action in window.menuBar().actions():
         if action.text() == "&Study":
             names = [one.text() for one in action.menu().actions()]
     assert "&Analyse study\u2026" in names
+    choices = {one.text(): one for one in page.export_button.menu().actions()}
+    assert list(choices) == [one.text for one in EXPORTERS.values()]
+    choices["a number"].trigger()
+    (dialog,) = page.findChildren(QFileDialog)
+    dialog.fileSelected.emit(str(tmp_path))
+    dialog.reject()
+    wait_for(lambda: not page.is_busy)
+    assert (tmp_path / "dummy" / "n.txt").read_text() == "6"
+    assert "nothing is left out" in report.messages.text()
     window.close()
     assert not report.isVisible()
 
@@ -118,57 +145,8 @@ def test_the_work_can_be_stopped(make_page, wait_for, failures):
     assert failures == []
 
 
-@pytest.fixture
-def report_of(window, monkeypatch, wait_for):
-    """Open the report of a study of six simulated participants."""
-
-    def open_report(folder):
-        arguments = ["study", "simulate", str(folder), "--participants", "6"]
-        assert cli.main([*arguments, "--seed", "1"], None) == 0
-        monkeypatch.setattr(window.study_menu, "ask_folder", lambda: folder)
-        window.study_menu.analyse()
-        (report,) = window.findChildren(AnalysisWindow)
-        wait_for(lambda: not report.page.is_busy)
-        return report
-
-    yield open_report
-    window.close()
-
-
-def test_a_new_statistic_is_in_the_report_of_the_window(
-    report_of, tmp_path, monkeypatch
-):
-    entry = Statistic("dummy", "Number of answers", lambda *_: {"n": {"n": 7.5}})
-    monkeypatch.setitem(STATISTICS, "dummy", entry)
-    shown = report_of(tmp_path / "s").page.text.toPlainText()
-    assert "Number of answers" in shown
-    assert "7.5" in shown
-
-
-def test_a_new_exporter_is_in_the_menu_and_is_used(
-    report_of, tmp_path, monkeypatch, wait_for
-):
-    def write(data, folder):
-        data.notices.append("nothing is left out")
-        (folder / "n.txt").write_text(str(len(data.sessions)))
-
-    monkeypatch.setitem(EXPORTERS, "dummy", Exporter("dummy", "a number", write))
-    page = (report := report_of(tmp_path / "s")).page
-    choices = {one.text(): one for one in page.export_button.menu().actions()}
-    assert list(choices) == [one.text for one in EXPORTERS.values()]
-    choices["a number"].trigger()
-    (dialog,) = page.findChildren(QFileDialog)
-    dialog.fileSelected.emit(str(tmp_path))
-    dialog.reject()
-    wait_for(lambda: not page.is_busy)
-    assert (tmp_path / "dummy" / "n.txt").read_text() == "6"
-    assert "nothing is left out" in report.messages.text()
-
-
 @pytest.mark.parametrize("form", EXPORTERS)
-def test_data_are_exported_beside_the_window(window, tmp_path, wait_for, form):
-    folder = tmp_path / "s"
-    assert cli.main(["study", "simulate", str(folder), "--participants", "2"]) == 0
+def test_data_are_exported_beside_the_window(window, folder, tmp_path, wait_for, form):
     report = AnalysisWindow(open_study(folder), SystemClock(), window)
     report.page.export(form, tmp_path / "out")
     assert not report.page.export_button.isEnabled()
