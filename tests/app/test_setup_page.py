@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog
 
 from app.bridge.settings import outlets_of
-from app.player import check_list, choices
+from app.player import check_list, choices, setup_page
 from app.player.choices import PluggedFalcons
 from app.player.device_page import DevicePage
 from app.player.firmware_dialog import offer_firmware
@@ -38,14 +38,20 @@ from hapticplayer.simulation.usb.driver import make_set
 from hapticplayer.simulation.usb.mechanics import Homing
 
 
+def small_image():
+    """Return firmware that is loaded within 0.1 s."""
+    return synthetic_image(200)
+
+
 @pytest.fixture
-def falcon():
-    """A simulated one, just plugged in, with an owner who homes it."""
+def falcon(monkeypatch):
+    """A simulated one, just plugged in, with an owner who soon homes it."""
+    monkeypatch.setattr(mechanics, "_DECIDING_S", 0.2)
     return make_set(stage=Stage.DARK, homing=Homing())
 
 
 @pytest.fixture
-def _undecided(monkeypatch):
+def _undecided(falcon, monkeypatch):
     """The owner holds the grip, and does not pull it yet."""
     monkeypatch.setattr(mechanics, "_DECIDING_S", 1e9)
 
@@ -71,9 +77,10 @@ def others():
 @pytest.fixture
 def make_page(application, qtbot, falcon, wait_for, tmp_path, settings, monkeypatch):
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    monkeypatch.setattr(setup_page, "LOOK_MS", 50)
     made = []
 
-    def make(device="falcon", serials=("SIM00001",), image=synthetic_image):
+    def make(device="falcon", serials=("SIM00001",), image=small_image):
         plugged = PluggedFalcons(lambda: list(serials))
 
         def find_reach(_name):
@@ -172,7 +179,7 @@ def test_missing_firmware_is_given_in_the_window(make_page, wait_for, tmp_path):
     page.firmware.click()
     wait_for(lambda: page.findChild(QFileDialog) is not None)
     file = tmp_path / "image.bin"
-    file.write_bytes(synthetic_image().data)
+    file.write_bytes(small_image().data)
     page.findChild(QFileDialog).close()
     offer_firmware(page, file, page.begin, page.on_no_firmware)
     assert "Novint" in answer(page, wait_for, yes=False)
