@@ -21,7 +21,7 @@ from app.widgets.buttons import text_button
 from app.widgets.layout import STRETCH, captioned, column_of, indent, paragraph, row_of
 from app.widgets.texts import local
 from hapticplayer.capture.sync import methods
-from hapticplayer.capture.sync.result import Synchronisation
+from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import ClockMap
 from hapticplayer.playback import snippet
@@ -357,6 +357,8 @@ class SyncPage(QWidget):
             ms=local(f"{1e3 * sync.offset_sigma_s:.1f}"),
             share=local(f"{100.0 * sync.pictures.explained:.0f}"),
         )
+        if sync.is_coarse:
+            shown = f"{shown} {translated(COARSE_NOTE)}"
         return shown, theme.GOOD if sync.is_confident else theme.WARN
 
 

@@ -12,8 +12,10 @@ which may not be run here. Ctrl-C ends early and shows what was done until then.
 import argparse
 import contextlib
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 
@@ -48,12 +50,14 @@ from hapticplayer.capture.sync.synchronize import (
     by_pats,
     joined_findings,
 )
-from hapticplayer.capture.vision import FrameRotation, rotation
+from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import InputError
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.simulation.film.sound import RATE_HZ as SOUND_RATE_HZ
+
+Follow = Callable[[Path], FrameRotation]
 
 BUILT_ON = range(101, 111)
 LEAST_RMS_DEGPS = 1.0
@@ -133,18 +137,10 @@ def spoilt(frames: FrameRotation) -> dict[str, FrameRotation]:
     middle_s, removed_s = 0.5 * float(end_s[-1]), 5.0
     kept = (end_s <= middle_s) | (begin_s >= middle_s + removed_s)
     earlier_s = np.where(begin_s > middle_s, removed_s, 0.0)[kept]
-    cut = FrameRotation(
-        begin_s[kept] - earlier_s,
-        end_s[kept] - earlier_s,
-        *(
-            values[kept]
-            for values in (
-                frames.rotation_rad,
-                frames.quality,
-                frames.row,
-                frames.skew_rad,
-            )
-        ),
+    cut = replace(
+        frames.select(kept),
+        begin_s=begin_s[kept] - earlier_s,
+        end_s=end_s[kept] - earlier_s,
     )
     turned = np.array([1.0, -1.0, -1.0])
     return {
@@ -163,10 +159,12 @@ def spoilt(frames: FrameRotation) -> dict[str, FrameRotation]:
     }
 
 
-def run_film(film: Filmed, logs: int, found: Found, *, with_films: bool) -> None:
+def run_film(
+    film: Filmed, logs: int, found: Found, follow: Follow, *, with_films: bool
+) -> None:
     """Compare one film with its logs and with others."""
     start = time.process_time()
-    frames = rotation(film.path)
+    frames = follow(film.path)
     per_frame_s = (time.process_time() - start) / len(frames)
     found.cpu_s_per_minute.append(1800 * per_frame_s)
     bad = spoilt(frames)
@@ -181,11 +179,11 @@ def run_film(film: Filmed, logs: int, found: Found, *, with_films: bool) -> None
     if with_films:
         log = logged(film.ridden, (film.seed, 0), RATES_HZ[0])
         rng = np.random.default_rng(film.seed)
-        found.note("stabilised", log.imu, rotation(stabilised(film)))
-        found.note("still", log.imu, rotation(still(film, rng)))
+        found.note("stabilised", log.imu, follow(stabilised(film)))
+        found.note("still", log.imu, follow(still(film, rng)))
 
 
-def real(report: Report) -> None:
+def real(follow: Follow, report: Report) -> None:
     """Synchronise real clips with their own gyro, whose offset is near zero."""
     rows = []
     for name, is_usable in REAL:
@@ -195,7 +193,7 @@ def real(report: Report) -> None:
             continue
         imu = read_recording(path).imu
         try:
-            found = synchronize_pictures(imu, rotation(path))
+            found = synchronize_pictures(imu, follow(path))
         except InputError as problem:
             print(f"{name}: {problem}")
             continue
@@ -220,6 +218,8 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--films", type=int, default=2, help="they are spread over")
     parser.add_argument("--seed", type=int, default=11, help="of the first film")
     parser.add_argument("--scenes", nargs="*", choices=SCENES, default=None)
+    kinds = [str(kind) for kind in FeatureKind]
+    parser.add_argument("--features", choices=kinds, default=kinds[0])
 
 
 def run(options: argparse.Namespace, report: Report) -> None:
@@ -229,6 +229,8 @@ def run(options: argparse.Namespace, report: Report) -> None:
     clips, films = (2, 1) if quick else (options.clips, options.films)
     scenes = tuple(options.scenes or (("horse",) if quick else SCENES))
     report.figures |= {"clips": clips, "films": films, "first_seed": first}
+    follow = partial(rotation, kind=FeatureKind(options.features))
+    report.figures["features"] = options.features
     found = Found()
     with contextlib.suppress(KeyboardInterrupt):  # what is done until then counts
         for number in range(films):
@@ -236,10 +238,10 @@ def run(options: argparse.Namespace, report: Report) -> None:
             for scene in scenes:
                 film = filmed(scene, first + number)
                 with_films = number == 0 and scene in SPOILT_FILMS
-                run_film(film, logs, found, with_films=with_films)
+                run_film(film, logs, found, follow, with_films=with_films)
                 film.path.unlink()
                 print(f"film {number + 1} of {films}: {scene}", flush=True)
     report.figures["logs"] = len(found.outcomes)
     write_tables(found, report)
     write_budget(found.outcomes, report)
-    real(report)
+    real(follow, report)

@@ -14,6 +14,7 @@ from hapticplayer.capture.choices import (
 )
 from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
 from hapticplayer.capture.sync import methods
+from hapticplayer.capture.sync.result import COARSE, COARSE_NOTE
 from hapticplayer.cli.common import add_number, add_overwrite
 from hapticplayer.cli.plots import is_plot
 from hapticplayer.errors import UsageError
@@ -257,6 +258,8 @@ def _pictures_text(found: Mapping[str, Any]) -> list[str]:
             f"camera's rotation; offset ± {1e3 * found['offset_sigma_s']:.1f} ms, "
             f"read-out {1e3 * evidence['read_out_s']:.0f} ms"
         )
+        if evidence.get("kind") == COARSE:
+            lines.append(f"  {COARSE_NOTE}")
     if second:
         lines.append(
             f"  by {second['method']}: offset {second['offset_s']:.3f} s "

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from typing import ClassVar
 
 from av.container import InputContainer
 from av.video.frame import VideoFrame
@@ -43,13 +44,16 @@ class VideoDecoder(ClipDecoder[VideoFrame]):
     """
 
     _WHAT = Message("its video cannot be set up")
+    _OPTIONS: ClassVar[dict[str, str]] = {}
+    """Further ones of the codec."""
 
     def _set_up(self) -> None:
         self._stream = require_video(self._container, self._path)
         self._origin_s = origin_s(self._container)
         self._tick_s = float(self._stream.time_base or 0)
         choose_threads(self._container, self._stream)
-        self._stream.codec_context.options = {"max_pixels": str(MAX_PIXELS)}
+        options = {"max_pixels": str(MAX_PIXELS), **self._OPTIONS}
+        self._stream.codec_context.options = options
         read_only(self._container, self._stream)
         self._reader = PacketReader[VideoFrame](
             self._container, self._stream, self._path

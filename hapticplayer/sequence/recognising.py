@@ -22,7 +22,7 @@ from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
     find_sync,
-    notes_on_lag,
+    notes_on_sync,
     watch,
 )
 
@@ -125,7 +125,7 @@ def recognise(
         duration_s=float(imu.time_s[-1] - imu.time_s[0]),
         begin_s=float(imu.time_s[0]),
         gaps=len(find_gaps(imu)),
-        notes=notes_on_lag(recording, found) if found else recording.notes,
+        notes=notes_on_sync(recording, found) if found else recording.notes,
         provenance=dict(recording.provenance),
         up=mean_up(imu),
         motion=_motion(recording),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
-from hapticplayer.capture.sync.result import Synchronisation
+from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
 from hapticplayer.capture.sync.synchronize import Sound, SyncInput, read_sound
 from hapticplayer.capture.vision import FrameRotation, is_available, rotation
 from hapticplayer.errors import InputError, Message, UsageError
@@ -20,7 +20,8 @@ SKEWS = "cameras.json"
 """In the settings folder: how much later than its frames each camera's sound comes, s."""
 
 _EXTRA = Message(
-    "with hapticplayer[vision] installed, the frames are compared with the gyro as well"
+    "with hapticplayer[vision] installed, the frames are compared with the gyro exactly, "
+    "and those of H.265 too"
 )
 _NEXT_BEST = 3
 _SAME_S = 0.0005  # half a step of the window
@@ -70,18 +71,18 @@ def synchronized(
     return dataclasses.replace(
         recording,
         clock_map=found.clock_map,
-        notes=notes_on_lag(recording, found),
+        notes=notes_on_sync(recording, found),
         lag=found.lag or recording.lag,
         provenance=provenance,
     )
 
 
-def notes_on_lag(recording: Recording, found: Synchronisation) -> tuple[str, ...]:
-    """Return the recording's notes, with what is known now of its lag."""
-    before, after = recording.lag, found.lag
-    if before is None or after is None:
-        return recording.notes
-    return tuple(after.text if n == before.text else n for n in recording.notes)
+def notes_on_sync(recording: Recording, found: Synchronisation) -> tuple[str, ...]:
+    """Return the recording's notes, with what is known now of its clock."""
+    notes, before, after = recording.notes, recording.lag, found.lag
+    if before is not None and after is not None:
+        notes = tuple(after.text if n == before.text else n for n in notes)
+    return (*notes, COARSE_NOTE) if found.is_coarse else notes
 
 
 def moved_to(found: Synchronisation, offset_s: float) -> Synchronisation:
@@ -210,7 +211,7 @@ def _doubtful_frames(found: Synchronisation, clip: str) -> str:
             "--offset S",
             clip=clip,
         )
-    return Message(
+    doubt = Message(
         "{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro "
         "explains {explained:.0%} of the camera's rotation, at an offset of "
         "{offset_s:.3f} s; is it the log of this clip, and the video not stabilised? "
@@ -220,6 +221,9 @@ def _doubtful_frames(found: Synchronisation, clip: str) -> str:
         explained=evidence.explained,
         offset_s=found.clock_map.offset_s,
     )
+    if not evidence.is_coarse:
+        return doubt
+    return Message("{look}; {brings}", look=doubt, brings=_EXTRA)
 
 
 def stored_skews(path: Path | None = None) -> dict[str, float]:

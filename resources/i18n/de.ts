@@ -6388,6 +6388,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Der Beschleunigungssensor ist am Ende seines Messbereichs</translation>
     </message>
     <message>
+        <source>The frames were compared by the motion vectors of the codec, which is coarse; with hapticplayer[vision] installed they are followed more exactly, those of H.265 too.</source>
+        <translation>Die Bilder wurden anhand der Bewegungsvektoren des Codecs verglichen, also grob; mit hapticplayer[vision] werden sie genauer verfolgt, auch die von H.265.</translation>
+    </message>
+    <message>
         <source>The gyro is at the end of its range</source>
         <translation>Der Drehratensensor ist am Ende seines Messbereichs</translation>
     </message>
@@ -6848,6 +6852,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>in der Sequenz {key!r} sind {one!r} und {other!r} dieselbe Kraft</translation>
     </message>
     <message>
+        <source>install hapticplayer[vision], or convert it to H.264</source>
+        <translation>hapticplayer[vision] installieren oder nach H.264 umwandeln</translation>
+    </message>
+    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>ist eine FIT-Datei einer Sportuhr oder eines Fahrradcomputers</translation>
     </message>
@@ -6962,6 +6970,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>die Telemetrie hat keine brauchbaren Zeitstempel und zu wenige Blöcke ({count}), um die Rate der Sensoren zu bestimmen</translation>
+    </message>
+    <message>
+        <source>its video ({codec}) holds no motion vectors that can be read</source>
+        <translation>sein Video ({codec}) enthält keine lesbaren Bewegungsvektoren</translation>
     </message>
     <message>
         <source>its video cannot be read</source>
@@ -7540,10 +7552,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Kamera dreht sich zu langsam, um die Zeit zu zeigen</translation>
     </message>
     <message>
-        <source>the camera&apos;s rotation in its frames against the gyro; needs the extra vision</source>
-        <translation>die Drehung der Kamera in ihren Bildern gegen den Kreisel; braucht die Zugabe vision</translation>
-    </message>
-    <message>
         <source>the chip&apos;s axes</source>
         <translation>Achsen des Chips</translation>
     </message>
@@ -7738,10 +7746,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>use --method pats, or give --offset S</source>
         <translation>Nehmen Sie --method pats, oder geben Sie --offset S an</translation>
-    </message>
-    <message>
-        <source>with hapticplayer[vision] installed, the frames are compared with the gyro as well</source>
-        <translation>mit installiertem hapticplayer[vision] werden auch die Bilder mit dem Kreisel verglichen</translation>
     </message>
     <message>
         <source>{clip}: the camera&apos;s rotation in the frames fits the log nowhere; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
@@ -8740,6 +8744,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kamera steht still: es gibt nichts zu schätzen</translation>
     </message>
     <message>
+        <source>the camera&apos;s rotation in its frames against the gyro; coarse without the extra vision</source>
+        <translation>die Drehung der Kamera in ihren Bildern gegen das Gyroskop; ohne das Extra vision grob</translation>
+    </message>
+    <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
         <translation>der Clip hat {rate_hz:.0f} Bilder pro Sekunde, zu wenige, um Bewegung vorzuschlagen; es müssen {least_hz:.0f} sein</translation>
     </message>
@@ -8898,6 +8906,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>waves of more than {most_s:.0f} s</source>
         <translation>Wellen von mehr als {most_s:.0f} s</translation>
+    </message>
+    <message>
+        <source>with hapticplayer[vision] installed, the frames are compared with the gyro exactly, and those of H.265 too</source>
+        <translation>mit hapticplayer[vision] werden die Bilder genau mit dem Gyroskop verglichen, auch die von H.265</translation>
     </message>
     <message>
         <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>

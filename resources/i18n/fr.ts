@@ -6388,6 +6388,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>L’accéléromètre est au bout de sa plage de mesure</translation>
     </message>
     <message>
+        <source>The frames were compared by the motion vectors of the codec, which is coarse; with hapticplayer[vision] installed they are followed more exactly, those of H.265 too.</source>
+        <translation>Les images ont été comparées d&apos;après les vecteurs de mouvement du codec, donc grossièrement&#xa0;; avec hapticplayer[vision] installé, elles sont suivies plus exactement, celles de H.265 aussi.</translation>
+    </message>
+    <message>
         <source>The gyro is at the end of its range</source>
         <translation>Le gyroscope est au bout de sa plage de mesure</translation>
     </message>
@@ -6848,6 +6852,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>dans la séquence {key!r}, {one!r} et {other!r} sont la même force</translation>
     </message>
     <message>
+        <source>install hapticplayer[vision], or convert it to H.264</source>
+        <translation>installez hapticplayer[vision], ou convertissez-la en H.264</translation>
+    </message>
+    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>est un fichier FIT d&apos;une montre de sport ou d&apos;un compteur de vélo</translation>
     </message>
@@ -6962,6 +6970,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>la télémétrie n&apos;a pas d&apos;horodatage utilisable et trop peu de blocs ({count}) pour déterminer la fréquence de ses capteurs</translation>
+    </message>
+    <message>
+        <source>its video ({codec}) holds no motion vectors that can be read</source>
+        <translation>sa vidéo ({codec}) ne contient pas de vecteurs de mouvement lisibles</translation>
     </message>
     <message>
         <source>its video cannot be read</source>
@@ -7540,10 +7552,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la caméra tourne trop lentement pour indiquer le temps</translation>
     </message>
     <message>
-        <source>the camera&apos;s rotation in its frames against the gyro; needs the extra vision</source>
-        <translation>la rotation de la caméra dans ses images face au gyromètre&#xa0;; nécessite l&apos;option vision</translation>
-    </message>
-    <message>
         <source>the chip&apos;s axes</source>
         <translation>axes de la puce</translation>
     </message>
@@ -7738,10 +7746,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>use --method pats, or give --offset S</source>
         <translation>utilisez --method pats, ou donnez --offset S</translation>
-    </message>
-    <message>
-        <source>with hapticplayer[vision] installed, the frames are compared with the gyro as well</source>
-        <translation>avec hapticplayer[vision] installé, les images sont aussi comparées au gyromètre</translation>
     </message>
     <message>
         <source>{clip}: the camera&apos;s rotation in the frames fits the log nowhere; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
@@ -8740,6 +8744,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la caméra est immobile&#xa0;: rien à estimer</translation>
     </message>
     <message>
+        <source>the camera&apos;s rotation in its frames against the gyro; coarse without the extra vision</source>
+        <translation>la rotation de la caméra dans ses images contre le gyroscope&#xa0;; grossière sans l&apos;extra vision</translation>
+    </message>
+    <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
         <translation>le clip a {rate_hz:.0f} images par seconde, trop peu pour suggérer un mouvement&#xa0;; il en faut {least_hz:.0f}</translation>
     </message>
@@ -8898,6 +8906,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>waves of more than {most_s:.0f} s</source>
         <translation>ondes de plus de {most_s:.0f} s</translation>
+    </message>
+    <message>
+        <source>with hapticplayer[vision] installed, the frames are compared with the gyro exactly, and those of H.265 too</source>
+        <translation>avec hapticplayer[vision] installé, les images sont comparées exactement au gyroscope, celles de H.265 aussi</translation>
     </message>
     <message>
         <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>

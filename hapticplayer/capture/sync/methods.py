@@ -41,7 +41,7 @@ _HERE = "hapticplayer.capture.sync.synchronize"
 SYNC_METHODS: tuple[SyncMethod, ...] = (
     SyncMethod(AUTO, Message("the offset if given, the recording's own clock if it is the clip's, else pats and pictures, as far as there are any"), f"{_HERE}:automatic", Message("Automatic")),
     SyncMethod("pats", Message("three pats on the camera, heard and felt"), f"{_HERE}:by_pats", Message("Three pats")),
-    SyncMethod("pictures", Message("the camera's rotation in its frames against the gyro; needs the extra vision"), f"{_HERE}:by_pictures", Message("Pictures")),
+    SyncMethod("pictures", Message("the camera's rotation in its frames against the gyro; coarse without the extra vision"), f"{_HERE}:by_pictures", Message("Pictures")),
     SyncMethod("variance", Message("the first sudden rise of sound and motion, as in the paper"), f"{_HERE}:by_variance", Message("First sudden rise")),
     SyncMethod("embedded", Message("the recording's own clock"), f"{_HERE}:by_own_clock", Message("Own clock")),
     SyncMethod("offset", Message("the offset that is given"), f"{_HERE}:by_given_offset", Message("Given offset")),

@@ -96,10 +96,14 @@ def _compared(
         frames = look()
         fitted = fit_own_clock(imu, frames)
     except InputError as problem:
-        return None, problem.what
+        if not problem.remedy:
+            return None, problem.what
+        return None, Message(
+            "{what}; {remedy}", what=problem.what, remedy=problem.remedy
+        )
     if fitted is None:
         return None, Message("their rotation is not that of the gyro")
-    return finding([fitted.fit], fitted.line), ""
+    return finding([fitted.fit], fitted.line, frames.kind), ""
 
 
 def _doubt(found: Synchronisation | None) -> Message:
@@ -119,10 +123,7 @@ def _within(frames: FrameRotation, spans_s: Spans) -> FrameRotation:
     inside = np.zeros(len(frames), dtype=bool)
     for begin_s, end_s in spans_s:
         inside |= (frames.begin_s >= begin_s) & (frames.end_s <= end_s)
-    if inside.all():
-        return frames
-    columns = (getattr(frames, field.name) for field in dataclasses.fields(frames))
-    return FrameRotation(*(column[inside] for column in columns))
+    return frames.select(inside)
 
 
 def _near(imu: ImuLog, spans_s: Spans) -> ImuLog:

@@ -19,7 +19,7 @@ from hapticplayer.capture.sync.rotation_match import (
     candidates,
     fit_at,
 )
-from hapticplayer.capture.vision import FrameRotation
+from hapticplayer.capture.vision import FeatureKind, FrameRotation
 from hapticplayer.errors import InputError
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
@@ -40,6 +40,11 @@ _SPREAD_S = 0.006
 _READ_OUT_S, _READ_OUT_SD_S = 0.012, 0.010  # of rolling shutters, global ones included
 _READ_OUT_ERROR_S = 0.005  # of what frames tell of it
 _FLOOR_S = 0.003  # what simulated rides are wrong by beyond the fit
+
+# an encoder chooses its vectors to save bits: only those of x264 and a HERO5 were seen
+_COARSE_FLOOR_S = 0.006
+_COARSE_CONFIDENCE = 0.8
+_COARSE_MARGIN = 2.0  # of another ride of the same bicycle: 1.7
 
 
 def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:
@@ -66,7 +71,7 @@ def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
     if not fits:
         return Synchronisation(ClockMap(confidence=0.0), "pictures")
     line = fit_line(watched, gyro, fits[0])
-    found = finding(fits, line)
+    found = finding(fits, line, frames.kind)
     if not found.is_confident:
         return found
     mounting = _mounting(watched, gyro, line.at(watched.begin_s))
@@ -115,13 +120,14 @@ def usable(imu: ImuLog, frames: FrameRotation) -> Watched:
     return Watched.of(frames)
 
 
-def finding(fits: list[Fit], line: Line) -> Synchronisation:
+def finding(fits: list[Fit], line: Line, kind: FeatureKind) -> Synchronisation:
     """Return what a line means, whose fit is the first of several."""
     read_out_s, read_out_sd_s = read_out(line)
     # rows that were read earlier than the middle show an earlier time
     shift_s = line.shift_s - line.row * read_out_s
-    sigma_s = math.hypot(line.shift_sigma_s, line.row * read_out_sd_s, _FLOOR_S)
-    evidence = _evidence(fits, line, (read_out_s, read_out_sd_s))
+    evidence = _evidence(fits, line, (read_out_s, read_out_sd_s), kind)
+    floor_s = _COARSE_FLOOR_S if evidence.is_coarse else _FLOOR_S
+    sigma_s = math.hypot(line.shift_sigma_s, line.row * read_out_sd_s, floor_s)
     return Synchronisation(
         line.clock_map(shift_s, _confidence(evidence)),
         "pictures",
@@ -143,7 +149,7 @@ def read_out(line: Line) -> tuple[float, float]:
 
 
 def _evidence(
-    fits: list[Fit], line: Line, read_out_s: tuple[float, float]
+    fits: list[Fit], line: Line, read_out_s: tuple[float, float], kind: FeatureKind
 ) -> PictureEvidence:
     best = fits[0].unexplained
     rival = fits[1].unexplained if len(fits) > 1 else 1.0
@@ -155,15 +161,21 @@ def _evidence(
         float(telling.mean()),
         line.spread_s,
         *read_out_s,
+        str(kind),
     )
 
 
 def _confidence(evidence: PictureEvidence) -> float:
-    """Return 0 to 1: a half where the weakest sign is at its threshold."""
+    """Return 0 to 1: a half where the weakest sign is at its threshold.
+
+    Less where the features are coarse.
+    """
+    margin = _COARSE_MARGIN if evidence.is_coarse else _MARGIN
     weakest = min(
-        math.log2(evidence.margin / _MARGIN),
+        math.log2(evidence.margin / margin),
         (evidence.explained - _EXPLAINED) / 0.1,
         (evidence.telling_share - _TELLING_SHARE) / 0.2,
         math.log2(_SPREAD_S / max(evidence.spread_s, 1e-6)),
     )
-    return 1.0 / (1.0 + math.exp(-3.0 * min(max(weakest, -10.0), 10.0)))
+    most = _COARSE_CONFIDENCE if evidence.is_coarse else 1.0
+    return most / (1.0 + math.exp(-3.0 * min(max(weakest, -10.0), 10.0)))

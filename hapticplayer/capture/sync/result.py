@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from hapticplayer.capture.clock_lag import ClockLag
+from hapticplayer.errors import Message
 from hapticplayer.model import ClockMap
 
 ENOUGH_CONFIDENCE = 0.5
@@ -12,6 +13,15 @@ ENOUGH_CONFIDENCE = 0.5
 
 CLEAR_RATIO = 1.2
 """Of the two best mountings; below it a person has to choose."""
+
+
+COARSE = "vectors"
+"""Kind of features (`capture.vision.FeatureKind`) that need no OpenCV."""
+
+COARSE_NOTE = Message(
+    "The frames were compared by the motion vectors of the codec, which is coarse; with "
+    "hapticplayer[vision] installed they are followed more exactly, those of H.265 too."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +61,7 @@ class PictureEvidence:
         spread_s: RMS of the windows about the line.
         read_out_s: from the first row of a frame to the last one, estimated.
         read_out_sigma_s: SD of its error.
+        kind: of the features that were compared.
     """
 
     middle_s: float
@@ -60,12 +71,19 @@ class PictureEvidence:
     spread_s: float
     read_out_s: float
     read_out_sigma_s: float
+    kind: str = "corners"
 
-    def described(self) -> dict[str, float]:
-        """Return it as plain numbers."""
+    @property
+    def is_coarse(self) -> bool:
+        """Whether OpenCV would have followed the frames more exactly."""
+        return self.kind == COARSE
+
+    def described(self) -> dict[str, float | str]:
+        """Return it as plain values."""
+        values = {name: getattr(self, name) for name in self.__dataclass_fields__}
         return {
-            name: round(getattr(self, name), 6)
-            for name in self.__dataclass_fields__  # slots have no vars()
+            name: one if isinstance(one, str) else round(one, 6)
+            for name, one in values.items()
         }
 
 
@@ -135,6 +153,12 @@ class Synchronisation:
     def is_confident(self) -> bool:
         """Whether it can be used without being checked."""
         return self.clock_map.confidence >= ENOUGH_CONFIDENCE
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether frames count in it that were compared coarsely."""
+        own = self.pictures is not None and self.pictures.is_coarse
+        return own or (self.second is not None and self.second.is_coarse)
 
     @property
     def is_measured(self) -> bool:

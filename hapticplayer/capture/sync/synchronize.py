@@ -172,7 +172,9 @@ def joined_findings(
         doubt = (1.0 - pats.clock_map.confidence) * (
             1.0 - pictures.clock_map.confidence
         )
-        best, other = (pictures, pats) if pictures.is_confident else (likelier, other)
+        if pictures.is_confident and not (pictures.is_coarse and pats.is_confident):
+            likelier, other = pictures, pats
+        best = likelier
         clock = dataclasses.replace(best.clock_map, confidence=1.0 - doubt)
         return dataclasses.replace(best, clock_map=clock, pats=pats.pats, second=other)
     if pats.is_confident and pictures.is_confident:

@@ -1,10 +1,11 @@
 """Follows image features from one frame to the next."""
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.media.frames import DecodedFrame, FrameConverter
 from hapticplayer.model.arrays import Floats
 
 Grey = NDArray[np.uint8]
@@ -24,6 +25,16 @@ class Matches(NamedTuple):
     after: Floats
 
 
+class Features(Protocol):
+    """What finds the same features in two frames."""
+
+    def skips(self, frame: DecodedFrame) -> bool:
+        """Whether a frame is left out."""
+
+    def step(self, frame: DecodedFrame) -> Matches | None:
+        """Take the next frame; return its matches with the one before, None at first."""
+
+
 class FeatureTracker:
     """Follows the strongest corner of each cell by pyramidal Lucas-Kanade.
 
@@ -31,8 +42,10 @@ class FeatureTracker:
     tracker, 2001; corners as in Shi and Tomasi, Good features to track, 1994.
     """
 
-    def __init__(self, cv2: Any) -> None:
+    def __init__(self, cv2: Any, width_px: int, height_px: int) -> None:
         self._cv2 = cv2
+        self._size_px = width_px, height_px
+        self._converter = FrameConverter()
         criteria = cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_COUNT
         self._options = {
             "winSize": (_WINDOW_PX, _WINDOW_PX),
@@ -42,8 +55,13 @@ class FeatureTracker:
         self._grey: Grey | None = None
         self._corners = np.zeros((0, 2), np.float32)
 
-    def step(self, grey: Grey) -> Matches | None:
+    def skips(self, _frame: DecodedFrame) -> bool:
+        """Look at every frame."""
+        return False
+
+    def step(self, frame: DecodedFrame) -> Matches | None:
         """Take the next frame; return its matches with the one before, None at first."""
+        grey = self._converter.convert_grey(frame, *self._size_px)
         before, corners = self._grey, self._corners
         self._grey, self._corners = grey, self._strongest(grey)
         if before is None:

@@ -1,16 +1,20 @@
 """Rotation of a camera from frame to frame, estimated from its frames."""
 
+import dataclasses
 import os
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.capture.vision.watching import (
     TO_FRAME_A,
+    FeatureKind,
     Progress,
     Seen,
     Spans,
     View,
+    is_available,
     watched,
 )
 from hapticplayer.model.arrays import Floats
@@ -36,6 +40,7 @@ class FrameRotation:
             rotation of the time at which it reads this row.
         skew_rad: (N, 3) by how much the rotation of the bottom row is larger than that
             of the top one.
+        kind: of the features that were used.
     """
 
     begin_s: Floats
@@ -44,20 +49,38 @@ class FrameRotation:
     quality: Floats
     row: Floats
     skew_rad: Floats
+    kind: FeatureKind = FeatureKind.CORNERS
 
     def __len__(self) -> int:
         return len(self.begin_s)
+
+    def select(self, rows: NDArray[np.bool_]) -> "FrameRotation":
+        """Return the intervals that are chosen (N,)."""
+        return dataclasses.replace(
+            self,
+            begin_s=self.begin_s[rows],
+            end_s=self.end_s[rows],
+            rotation_rad=self.rotation_rad[rows],
+            quality=self.quality[rows],
+            row=self.row[rows],
+            skew_rad=self.skew_rad[rows],
+        )
 
 
 def rotation(
     clip: str | os.PathLike[str],
     *,
     spans_s: Spans | None = None,
+    kind: FeatureKind | None = None,
     progress: Progress = lambda _share, _step: None,
 ) -> FrameRotation:
-    """Follow the frames of a clip; arguments and errors as of `watching.watched`."""
-    steps = watched(clip, spans_s=spans_s, progress=progress)
-    return _table([_row(view, seen) for view, seen in steps])
+    """Follow the frames of a clip; arguments and errors as of `watching.watched`.
+
+    Without a kind of features, the best that there is is taken.
+    """
+    kind = kind or (FeatureKind.CORNERS if is_available() else FeatureKind.VECTORS)
+    steps = watched(clip, spans_s=spans_s, kind=kind, progress=progress)
+    return _table([_row(view, seen) for view, seen in steps], kind)
 
 
 def _row(view: View, seen: Seen) -> Floats:
@@ -77,7 +100,7 @@ def _row(view: View, seen: Seen) -> Floats:
     )
 
 
-def _table(rows: list[Floats]) -> FrameRotation:
+def _table(rows: list[Floats], kind: FeatureKind) -> FrameRotation:
     table = np.array(rows).reshape(-1, _VALUES)
     return FrameRotation(
         begin_s=table[:, 0],
@@ -86,4 +109,5 @@ def _table(rows: list[Floats]) -> FrameRotation:
         quality=table[:, 5],
         row=table[:, 6:9],
         skew_rad=table[:, 9:12],
+        kind=kind,
     )

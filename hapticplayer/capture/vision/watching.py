@@ -1,5 +1,7 @@
 """Follows the frames of a clip: what moved where, and how the camera rotated."""
 
+import enum
+import functools
 import importlib
 import importlib.util
 import os
@@ -9,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.capture.vision.block_vectors import BlockVectors
 from hapticplayer.capture.vision.carrier import Carrier
 from hapticplayer.capture.vision.egomotion import (
     AHEAD,
@@ -16,10 +19,16 @@ from hapticplayer.capture.vision.egomotion import (
     egomotion,
     rotation_flow,
 )
-from hapticplayer.capture.vision.features import CELL_PX, FeatureTracker, Matches
+from hapticplayer.capture.vision.features import (
+    CELL_PX,
+    Features,
+    FeatureTracker,
+    Matches,
+)
 from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import probe
-from hapticplayer.media.frames import FrameConverter
+from hapticplayer.media.frames import DecodedFrame
+from hapticplayer.media.vectors import VectorDecoder
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model.arrays import Floats
 
@@ -41,6 +50,13 @@ _MEMORY = 0.15  # share of the newest in the mean direction of travel
 
 Progress = Callable[[float, str], None]
 Spans = Sequence[tuple[float, float]]
+
+
+class FeatureKind(enum.StrEnum):
+    """What frames are compared by."""
+
+    CORNERS = "corners"  # followed by OpenCV
+    VECTORS = "vectors"  # motion vectors of the codec: coarse
 
 
 class View(NamedTuple):
@@ -109,6 +125,7 @@ def watched(
     clip: str | os.PathLike[str],
     *,
     spans_s: Spans | None = None,
+    kind: FeatureKind = FeatureKind.CORNERS,
     progress: Progress = lambda _share, _step: None,
 ) -> Iterator[tuple[View, Seen]]:
     """Yield what each pair of frames shows; memory does not grow with their number.
@@ -116,29 +133,28 @@ def watched(
     Args:
         clip: the video.
         spans_s: begin and end in media time of what is looked at; None for all.
+        kind: of the features.
         progress: called with the share done and a step; raises Cancelled to stop.
 
     Raises:
-        InputError: without OpenCV.
-        MediaError: when the clip cannot be decoded.
+        InputError: for corners without OpenCV.
+        MediaError: when the clip cannot be decoded, or holds no vectors.
     """
-    cv2 = opencv()
+    features, decode = _BY_KIND[kind]()
     spans_s = spans_s or [(0.0, probe(clip).duration_s)]
     whole_s = sum(end_s - begin_s for begin_s, end_s in spans_s) or 1.0
     done_s = 0.0
-    with VideoDecoder(clip) as decoder:
+    with decode(clip) as decoder:
         view = View.of(decoder.width, decoder.height)
         for begin_s, end_s in spans_s:
             decoder.seek(begin_s)
-            watcher = _Watcher(cv2, view)
-            converter = FrameConverter()
+            watcher = _Watcher(features(view.width_px, view.height_px), view)
             for frame in decoder.frames():
                 if frame.pts_s > end_s:
                     break
                 done = (done_s + max(0.0, frame.pts_s - begin_s)) / whole_s
                 progress(min(1.0, done), Message("following the frames"))
-                grey = converter.convert_grey(frame, view.width_px, view.height_px)
-                seen = watcher.step(frame.pts_s, grey)
+                seen = watcher.step(frame)
                 if seen is not None:
                     yield view, seen
             done_s += end_s - begin_s
@@ -157,11 +173,25 @@ def opencv() -> Any:
     return cv2
 
 
+MakeFeatures = Callable[[int, int], Features]
+
+
+def _corners() -> tuple[MakeFeatures, type[VideoDecoder]]:
+    return functools.partial(FeatureTracker, opencv()), VideoDecoder
+
+
+def _vectors() -> tuple[MakeFeatures, type[VideoDecoder]]:
+    return BlockVectors, VectorDecoder
+
+
+_BY_KIND = {FeatureKind.CORNERS: _corners, FeatureKind.VECTORS: _vectors}
+
+
 class _Watcher:
     """Follows the frames of one span."""
 
-    def __init__(self, cv2: Any, view: View) -> None:
-        self._tracker = FeatureTracker(cv2)
+    def __init__(self, features: Features, view: View) -> None:
+        self._features = features
         self._carrier = Carrier(view.width_px, view.height_px)
         self._view = view
         self._many = (
@@ -170,10 +200,12 @@ class _Watcher:
         self._travel = AHEAD
         self._last_s = 0.0
 
-    def step(self, pts_s: float, grey: Any) -> Seen | None:
-        """Take the next frame; return what it shows, None at first."""
-        matches = self._tracker.step(grey)
-        begin_s, self._last_s = self._last_s, pts_s
+    def step(self, frame: DecodedFrame) -> Seen | None:
+        """Take the next frame; return what it shows, None at first or if it is left out."""
+        if self._features.skips(frame):
+            return None
+        matches = self._features.step(frame)
+        begin_s, self._last_s = self._last_s, frame.pts_s
         if matches is None:
             return None
         loose = ~self._carrier.holds(matches)
@@ -187,7 +219,7 @@ class _Watcher:
             found, quality = self._found(matches, before, after, loose)
         cell = self._carrier.cells(matches)[loose]
         seen = (before[loose], after[loose], cell)
-        return Seen(begin_s, pts_s, *seen, found, quality, self._travel)
+        return Seen(begin_s, frame.pts_s, *seen, found, quality, self._travel)
 
     def _found(
         self, matches: Matches, before: Floats, after: Floats, loose: NDArray[np.bool_]

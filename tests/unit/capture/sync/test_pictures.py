@@ -15,7 +15,7 @@ from hapticplayer.capture.sync.pictures import (
 )
 from hapticplayer.capture.sync.result import Pat, Synchronisation
 from hapticplayer.capture.sync.synchronize import SyncInput, automatic, joined_findings
-from hapticplayer.capture.vision import FrameRotation
+from hapticplayer.capture.vision import FeatureKind, FrameRotation
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 
@@ -110,6 +110,7 @@ def test_clock_rate_of_a_long_clip_is_found() -> None:
     joined = (
         np.concatenate([getattr(one, f.name) for one in parts])
         for f in fields(FrameRotation)
+        if f.name != "kind"
     )
 
     found = synchronize_pictures(
@@ -330,6 +331,27 @@ def test_auto_uses_what_there_is(pictures, monkeypatch) -> None:
     monkeypatch.undo()
     with pytest.raises(InputError, match="there is none"):
         automatic(SyncInput(imu, missing, look=missing))
+
+
+def test_coarse_frames_are_less_certain(pictures) -> None:
+    ride, clock = Ride(1), ClockMap(1.0)
+    frames = replace(ride.frames(), kind=FeatureKind.VECTORS)
+
+    found = synchronize_pictures(ride.log(clock), frames)
+
+    assert found.is_confident
+    assert found.is_coarse
+    assert found.clock_map.confidence < 0.85 * pictures.clock_map.confidence
+    assert found.offset_sigma_s > 1.8 * pictures.offset_sigma_s
+    assert found.described()["pictures"]["kind"] == "vectors"
+    assert not pictures.is_coarse
+    # pats that are as certain are the more exact ones
+    both = joined_findings(by_pats(1.004, 0.9), found)
+    assert both.method == "pats"
+    assert both.clock_map.confidence > 0.97
+    assert both.is_coarse
+    doubtful = joined_findings(by_pats(1.004, 0.3), found)
+    assert doubtful.method == "pictures"
 
 
 def test_pictures_need_a_clip() -> None:

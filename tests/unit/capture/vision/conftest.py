@@ -28,7 +28,6 @@ def film(scene: str) -> Film:
 @pytest.fixture(scope="session")
 def ride_film(tmp_path_factory: pytest.TempPathFactory) -> MakeFilm:
     """Return what writes a part of a ride's film, from a time on."""
-    pytest.importorskip("cv2", reason="OpenCV is not installed")
 
     def make(scene: str, begin_s: float, duration_s: float) -> Path:
         first = round(begin_s * FRAME_RATE_HZ)

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from hapticplayer.capture.mounting import axes_matrix
 from hapticplayer.capture.sync.pictures import synchronize_pictures
-from hapticplayer.capture.vision import rotation
+from hapticplayer.capture.vision import FeatureKind, rotation
 from hapticplayer.errors import Cancelled, InputError
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.frames import FrameConverter
@@ -151,4 +151,4 @@ def test_without_opencv_it_says_what_installing_brings(monkeypatch) -> None:
     )
 
     with pytest.raises(InputError, match=r"hapticplayer\[vision\].*without pats"):
-        rotation("any.mp4")
+        rotation("any.mp4", kind=FeatureKind.CORNERS)
