@@ -1,6 +1,6 @@
 """Devices in the test's own process, thread and time."""
 
-from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.devices.capabilities import SIMULATED
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.devices.falcon.protocol import Command, Reply, Words
 from hapticplayer.devices.paced import Port
@@ -19,7 +19,7 @@ class SimulatedFalcon:
     """
 
     name = "simulated"
-    capabilities = FALCON
+    capabilities = SIMULATED
 
     def __init__(
         self,

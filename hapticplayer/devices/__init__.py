@@ -19,6 +19,7 @@ from hapticplayer.devices.capabilities import (
     RIG,
     RUMBLE,
     SHAKER,
+    SIMULATED,
     TCODE,
     WHEEL,
 )
@@ -135,18 +136,18 @@ class DeviceEntry:
         return (descriptor, self.serial) if self.serial else (descriptor,)
 
 
-_SIMULATED = "hapticplayer.simulation"
+_SIMULATION = "hapticplayer.simulation"
 _GUIDES = "hapticplayer.devices.guides"
 _BUILT_IN = (
     DeviceEntry(
         "simulated",
         Message("Simulated"),
         "simulated Falcon, held by a relaxed hand",
-        FALCON,
-        f"{_SIMULATED}.falcon.remote:RemoteFalcon",
-        f"{_SIMULATED}.falcon.remote:silence",
-        server=f"{_SIMULATED}.falcon",
-        faults=f"{_SIMULATED}.faults",
+        SIMULATED,
+        f"{_SIMULATION}.falcon.remote:RemoteFalcon",
+        f"{_SIMULATION}.falcon.remote:silence",
+        server=f"{_SIMULATION}.falcon",
+        faults=f"{_SIMULATION}.faults",
         guide=f"{_GUIDES}:SIMULATED",
     ),
     DeviceEntry(
@@ -166,11 +167,11 @@ _BUILT_IN = (
         Message("Falcon on simulated USB"),
         "the Falcon's own driver on simulated USB, for developers",
         FALCON,
-        f"{_SIMULATED}.usb.driver:make",
-        f"{_SIMULATED}.usb.remote:silence",
-        server=f"{_SIMULATED}.usb",
-        faults=f"{_SIMULATED}.faults",
-        direct=f"{_SIMULATED}.usb.driver:simulated",
+        f"{_SIMULATION}.usb.driver:make",
+        f"{_SIMULATION}.usb.remote:silence",
+        server=f"{_SIMULATION}.usb",
+        faults=f"{_SIMULATION}.faults",
+        direct=f"{_SIMULATION}.usb.driver:simulated",
         is_for_developers=True,
         patience_s=45.0,
     ),
@@ -198,10 +199,10 @@ _BUILT_IN = (
         Message("Inverse3 on a simulated service"),
         "the Inverse3's own driver on a simulated service, for developers",
         INVERSE3,
-        f"{_SIMULATED}.inverse3.driver:make",
-        f"{_SIMULATED}.falcon.remote:silence",
-        server=f"{_SIMULATED}.inverse3",
-        faults=f"{_SIMULATED}.faults",
+        f"{_SIMULATION}.inverse3.driver:make",
+        f"{_SIMULATION}.falcon.remote:silence",
+        server=f"{_SIMULATION}.inverse3",
+        faults=f"{_SIMULATION}.faults",
         is_for_developers=True,
     ),
     DeviceEntry(

@@ -14,6 +14,8 @@ FALCON = DeviceCapabilities(
     latency_s=0.001,
 )
 
+SIMULATED = replace(FALCON, latency_s=0.0)  # it acts at once
+
 GAMEPAD = DeviceCapabilities(
     axes=0,
     peak_force_n=FULL_N,  # nominal: full vibration

@@ -62,8 +62,8 @@ class Guide:
         variants: kinds of it that lists offer, each with an example of what follows it.
         parts: called with `chosen`, returns label and device name of each part that is
             tested by itself; for devices with several channels.
-        tells_latency: whether it answers each command when it acts on it: the age of
-            its answers is its latency.
+        tells_latency: whether it answers each command when it acts on it: half the age
+            of its answers is its latency.
     """
 
     what: Message
@@ -206,7 +206,6 @@ SIMULATED = Guide(
     ),
     Message("Nothing has to be connected."),
     hold=Message("Only its picture moves."),
-    tells_latency=True,
 )
 FALCON = Guide(
     Message("Novint Falcon: its grip pushes and pulls in three directions."),

@@ -130,9 +130,12 @@ class DeviceTest:
 
     @property
     def latency_s(self) -> float | None:
-        """Median age of the device's answers while it acted; None if it tells nothing."""
+        """Half the median age of the device's answers while it acted.
+
+        A command is on its way there for about half of that. None if it tells nothing.
+        """
         ages_s = np.concatenate([np.empty(0), *self._ages_s])
-        return float(np.median(ages_s)) if len(ages_s) >= _LEAST_TICKS else None
+        return 0.5 * float(np.median(ages_s)) if len(ages_s) >= _LEAST_TICKS else None
 
     def poll(self) -> NDArray[Any]:
         """Advance, and return the ticks since the last call (see TICK)."""

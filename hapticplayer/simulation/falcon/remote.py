@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.devices.capabilities import SIMULATED
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceReading, Vector
 from hapticplayer.simulation.falcon.packets import (
@@ -39,7 +39,7 @@ class RemoteFalcon:
     """
 
     name = "simulated"
-    capabilities = FALCON
+    capabilities = SIMULATED
 
     def __init__(self, descriptor: int) -> None:
         self._end = _end_of(descriptor)
