@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import faces
@@ -111,8 +112,8 @@ PARTICIPANTS_PAGES = (
     (PageKind.THANKS, "end"),
 )
 TURNS, TURN_MS = 50, 10  # of the event loop, on a busy machine
-# of screens: 1920 x 1080 at 100 and 200 %, 3840 x 2160 at 300 %, and an old projector
-ROOMS = ((1920, 1080), (960, 540), (1280, 720), (1024, 768))
+# of screens: 1920 x 1080 at 100 and 200 %, 3840 x 2160 at 300 %, and old projectors
+ROOMS = ((1920, 1080), (960, 540), (1280, 720), (1024, 768), (800, 480))
 
 
 def at_rest(look, page, qtbot) -> list[str]:
@@ -121,6 +122,19 @@ def at_rest(look, page, qtbot) -> list[str]:
         qtbot.wait(TURN_MS)
         if not (found := look(page)):
             break
+    return found
+
+
+def wrong_for_participants(content, room, step) -> list[str]:
+    """Return the texts that have no room, or have to be scrolled to."""
+    found = cut_off(content)
+    wide_px, high_px = content.viewport().width(), content.viewport().height()
+    if content.column.totalMinimumSize().width() > wide_px:
+        found.append("wider than its window")
+    if room[1] >= 768 and step != "post-test" and content.needed_px(wide_px) > high_px:
+        found.append("higher than its window")
+    if content.body.font().pixelSize() < room[1] / 36 - 1:
+        found.append("small letters")
     return found
 
 
@@ -133,7 +147,8 @@ def test_every_text_of_a_participant_is_whole(make_study, sit, language, qtbot):
         window.resize(*room)
         for kind, step in PARTICIPANTS_PAGES:
             window.show_page(maker.page(kind, step, 99))
-            texts = at_rest(cut_off, window.content, qtbot)
+            look = partial(wrong_for_participants, room=room, step=step)
+            texts = at_rest(look, window.content, qtbot)
             found += [f"{room} {step} {kind}: {text}" for text in texts]
     assert found == []
 

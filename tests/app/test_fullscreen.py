@@ -27,22 +27,16 @@ def full(playing, wait_for):
     return playing
 
 
-def test_fullscreen_shows_the_clip_and_nothing_else(full):
+def test_fullscreen_shows_the_clip_and_nothing_else(full, wait_for):
     assert full.isFullScreen()
     assert [w for w in beside_the_surface(full) if w.isVisible()] == []
     assert full.surface.isVisible()
-
-
-def test_the_surface_fills_the_screen(full, wait_for):
     wait_for(lambda: full.surface.size() == full.screen().geometry().size())
-
-
-def test_the_clip_goes_on(full, wait_for):
     shown = full.player.snapshot().frames_shown
     wait_for(lambda: full.player.snapshot().frames_shown > shown)
 
 
-def test_leaving_brings_everything_back(playing, wait_for):
+def test_leaving_brings_everything_back(playing, wait_for, qtbot):
     before = playing.geometry()
     shown = [w for w in beside_the_surface(playing) if w.isVisible()]
     key(playing, Qt.Key.Key_F11)
@@ -51,38 +45,28 @@ def test_leaving_brings_everything_back(playing, wait_for):
     wait_for(lambda: playing.geometry() == before)
     assert not playing.isFullScreen()
     assert [w for w in beside_the_surface(playing) if w.isVisible()] == shown
-
-
-def test_escape_leaves_fullscreen_and_pauses(full, wait_for):
-    key(full, Qt.Key.Key_Escape)
-    assert not full.isFullScreen()
-    assert full.player.snapshot().phase is Phase.PAUSED
-
-
-def test_a_double_click_toggles(playing, qtbot):
     qtbot.mouseDClick(playing.surface, Qt.MouseButton.LeftButton)
     assert playing.isFullScreen()
     qtbot.mouseDClick(playing.surface, Qt.MouseButton.LeftButton)
     assert not playing.isFullScreen()
 
 
-def test_the_cursor_goes_and_comes_back_with_the_pointer(full, wait_for):
+def test_escape_leaves_fullscreen_and_pauses(full):
+    key(full, Qt.Key.Key_Escape)
+    assert not full.isFullScreen()
+    assert full.player.snapshot().phase is Phase.PAUSED
+
+
+def test_an_error_leaves_fullscreen_and_plots_stay_off(full, wait_for):
     surface = full.surface
     wait_for(lambda: surface.cursor().shape() == Qt.CursorShape.BlankCursor)
     surface.pointer_moved.emit()
     assert surface.cursor().shape() != Qt.CursorShape.BlankCursor
-
-
-def test_an_error_leaves_fullscreen(full):
+    key(full, Qt.Key.Key_P)
+    assert not full.plots.isVisible()
     full.show_message("something to read")
     assert not full.isFullScreen()
     assert full.messages.isVisible()
-
-
-def test_plots_switched_off_in_fullscreen_stay_off(full):
-    key(full, Qt.Key.Key_P)
-    assert not full.plots.isVisible()
-    key(full, Qt.Key.Key_F)
     assert not full.plots.isVisible()
 
 

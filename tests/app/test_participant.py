@@ -1,9 +1,7 @@
 """A whole session in the real windows, by keys, by mouse, and interrupted."""
 
-import itertools
 import json
 
-import msgspec
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -16,7 +14,7 @@ from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.journal import read_journal
-from hapticplayer.study.pages import PageKind, PageMaker
+from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.study_folder import open_study
 
@@ -261,41 +259,6 @@ def test_a_missing_disk_stops_the_participant_until_it_is_back(
     ratings = read_answers(folder).ratings
     assert sum(r.value is not None for r in ratings) == 4
     wait_for(lambda: session.player.snapshot().cause is not Cause.STOPPED)
-
-
-@pytest.mark.parametrize("size", [(1920, 1080), (1024, 768), (960, 540), (800, 480)])
-def test_nothing_is_cut_off_in_any_language(make_study, sit, wait_for, qapp, size):
-    session = sit(make_study(), size=size)
-    steps = [
-        (PageKind.CONSENT, "consent"),
-        (PageKind.QUESTIONS, "sheet"),
-        (PageKind.QUESTIONS, "trial-01"),
-        (PageKind.QUESTIONS, "post-test"),
-        (PageKind.PAUSED, "trial-01"),
-    ]
-    window, runner = session.participant, session.runner
-    for language, (kind, step) in itertools.product(["en", "fr", "de"], steps):
-        plan = msgspec.structs.replace(runner.plan, language=language)
-        maker = runner.maker = PageMaker(runner.definition, plan)
-        window.show_page(maker.page(kind, step, 99))
-        content = window.content
-        for _ in range(10):  # letters that are still too large are made smaller
-            qapp.processEvents()
-        assert content.column.totalMinimumSize().width() <= content.viewport().width()
-        width = content.viewport().width()
-        for label in content.body.findChildren(QLabel):
-            if not label.isHidden() and label.wordWrap():
-                needed = label.heightForWidth(label.width())
-                assert label.height() >= needed - 1, label.text()
-        for button in content.body.findChildren(QPushButton):
-            assert button.width() >= button.minimumSizeHint().width()
-            right = button.mapTo(content.body, QPoint(button.width(), 0)).x()
-            assert right <= width
-        if size[1] >= 768 and step != "post-test":
-            assert content.needed_px(width) <= content.viewport().height(), step
-            assert content.verticalScrollBar().maximum() == 0, step
-        font_px = content.body.font().pixelSize()
-        assert font_px >= size[1] / 36 - 1
 
 
 def test_a_page_has_its_height_before_it_is_painted_again(make_study, sit):
