@@ -87,7 +87,7 @@ def open_regular(
         ) from None
     except PermissionError:
         raise refusal(
-            Message("may not be read"), Message("change the rights of the file")
+            Message("permission denied"), Message("change the rights of the file")
         ) from None
     except (OSError, ValueError) as cause:
         raise refusal(

@@ -176,7 +176,7 @@ def in_child(
         except EOFError:
             process.join()
             raise HapticPlayerError(
-                "the work was ended from outside (exit status {status}), perhaps for "
+                "the process was killed (exit status {status}), perhaps for "
                 "want of memory; nothing was written",
                 status=process.exitcode,
             ) from None

@@ -348,7 +348,7 @@ class LibraryPage(JobDialog):
             self.status.show_problem(problem)
         except OSError as problem:
             what = Message(
-                "{path}: cannot be brought back ({reason})", path=folder, reason=problem
+                "{path}: cannot be restored ({reason})", path=folder, reason=problem
             )
             self.status.show_text(translated(what), theme.BAD)
         else:

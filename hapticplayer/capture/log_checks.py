@@ -200,7 +200,9 @@ def check_upright(
             words=words,
         ),
         (
-            Message("axes={axes} or what else was right, front, up", axes=proposal),
+            Message(
+                "axes={axes}, or the axes that were right, front, up", axes=proposal
+            ),
             Message("accel-sign=- if its accelerometer reads -1 g upwards"),
         ),
         where,

@@ -161,7 +161,7 @@ def _read_copy(
         )
         raise _refusal(
             video,
-            Message("is nothing that telemetry-parser can read ({reason})", reason=why),
+            Message("cannot be read by telemetry-parser ({reason})", reason=why),
         )
     try:
         about: Any = json.loads(done.stdout)
@@ -170,7 +170,9 @@ def _read_copy(
     except (InputError, ValueError, KeyError, TypeError, MemoryError) as error:
         raise _refusal(
             video,
-            Message("made telemetry-parser answer nonsense ({reason})", reason=error),
+            Message(
+                "made telemetry-parser return invalid data ({reason})", reason=error
+            ),
         ) from error
 
 

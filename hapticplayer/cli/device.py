@@ -131,7 +131,7 @@ def list_devices(options: argparse.Namespace) -> int:
         say(f"{entry['name']:<18}{entry['title']}")
     say("Falcons plugged in: " + ("none" if not falcons else ""))
     for found in falcons:
-        serial = found["serial"] or "(its number may not be read)"
+        serial = found["serial"] or "(permission denied for its number)"
         say(f"  {serial:<16}bus {found['bus']}, address {found['address']}")
     return 0
 

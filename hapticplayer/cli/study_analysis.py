@@ -295,7 +295,11 @@ def _population(options: argparse.Namespace) -> tuple[Draw, tuple[str, ...], str
     scores = scores_of(read_answers(options.study))
     if options.measure not in scores.measures:
         known = ", ".join(scores.measures)
-        raise UsageError(f"there is no measure {options.measure!r}; there is {known}")
+        raise UsageError(
+            "there is no measure {measure!r}; choose one of {known}",
+            measure=options.measure,
+            known=known,
+        )
     pilot = sample_of(scores, options.measure)
     source = f"{len(pilot.values)} participants of {options.study.name}"
     return draw_pilot(pilot), pilot.feedbacks, source

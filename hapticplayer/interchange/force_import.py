@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, UsageError, entry_named
 from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
 from hapticplayer.interchange.force_formats import (
     FORCE_FORMATS,
@@ -96,13 +96,7 @@ def export_force(
     is_folder = folder.is_dir()
     sequence = open_sequence(folder) if is_folder else require_packed(folder).sequence
     feedback = feedback or rendered_feedback(sequence.tracks)
-    track = sequence.tracks.get(feedback)
-    if track is None:
-        raise UsageError(
-            "there is no force track {name!r}; choose one of {known}",
-            name=feedback,
-            known=", ".join(sequence.tracks),
-        )
+    track = entry_named(sequence.tracks, feedback, Message("force track"))
     progress(0.0, Message("writing {name}", name=target.name))
     duration_s = float(sequence.description["clip"]["duration_s"])
     motion = motion_of(sequence) if asked.with_motion else None

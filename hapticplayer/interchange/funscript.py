@@ -92,7 +92,9 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
     root = Fields.of(read_crowd(path), str(path))
     stem = path.name.lower().removesuffix(".funscript")
     if stem.endswith(_OTHER_SUFFIXES):
-        raise InputError("turns, and is not read", where=str(path), remedy=_ANOTHER)
+        raise InputError(
+            "holds rotations, which are not read", where=str(path), remedy=_ANOTHER
+        )
     main = next((one for end, one in _SUFFIXES.items() if stem.endswith(end)), "L0")
     lists = {main: root}
     unread: list[str] = []

@@ -149,7 +149,7 @@ def _task(imu: ImuLog, parameters: Parameters | None) -> Task:
     span_s = float(imu.time_s[-1] - imu.time_s[0])
     if span_s < MIN_SPAN_S:
         raise InputError(
-            "{count} motion samples within {span_ms:.3g} ms are no motion",
+            "{count} motion samples within {span_ms:.3g} ms are not a recording of motion",
             where=imu.source,
             remedy="give their times in seconds",
             count=len(imu),

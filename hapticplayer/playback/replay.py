@@ -86,7 +86,7 @@ def _parsed(text: bytes, path: Path, number: int) -> dict[str, Any]:
     try:
         line = json.loads(text)
     except (ValueError, RecursionError) as problem:
-        raise _refusal(Message("is no JSON"), path, number) from problem
+        raise _refusal(Message("is not JSON"), path, number) from problem
     if not isinstance(line, dict):
         raise _refusal(Message("is not a playback log"), path, number)
     return line

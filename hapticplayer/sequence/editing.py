@@ -392,7 +392,7 @@ def _put(
         raise SequenceError(
             "cannot be written ({reason})",
             where=str(folder),
-            remedy="free some space or copy the sequence to a folder of yours",
+            remedy="free some space or copy the sequence to a folder of your own",
             reason=problem,
         ) from problem
     except BaseException:

@@ -160,7 +160,7 @@ def scratch_beside(
         raise SequenceError(
             "cannot be written ({reason})",
             where=str(home),
-            remedy="choose a folder that you may write to",
+            remedy="choose a folder with write permission",
             reason=problem,
         ) from problem
     try:

@@ -123,7 +123,7 @@ def for_feedbacks(effect: Effect, like: Mapping[str, str]) -> Effect:
     """
     if unknown := set(like.values()) - set(effect.feedbacks):
         raise UsageError(
-            "a feedback cannot be rated like {name!r}; there is {known}",
+            "a feedback cannot be rated like {name!r}; choose one of {known}",
             name=min(unknown),
             known=", ".join(effect.feedbacks),
         )
@@ -158,7 +158,7 @@ def draw_effect(effect: Effect, measure: str, sequences: int) -> Draw:
     if measure != QOE and measure not in effect.factors:
         known = ", ".join((QOE, *effect.factors))
         raise UsageError(
-            "there is no measure {measure!r}; there is {known}",
+            "there is no measure {measure!r}; choose one of {known}",
             measure=measure,
             known=known,
         )

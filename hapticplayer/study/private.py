@@ -77,6 +77,6 @@ def raise_write_error(problem: OSError, path: Path) -> NoReturn:
     raise StudyError(
         "cannot be written ({reason})",
         where=str(path),
-        remedy="free some space, or choose a folder that you may write to",
+        remedy="free some space, or choose a folder with write permission",
         reason=problem,
     ) from problem

@@ -4708,7 +4708,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Dauer von {length_s:g} s; 1 bis {longest_s:g} s angeben</translation>
     </message>
     <message>
-        <source>a force that is no number was asked for, a defect of this program; please report it, and choose the device again</source>
+        <source>a force that is not a number was commanded, a defect of this program; please report it, and choose the device again</source>
         <translation>es wurde eine Kraft verlangt, die keine Zahl ist, ein Fehler dieses Programms; bitte melden Sie ihn und wählen Sie das Gerät noch einmal</translation>
     </message>
     <message>
@@ -4828,7 +4828,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>axes={axes} spiegeln das Protokoll; drehen Sie ein Vorzeichen um, denn rechts, vorn und oben müssen der rechten Hand folgen</translation>
     </message>
     <message>
-        <source>axes={axes} or what else was right, front, up</source>
+        <source>axes={axes}, or the axes that were right, front, up</source>
         <translation>axes={axes} oder was sonst rechts, vorn, oben war</translation>
     </message>
     <message>
@@ -4932,7 +4932,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wählen Sie eine Datei, die es exportiert hat</translation>
     </message>
     <message>
-        <source>choose a folder that you may write to</source>
+        <source>choose a folder with write permission</source>
         <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
     </message>
     <message>
@@ -5192,11 +5192,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>machen Sie Platz frei, oder wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
-        <source>free some space or copy the sequence to a folder of yours</source>
+        <source>free some space or copy the sequence to a folder of your own</source>
         <translation>machen Sie Platz frei, oder kopieren Sie die Sequenz in einen eigenen Ordner</translation>
     </message>
     <message>
-        <source>free some space, or choose a folder that you may write to</source>
+        <source>free some space, or choose a folder with write permission</source>
         <translation>machen Sie Platz frei, oder wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
     </message>
     <message>
@@ -5564,7 +5564,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>is no JSON</source>
+        <source>is not JSON</source>
         <translation>ist kein JSON</translation>
     </message>
     <message>
@@ -5600,7 +5600,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist nicht endlich oder zu groß</translation>
     </message>
     <message>
-        <source>is nothing that telemetry-parser can read ({reason})</source>
+        <source>cannot be read by telemetry-parser ({reason})</source>
         <translation>kann telemetry-parser nicht lesen ({reason})</translation>
     </message>
     <message>
@@ -5720,7 +5720,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es scheint zweimal umgerechnet zu sein: Multiplizieren Sie mit 57.2957795</translation>
     </message>
     <message>
-        <source>it took not all of the data at {place}</source>
+        <source>it did not accept all of the data at {place}</source>
         <translation>er nahm bei {place} nicht alle Daten an</translation>
     </message>
     <message>
@@ -5860,7 +5860,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>gesucht</translation>
     </message>
     <message>
-        <source>made telemetry-parser answer nonsense ({reason})</source>
+        <source>made telemetry-parser return invalid data ({reason})</source>
         <translation>ließ telemetry-parser Unsinn antworten ({reason})</translation>
     </message>
     <message>
@@ -5872,7 +5872,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Achsen der Abbildung</translation>
     </message>
     <message>
-        <source>may not be read</source>
+        <source>permission denied</source>
         <translation>darf nicht gelesen werden</translation>
     </message>
     <message>
@@ -5904,7 +5904,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kein Falcon ist angesteckt; schließen Sie sein USB-Kabel und sein Netzteil an</translation>
     </message>
     <message>
-        <source>no Falcon {serial!r} is plugged in; there is: {known}</source>
+        <source>no Falcon {serial!r} is plugged in; choose one of {known}</source>
         <translation>kein Falcon {serial!r} ist angesteckt; es gibt: {known}</translation>
     </message>
     <message>
@@ -6460,7 +6460,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Kalibrierung gilt für das Verfahren smoother, nicht für {method}</translation>
     </message>
     <message>
-        <source>a feedback cannot be rated like {name!r}; there is {known}</source>
+        <source>a feedback cannot be rated like {name!r}; choose one of {known}</source>
         <translation>ein Feedback kann nicht wie {name!r} bewertet werden; es gibt {known}</translation>
     </message>
     <message>
@@ -6706,6 +6706,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>force for other programs</source>
         <translation>Kraft für andere Programme</translation>
+    </message>
+    <message>
+        <source>force track</source>
+        <translation>Kraftspur</translation>
     </message>
     <message>
         <source>force vector, every millisecond</source>
@@ -7468,7 +7472,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Falcon ist nicht geöffnet; wählen Sie das Gerät noch einmal</translation>
     </message>
     <message>
-        <source>the Falcon may not be used by you; copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
+        <source>permission denied for the Falcon; copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
         <translation>Sie dürfen den Falcon nicht benutzen; kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie den Falcon dann ab und stecken Sie ihn wieder an</translation>
     </message>
     <message>
@@ -8052,11 +8056,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Wavelet-Strom ist kein Base64</translation>
     </message>
     <message>
-        <source>the work was ended from outside (exit status {status}), perhaps for want of memory; nothing was written</source>
+        <source>the process was killed (exit status {status}), perhaps for want of memory; nothing was written</source>
         <translation>die Arbeit wurde von außen beendet (Status {status}), vielleicht aus Mangel an Arbeitsspeicher; nichts wurde geschrieben</translation>
     </message>
     <message>
-        <source>the {title} may not be used by you, or is gone; copy the udev rule {rule} to /etc/udev/rules.d, then unplug it and plug it in</source>
+        <source>permission denied for the {title}, or it is gone; copy the udev rule {rule} to /etc/udev/rules.d, then unplug it and plug it in</source>
         <translation>Sie dürfen das Gerät ({title}) nicht benutzen, oder es ist weg; kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie es dann ab und stecken Sie es wieder an</translation>
     </message>
     <message>
@@ -8076,7 +8080,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es gibt keinen Kopf, die Datei beginnt mit Zahlen</translation>
     </message>
     <message>
-        <source>there is no measure {measure!r}; there is {known}</source>
+        <source>there is no measure {measure!r}; choose one of {known}</source>
         <translation>die Messgröße {measure!r} ist unbekannt; es gibt {known}</translation>
     </message>
     <message>
@@ -8220,7 +8224,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{count} Falcons sind angesteckt: {known}; wählen Sie einen, etwa falcon:{serial}</translation>
     </message>
     <message>
-        <source>{count} bytes are no whole number of words, or too many</source>
+        <source>{count} bytes are not a whole number of words, or too many</source>
         <translation>{count} Bytes sind keine ganze Zahl von Wörtern, oder zu viele</translation>
     </message>
     <message>
@@ -8240,7 +8244,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{count} Zeilen sind beschädigt und wurden weggelassen (die erste: Zeile {line})</translation>
     </message>
     <message>
-        <source>{count} missing or wild times were interpolated</source>
+        <source>{count} missing or implausible times were interpolated</source>
         <translation>{count} fehlende oder wilde Zeiten wurden interpoliert</translation>
     </message>
     <message>
@@ -8248,7 +8252,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{count} Bewegungswerte sind zu wenige; mindestens {least} werden gebraucht</translation>
     </message>
     <message>
-        <source>{count} motion samples within {span_ms:.3g} ms are no motion</source>
+        <source>{count} motion samples within {span_ms:.3g} ms are not a recording of motion</source>
         <translation>{count} Bewegungswerte in {span_ms:.3g} ms sind keine Bewegung</translation>
     </message>
     <message>
@@ -8268,7 +8272,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{count} Zeilenpaare waren zeitlich vertauscht und wurden geordnet</translation>
     </message>
     <message>
-        <source>{count} rows without a time were left out, as they stand in a gap</source>
+        <source>{count} rows without a time were left out, as they are in a gap</source>
         <translation>{count} Zeilen ohne Zeit wurden weggelassen, da sie in einer Lücke stehen</translation>
     </message>
     <message>
@@ -8276,7 +8280,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{count} Werte haben keine Rate</translation>
     </message>
     <message>
-        <source>{count} samples {interval_s} s apart are no recording</source>
+        <source>{count} samples {interval_s} s apart are not a recording</source>
         <translation>{count} Abtastwerte im Abstand von {interval_s} s sind keine Aufnahme</translation>
     </message>
     <message>
@@ -8328,7 +8332,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name!r} kann nicht der Name einer Spur sein; nehmen Sie bis zu 40 Buchstaben, Ziffern, Leerzeichen, Punkte und Bindestriche</translation>
     </message>
     <message>
-        <source>{name!r} is no Falcon; use falcon, or falcon:SERIAL</source>
+        <source>{name!r} is not a Falcon; use falcon, or falcon:SERIAL</source>
         <translation>{name!r} ist kein Falcon; nehmen Sie falcon oder falcon:SERIAL</translation>
     </message>
     <message>
@@ -8804,10 +8808,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nach dem Ende der Aufzeichnung folgen Daten</translation>
     </message>
     <message>
-        <source>there is no force track {name!r}; choose one of {known}</source>
-        <translation>es gibt keine Kraftspur {name!r}; wählen Sie eine von {known}</translation>
-    </message>
-    <message>
         <source>there is no judgement to analyse</source>
         <translation>es gibt kein Urteil, das sich auswerten ließe</translation>
     </message>
@@ -8852,7 +8852,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wahre Bewegung einer Simulation</translation>
     </message>
     <message>
-        <source>turns, and is not read</source>
+        <source>holds rotations, which are not read</source>
         <translation>dreht und wird nicht gelesen</translation>
     </message>
     <message>
@@ -9136,7 +9136,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{order!r} sind keine Achsen, die Telemetrie ist also beschädigt</translation>
     </message>
     <message>
-        <source>{path}: cannot be brought back ({reason})</source>
+        <source>{path}: cannot be restored ({reason})</source>
         <translation>{path}: kann nicht zurückgeholt werden ({reason})</translation>
     </message>
     <message>

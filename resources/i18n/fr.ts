@@ -4708,7 +4708,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une durée de {length_s:g} s&#xa0;; indiquez de 1 à {longest_s:g} s</translation>
     </message>
     <message>
-        <source>a force that is no number was asked for, a defect of this program; please report it, and choose the device again</source>
+        <source>a force that is not a number was commanded, a defect of this program; please report it, and choose the device again</source>
         <translation>une force qui n’est pas un nombre a été demandée, un défaut de ce programme&#xa0;; veuillez le signaler et choisir de nouveau l’appareil</translation>
     </message>
     <message>
@@ -4828,7 +4828,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>axes={axes} inversent le journal en miroir&#xa0;; changez un signe, car droite, avant et haut doivent suivre la main droite</translation>
     </message>
     <message>
-        <source>axes={axes} or what else was right, front, up</source>
+        <source>axes={axes}, or the axes that were right, front, up</source>
         <translation>axes={axes} ou ce qui était autrement droite, avant, haut</translation>
     </message>
     <message>
@@ -4932,7 +4932,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez un fichier qu’il a exporté</translation>
     </message>
     <message>
-        <source>choose a folder that you may write to</source>
+        <source>choose a folder with write permission</source>
         <translation>choisissez un dossier où vous pouvez écrire</translation>
     </message>
     <message>
@@ -5192,11 +5192,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>libérez de la place ou choisissez un autre dossier</translation>
     </message>
     <message>
-        <source>free some space or copy the sequence to a folder of yours</source>
+        <source>free some space or copy the sequence to a folder of your own</source>
         <translation>libérez de la place ou copiez la séquence dans un dossier à vous</translation>
     </message>
     <message>
-        <source>free some space, or choose a folder that you may write to</source>
+        <source>free some space, or choose a folder with write permission</source>
         <translation>libérez de la place, ou choisissez un dossier où vous pouvez écrire</translation>
     </message>
     <message>
@@ -5564,7 +5564,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>manque</translation>
     </message>
     <message>
-        <source>is no JSON</source>
+        <source>is not JSON</source>
         <translation>n’est pas du JSON</translation>
     </message>
     <message>
@@ -5600,7 +5600,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas fini ou est trop grand</translation>
     </message>
     <message>
-        <source>is nothing that telemetry-parser can read ({reason})</source>
+        <source>cannot be read by telemetry-parser ({reason})</source>
         <translation>n’est rien que telemetry-parser sache lire ({reason})</translation>
     </message>
     <message>
@@ -5720,7 +5720,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cela semble avoir été converti deux fois&#xa0;: multipliez par 57.2957795</translation>
     </message>
     <message>
-        <source>it took not all of the data at {place}</source>
+        <source>it did not accept all of the data at {place}</source>
         <translation>il n’a pas pris toutes les données à {place}</translation>
     </message>
     <message>
@@ -5860,7 +5860,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cherché</translation>
     </message>
     <message>
-        <source>made telemetry-parser answer nonsense ({reason})</source>
+        <source>made telemetry-parser return invalid data ({reason})</source>
         <translation>a fait répondre n’importe quoi à telemetry-parser ({reason})</translation>
     </message>
     <message>
@@ -5872,7 +5872,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>axes de la correspondance</translation>
     </message>
     <message>
-        <source>may not be read</source>
+        <source>permission denied</source>
         <translation>ne peut pas être lu, faute de droits</translation>
     </message>
     <message>
@@ -5904,7 +5904,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun Falcon n’est branché&#xa0;; branchez son câble USB et son alimentation</translation>
     </message>
     <message>
-        <source>no Falcon {serial!r} is plugged in; there is: {known}</source>
+        <source>no Falcon {serial!r} is plugged in; choose one of {known}</source>
         <translation>aucun Falcon {serial!r} n’est branché&#xa0;; il y a&#xa0;: {known}</translation>
     </message>
     <message>
@@ -6460,7 +6460,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un étalonnage vaut pour la méthode smoother, pas pour {method}</translation>
     </message>
     <message>
-        <source>a feedback cannot be rated like {name!r}; there is {known}</source>
+        <source>a feedback cannot be rated like {name!r}; choose one of {known}</source>
         <translation>un retour ne peut pas être noté comme {name!r}&#xa0;; il y a {known}</translation>
     </message>
     <message>
@@ -6706,6 +6706,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>force for other programs</source>
         <translation>force pour d’autres programmes</translation>
+    </message>
+    <message>
+        <source>force track</source>
+        <translation>la piste de force</translation>
     </message>
     <message>
         <source>force vector, every millisecond</source>
@@ -7468,7 +7472,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le Falcon n’est pas ouvert&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
-        <source>the Falcon may not be used by you; copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
+        <source>permission denied for the Falcon; copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and plug it in</source>
         <translation>vous n’avez pas le droit d’utiliser le Falcon&#xa0;; copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez et rebranchez le Falcon</translation>
     </message>
     <message>
@@ -8052,11 +8056,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le flux d’ondelettes n’est pas en base64</translation>
     </message>
     <message>
-        <source>the work was ended from outside (exit status {status}), perhaps for want of memory; nothing was written</source>
+        <source>the process was killed (exit status {status}), perhaps for want of memory; nothing was written</source>
         <translation>le travail a été arrêté de l’extérieur (état {status}), peut-être faute de mémoire&#xa0;; rien n’a été écrit</translation>
     </message>
     <message>
-        <source>the {title} may not be used by you, or is gone; copy the udev rule {rule} to /etc/udev/rules.d, then unplug it and plug it in</source>
+        <source>permission denied for the {title}, or it is gone; copy the udev rule {rule} to /etc/udev/rules.d, then unplug it and plug it in</source>
         <translation>vous n’avez pas le droit d’utiliser l’appareil ({title}), ou il n’est plus là&#xa0;; copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez-le et rebranchez-le</translation>
     </message>
     <message>
@@ -8076,7 +8080,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il n’y a pas d’en-tête, le fichier commence par des nombres</translation>
     </message>
     <message>
-        <source>there is no measure {measure!r}; there is {known}</source>
+        <source>there is no measure {measure!r}; choose one of {known}</source>
         <translation>la mesure {measure!r} est inconnue&#xa0;; il y a {known}</translation>
     </message>
     <message>
@@ -8220,7 +8224,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{count} Falcon sont branchés&#xa0;: {known}&#xa0;; choisissez-en un, par exemple falcon:{serial}</translation>
     </message>
     <message>
-        <source>{count} bytes are no whole number of words, or too many</source>
+        <source>{count} bytes are not a whole number of words, or too many</source>
         <translation>{count} octets ne font pas un nombre entier de mots, ou sont trop nombreux</translation>
     </message>
     <message>
@@ -8240,7 +8244,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{count} lignes sont endommagées et ont été omises (la première&#xa0;: ligne {line})</translation>
     </message>
     <message>
-        <source>{count} missing or wild times were interpolated</source>
+        <source>{count} missing or implausible times were interpolated</source>
         <translation>{count} temps manquants ou aberrants ont été interpolés</translation>
     </message>
     <message>
@@ -8248,7 +8252,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{count} mesures de mouvement sont trop peu&#xa0;; il en faut au moins {least}</translation>
     </message>
     <message>
-        <source>{count} motion samples within {span_ms:.3g} ms are no motion</source>
+        <source>{count} motion samples within {span_ms:.3g} ms are not a recording of motion</source>
         <translation>{count} mesures de mouvement en {span_ms:.3g} ms ne sont pas un mouvement</translation>
     </message>
     <message>
@@ -8268,7 +8272,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{count} paires de lignes étaient inversées dans le temps et ont été remises en ordre</translation>
     </message>
     <message>
-        <source>{count} rows without a time were left out, as they stand in a gap</source>
+        <source>{count} rows without a time were left out, as they are in a gap</source>
         <translation>{count} lignes sans temps ont été omises, car elles sont dans une lacune</translation>
     </message>
     <message>
@@ -8276,7 +8280,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{count} mesures n’ont pas de cadence</translation>
     </message>
     <message>
-        <source>{count} samples {interval_s} s apart are no recording</source>
+        <source>{count} samples {interval_s} s apart are not a recording</source>
         <translation>{count} échantillons espacés de {interval_s} s ne forment pas un enregistrement</translation>
     </message>
     <message>
@@ -8328,7 +8332,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name!r} ne peut pas être le nom d’une piste&#xa0;; prenez jusqu’à 40 lettres, chiffres, espaces, points et traits d’union</translation>
     </message>
     <message>
-        <source>{name!r} is no Falcon; use falcon, or falcon:SERIAL</source>
+        <source>{name!r} is not a Falcon; use falcon, or falcon:SERIAL</source>
         <translation>{name!r} n’est pas un Falcon&#xa0;; prenez falcon, ou falcon:SERIAL</translation>
     </message>
     <message>
@@ -8804,10 +8808,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il y a des données après la fin de l’enregistrement</translation>
     </message>
     <message>
-        <source>there is no force track {name!r}; choose one of {known}</source>
-        <translation>il n’y a pas de piste de force {name!r}&#xa0;; choisissez parmi {known}</translation>
-    </message>
-    <message>
         <source>there is no judgement to analyse</source>
         <translation>il n’y a pas de jugement à analyser</translation>
     </message>
@@ -8852,7 +8852,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mouvement vrai d’une simulation</translation>
     </message>
     <message>
-        <source>turns, and is not read</source>
+        <source>holds rotations, which are not read</source>
         <translation>est une rotation et n’est pas lu</translation>
     </message>
     <message>
@@ -9136,7 +9136,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{order!r} ne sont pas des axes, la télémétrie est donc endommagée</translation>
     </message>
     <message>
-        <source>{path}: cannot be brought back ({reason})</source>
+        <source>{path}: cannot be restored ({reason})</source>
         <translation>{path}&#xa0;: ne peut pas être récupéré ({reason})</translation>
     </message>
     <message>

@@ -57,7 +57,7 @@ def test_a_refusal_is_raised_here_with_its_words():
 
 
 def test_a_child_that_is_killed_is_an_error_with_words():
-    with pytest.raises(HapticPlayerError, match=r"ended from outside.*-9"):
+    with pytest.raises(HapticPlayerError, match=r"was killed.*-9"):
         in_child(dying, progress=lambda *_: None)
 
 

@@ -84,7 +84,7 @@ def test_a_file_without_rights_is_refused(good, tmp_path, monkeypatch):
 
     monkeypatch.setattr(os, "open", refuse)
     outcome = cases.play_in_child(path)
-    assert (outcome.kind, "may not be read" in outcome.text) == ("refused", True)
+    assert (outcome.kind, "permission denied" in outcome.text) == ("refused", True)
 
 
 def test_a_file_that_is_deleted_while_it_plays_plays_to_its_end(good, tmp_path):

@@ -38,7 +38,7 @@ _PLACE_LOST = Message(
     "then choose the device again"
 )
 _NOT_FINITE = Message(
-    "a force that is no number was asked for, a defect of this program; "
+    "a force that is not a number was commanded, a defect of this program; "
     "please report it, and choose the device again"
 )
 

@@ -46,7 +46,7 @@ def reach_of(name: str, line: int = NO_LINE) -> Reach:
     entry = DEVICES.get(name.partition(":")[0])
     if entry is None or not entry.direct:
         raise UsageError(
-            "{name!r} is no Falcon; use falcon, or falcon:SERIAL", name=name
+            "{name!r} is not a Falcon; use falcon, or falcon:SERIAL", name=name
         )
     found: Reach = load(entry.direct)(line, find_device(name).serial)
     return found

@@ -167,7 +167,7 @@ def open_falcon(serial: str = "", backend: Any = None) -> PyUsbTransport:
     )
     if serial:
         raise FalconGoneError(
-            "no Falcon {serial!r} is plugged in; there is: {known}",
+            "no Falcon {serial!r} is plugged in; choose one of {known}",
             serial=serial,
             known=known,
         )
@@ -259,7 +259,7 @@ def _error_for(problem: OSError, doing: str) -> DeviceError:
         )
     if code in (errno.EACCES, errno.EPERM):
         return FalconForbiddenError(
-            "the Falcon may not be used by you; copy the udev rule {rule} to "
+            "permission denied for the Falcon; copy the udev rule {rule} to "
             "/etc/udev/rules.d, then unplug the Falcon and plug it in",
             rule=UDEV_RULE,
         )

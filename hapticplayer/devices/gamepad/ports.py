@@ -41,7 +41,7 @@ class HidPort:
             self._device.open_path(found.path)
         except OSError as problem:
             raise DeviceError(
-                "the {title} may not be used by you, or is gone; copy the udev rule "
+                "permission denied for the {title}, or it is gone; copy the udev rule "
                 "{rule} to /etc/udev/rules.d, then unplug it and plug it in",
                 title=found.layout.title,
                 rule=UDEV_RULE,

@@ -87,7 +87,7 @@ def run_ekf(
     field = None if magnetic_field_ut is None else _rows(magnetic_field_ut)
     if not len(force) or not np.isfinite(interval_s) or interval_s <= 0.0:
         raise InputError(
-            "{count} samples {interval_s} s apart are no recording",
+            "{count} samples {interval_s} s apart are not a recording",
             count=len(force),
             interval_s=interval_s,
         )

@@ -219,12 +219,12 @@ def _filled(
     first = int(rows[np.argmax(~np.isfinite(t))])
     if count > lost:
         what = Message(
-            "{count} missing or wild times were interpolated", count=count - lost
+            "{count} missing or implausible times were interpolated", count=count - lost
         )
         repairs.append(Repair(RepairKind.TIME_FILLED, count - lost, first, what))
     if lost:
         what = Message(
-            "{count} rows without a time were left out, as they stand in a gap",
+            "{count} rows without a time were left out, as they are in a gap",
             count=lost,
         )
         row = int(rows[np.argmax(is_lost)])

@@ -217,7 +217,7 @@ def test_a_missing_time_is_interpolated(tmp_path):
     log = read_recording(write(tmp_path / "log.csv", lines))
     np.testing.assert_allclose(log.imu.time_s, np.arange(200) / 100, atol=1e-12)
     assert log.notes == (
-        "1 missing or wild times were interpolated (first in line 61)",
+        "1 missing or implausible times were interpolated (first in line 61)",
     )
 
 

@@ -113,7 +113,7 @@ def test_other_feedbacks_are_rated_like_those_of_the_paper(run, tmp_path):
     [
         ("late", "KEY=NAME"),
         ("strong=none", "the keys are realistic, none, shuffled, late"),
-        ("late=strong", "rated like 'strong'; there is none, random, realistic"),
+        ("late=strong", "rated like 'strong'; choose one of none, random, realistic"),
     ],
 )
 def test_a_wrong_likeness_adds_nobody(run, tmp_path, like, what):

@@ -377,7 +377,7 @@ def test_arrays_that_are_no_recording_are_refused():
     with pytest.raises(InputError, match="0 samples"):
         run_ekf(np.zeros((0, 3)), np.zeros((0, 3)), None, T)
     for interval_s in (0.0, -T, math.nan, math.inf):
-        with pytest.raises(InputError, match="no recording"):
+        with pytest.raises(InputError, match="not a recording"):
             run_ekf(three, three, None, interval_s)
     with pytest.raises(InputError, match="as many samples"):
         run_ekf(three, np.ones((2, 3)), None, T)

@@ -60,7 +60,7 @@ def parse_image(data: bytes) -> FirmwareImage:
     if len(data) % 2 or not 0 < len(data) <= MAX_IMAGE_BYTES:
         raise _no_image(
             Message(
-                "{count} bytes are no whole number of words, or too many",
+                "{count} bytes are not a whole number of words, or too many",
                 count=len(data),
             )
         )

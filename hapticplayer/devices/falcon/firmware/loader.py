@@ -194,7 +194,7 @@ def _send_with_echo(
 ) -> None:
     """Send bytes and see all of them come back; raises UploadError when they do not."""
     if ftdi.write(data, echo_s) != len(data):
-        raise UploadError("it took not all of the data at {place}", place=where)
+        raise UploadError("it did not accept all of the data at {place}", place=where)
     echo = b""
     deadline_s = clock.now_s() + echo_s
     while len(echo) < len(data):
