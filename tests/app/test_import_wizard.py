@@ -1,6 +1,7 @@
 """The import wizard is driven as a person would, on rides that were simulated."""
 
 import dataclasses
+import functools
 import sys
 import threading
 from pathlib import Path
@@ -35,7 +36,7 @@ from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 from hapticplayer.model import ClockMap
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.playback.phases import Phase
-from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence import open_sequence, recognising
 from hapticplayer.sequence.calibration import StoredCalibration, write_calibration
 from hapticplayer.sequence.recognising import recognise
 from hapticplayer.sequence.synchronizing import stored_skews
@@ -63,8 +64,24 @@ def ride(tmp_path_factory):
     return folder, made
 
 
+@pytest.fixture(scope="module")
+def reading_once():
+    """Return `recognise` with a memory: most tests begin with the same files."""
+    known = {}
+
+    @functools.wraps(recognise)
+    def read(*arguments, progress):
+        if (key := repr(arguments)) not in known:
+            known[key] = recognise(*arguments, progress=progress)
+        return known[key]
+
+    return read
+
+
 @pytest.fixture
-def wizard(application, qtbot, tmp_path, monkeypatch):
+def wizard(application, qtbot, tmp_path, monkeypatch, reading_once):
+    for module in (recognising, import_wizard):  # for a process, it is found by name
+        monkeypatch.setattr(module, "recognise", reading_once)
     made = ImportWizard(str(tmp_path), tmp_path / "library")
     qtbot.addWidget(made)
     made.show()
