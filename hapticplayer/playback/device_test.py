@@ -108,8 +108,8 @@ class DeviceTest:
 
     @property
     def is_acting(self) -> bool:
-        """Whether the device is held, and not yet about to be let go."""
-        return self._player is not None
+        """Whether a part is tested, or another one is still to come."""
+        return self._player is not None or bool(self._next)
 
     @property
     def done_s(self) -> float:
@@ -160,9 +160,9 @@ class DeviceTest:
 
     def stop(self) -> None:
         """Take the force away at once, and let go of the device."""
+        self.was_stopped = self.was_stopped or self.is_acting
         self._next.clear()
         if self._player is not None:
-            self.was_stopped = True
             self._player.stop()
             self._end()
 

@@ -306,11 +306,11 @@ def test_a_device_of_another_package_has_a_page(others, make_page, wait_for):
     assert page.text.text() == "Connect it as its maker says."
 
 
-def begin_test(page, wait_for):
+def begin_test(page, wait_for, until_s=1.2):
     page.panel.test_button.click()
     text = page.panel.question.text.text()
     page.panel.question.yes.click()
-    wait_for(lambda: page.panel.test is not None and page.panel.test.done_s > 1.2)
+    wait_for(lambda: page.panel.test is not None and page.panel.test.done_s > until_s)
     return text
 
 
@@ -360,11 +360,27 @@ def test_a_test_waits_until_the_window_has_let_go(make_window, wait_for):
     page = window.findChild(SetupPage)
     choose(page, "simulated")
     assert states().outlets[0].health is Health.NONE
-    begin_test(page, wait_for)
+    begin_test(page, wait_for, until_s=0.0)
     page.reject()
     wait_for(lambda: not page.panel.is_running)
     page.reject()
     wait_for(lambda: states().outlets[0].health is Health.READY)
+
+
+def test_the_forces_of_an_outlet_are_tried_and_it_plays_again(make_window, wait_for):
+    window = make_window("none")
+    window.player.set_outlets(["simulated"])
+    window.commands.outlets.trigger()
+    window.findChild(OutletsPage).set_up_wanted.emit("simulated")
+    window.findChild(SetupPage).forces.click()
+    wait_for(lambda: window.findChild(DevicePage) is not None)
+    page, states = window.findChild(DevicePage), window.player.snapshot
+    assert states().outlets[0].health is Health.NONE  # it is lent to the page
+    page.begin()
+    wait_for(lambda: page.force_player.media_s > 0.0)
+    page.reject()
+    wait_for(lambda: states().outlets[0].health is Health.READY)
+    assert states().device == "none"
 
 
 def test_a_rig_is_set_up_and_plays_beside_the_device(make_window, wait_for):
@@ -381,14 +397,14 @@ def test_a_rig_is_set_up_and_plays_beside_the_device(make_window, wait_for):
 
 def test_more_devices_lead_here_and_back(make_window, wait_for):
     window = make_window("simulated")
-    window.player.set_outlets(["rig:outsim"])
+    window.player.set_outlets(["rumble"])
     window.commands.outlets.trigger()
-    window.findChild(OutletsPage).set_up_wanted.emit("rig:outsim")
+    window.findChild(OutletsPage).set_up_wanted.emit("rumble")
     page = window.findChild(SetupPage)
-    assert page.chosen == "rig:outsim"
-    choose(page, "rig:beamng")
+    assert page.chosen == "rumble"
+    choose(page, "tcode")
     page.use.click()
-    beside = ["rig:beamng"]
+    beside = ["tcode"]
     wait_for(lambda: [o.name for o in window.player.snapshot().outlets] == beside)
     window.findChild(OutletsPage).accept()
     window.commands.set_up_device.trigger()

@@ -122,6 +122,20 @@ def test_a_stop_ends_all_parts_at_once(begin):
     assert len(test.poll()) == 0
 
 
+def test_a_stop_between_two_parts_begins_no_other(begin):
+    test = begin("shaker:pulse,channels=3+4")
+    Player.made[0].media_s = Player.made[0].end_s
+    test.poll()
+    test.wait()
+    assert (test.is_acting, test.step) == (True, None)
+    test.stop()
+    assert test.was_stopped
+    assert not test.is_acting
+    assert test.is_over
+    test.poll()
+    assert len(Player.made) == 1
+
+
 def test_a_trip_or_a_problem_ends_it(begin):
     test = begin("shaker:pulse,channels=3+4")
     Player.made[0].mode, Player.made[0].cause = Mode.TRIPPED, Cause.GRIP_BUTTON
