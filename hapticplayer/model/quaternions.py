@@ -10,8 +10,8 @@ from hapticplayer.model.arrays import Floats
 
 def multiply(left: Floats, right: Floats) -> Floats:
     """Return the Hamilton product of (..., 4) and (..., 4)."""
-    w1, x1, y1, z1 = np.moveaxis(left, -1, 0)
-    w2, x2, y2, z2 = np.moveaxis(right, -1, 0)
+    w1, x1, y1, z1 = (left[..., k] for k in range(4))
+    w2, x2, y2, z2 = (right[..., k] for k in range(4))
     product: Floats = np.stack(
         [
             w1 * w2 - x1 * x2 - y1 * y2 - z1 * z2,
@@ -22,6 +22,20 @@ def multiply(left: Floats, right: Floats) -> Floats:
         axis=-1,
     )
     return product
+
+
+def chained(turns: Floats) -> Floats:
+    """Return the products of unit quaternions (..., K, 4) from the first up to each.
+
+    Each step doubles how many are multiplied: log2(K) products of arrays.
+    """
+    products, reach = turns.copy(), 1
+    while reach < products.shape[-2]:
+        products[..., reach:, :] = multiply(
+            products[..., :-reach, :], products[..., reach:, :]
+        )
+        reach *= 2
+    return products
 
 
 def conjugate(q: Floats) -> Floats:

@@ -5,6 +5,7 @@ Each writer returns the files of a recording by name; what is one file only has 
 
 import heapq
 import io
+import math
 import operator
 import re
 import zipfile
@@ -75,7 +76,7 @@ def _rows(
     for row in zip(*columns, strict=True):
         cells = [
             cell if isinstance(cell, str)
-            else "" if np.isnan(cell) else one % cell
+            else "" if math.isnan(cell) else one % cell
             for one, cell in zip(formats, row, strict=True)
         ]  # fmt: skip
         lines.append(separator.join(cells))

@@ -207,11 +207,7 @@ def _attitude(angle: Floats) -> Floats:
     """Return the attitude (B, K, 4) in the middles of the steps, from the first on."""
     turns = quat.from_rotation_vector(angle)
     middles = quat.from_rotation_vector(-0.5 * angle)
-    at = np.empty_like(turns)
-    q = np.array([1.0, 0.0, 0.0, 0.0])
-    for k in range(turns.shape[1]):
-        q = at[:, k] = quat.multiply(q, turns[:, k])
-    return quat.multiply(at, middles)
+    return quat.multiply(quat.chained(turns), middles)
 
 
 def _unexplained_mps2(impulse: Floats, attitude: Floats, step_s: Floats) -> Floats:

@@ -25,6 +25,19 @@ def test_product_rotates_like_two_rotations(p, q):
     assert np.allclose(quat.rotate(quat.multiply(p, q), v), both.apply(v), atol=1e-12)
 
 
+@pytest.mark.parametrize("count", [1, 2, 3, 8, 100])
+def test_chained_turns_are_products_one_after_the_other(count):
+    rng = np.random.default_rng(count)
+    turns = quat.normalized(rng.standard_normal((2, count, 4)))
+    found = quat.chained(turns)
+    for row in range(2):
+        so_far = Rotation.identity()
+        for k in range(count):
+            so_far = so_far * scipy_rotation(turns[row, k])
+            apart = so_far.inv() * scipy_rotation(found[row, k])
+            assert apart.magnitude() < 1e-12
+
+
 @given(unit)
 @settings(max_examples=50, deadline=None)
 def test_vertical_is_the_third_row_of_the_rotation_matrix(q):
