@@ -22,12 +22,18 @@ FRAME_S = 0.04
 EFFECTS = EffectList((Effect("gain", 0.2, 0.6), Effect("sine", 1.2, 1.6)))
 
 
-@pytest.fixture
-def folder(sequence, tmp_path):
-    target = tmp_path / "edited"
+@pytest.fixture(scope="module")
+def edited(sequence, tmp_path_factory):
+    target = tmp_path_factory.mktemp("edited") / "ride"
     shutil.copytree(sequence, target)
     set_effects(target, EFFECTS)
     return target
+
+
+@pytest.fixture
+def folder(edited, tmp_path):
+    """A copy of it for one test."""
+    return shutil.copytree(edited, tmp_path / "edited")
 
 
 @pytest.fixture

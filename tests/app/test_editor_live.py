@@ -22,12 +22,18 @@ SAVED = EffectList((Effect("gain", 0.2, 0.6),))
 PULSE = Effect("pulse", 0.5, 1.5, parameters={"amplitude": 2.0}, direction=(1, 0, 0))
 
 
-@pytest.fixture
-def folder(sequence, tmp_path):
-    target = tmp_path / "edited"
+@pytest.fixture(scope="module")
+def edited(sequence, tmp_path_factory):
+    target = tmp_path_factory.mktemp("edited") / "ride"
     shutil.copytree(sequence, target)
     set_effects(target, SAVED)
     return target
+
+
+@pytest.fixture
+def folder(edited, tmp_path):
+    """A copy of it for one test."""
+    return shutil.copytree(edited, tmp_path / "edited")
 
 
 @pytest.fixture

@@ -23,13 +23,19 @@ EFFECTS = EffectList(
 )
 
 
-@pytest.fixture
-def folder(sequence, tmp_path):
+@pytest.fixture(scope="module")
+def edited(sequence, tmp_path_factory):
     """The sequence with three effects, of which two overlap."""
-    target = tmp_path / "edited"
+    target = tmp_path_factory.mktemp("edited") / "ride"
     shutil.copytree(sequence, target)
     set_effects(target, EFFECTS)
     return target
+
+
+@pytest.fixture
+def folder(edited, tmp_path):
+    """A copy of it for one test."""
+    return shutil.copytree(edited, tmp_path / "edited")
 
 
 @pytest.fixture
