@@ -172,9 +172,11 @@ class OutletsPage(QDialog):
                 self._say(translated(message_of(problem)))
 
     def _show_panel(self, *, is_wanted: bool) -> None:
-        """Show the picture of a test in the place of the form."""
+        """Show the picture of a test in the place of rows and form."""
+        self.heading.setText(outlet_text(self._tested) if is_wanted else self._text())
         self.panel.setVisible(is_wanted)
-        self._form.setHidden(is_wanted)
+        for part in (self._scroll, self._form):
+            part.setHidden(is_wanted)
 
     def reject(self) -> None:
         """Stop before anything else; Escape comes here too."""
@@ -283,6 +285,8 @@ class OutletsPage(QDialog):
         gain = captioned(self.tr("Gain"), self.gain)
         latency = captioned(self.tr("Latency"), self.latency)
         self.kind.setAccessibleName(self.tr("Device to add"))
+        self.heading = paragraph(self._text(), lines=2)
+        self._scroll = scrolling(column_of(self.rows, STRETCH))
         self._form = QWidget()
         column_of(
             row_of((self.kind, 1)),
@@ -299,18 +303,19 @@ class OutletsPage(QDialog):
         self.panel.hide()
         fill_page(
             self,
-            paragraph(
-                self.tr(
-                    "Each of these plays beside the chosen device and stops with it. A rig "
-                    "moves with the motion of the recording: begin with a small gain."
-                )
-            ),
-            (scrolling(column_of(self.rows, STRETCH)), 1),
+            self.heading,
+            (self._scroll, 1),
             (self.panel, 2),
             self._form,
             row_of(self.stop_button, STRETCH, close),
         )
         resize_within_screen(self, _WIDTH_PX, _HEIGHT_PX)
+
+    def _text(self) -> str:
+        return self.tr(
+            "Each of these plays beside the chosen device and stops with it. A rig "
+            "moves with the motion of the recording: begin with a small gain."
+        )
 
     def _fill_rows(self, now: Snapshot) -> None:
         while (item := self.rows.takeAt(0)) is not None:

@@ -40,6 +40,8 @@ STEP = 0.005
 """Of a share, too small to be seen: it is not painted again."""
 _WHEEL_RAD = math.radians(100.0)
 """How far the wheel of the picture turns at full strength; a real one turns on."""
+ENLARGED = 6
+"""Of a rig's motion: with a small gain a gentle test would hardly be seen."""
 _MOTION = ("planned_n", "force_n", "position_m", "velocity_mps", "centring_n")
 """Columns of a tick that hold a `RigMotion` in ticks of a rig's loop."""
 
@@ -119,12 +121,25 @@ class RigPicture(RigView):
             return
         last = ticks[-1]
         sent = RigMotion(*np.concatenate([last[name] for name in _MOTION]).tolist())
-        acceleration = (sent.right_mps2, sent.front_mps2, sent.up_mps2)
-        angles = (sent.pitch_rad, sent.roll_rad, sent.heading_rad)
-        heard = Heard("", None, acceleration, *angles, (0.0, 0.0, 0.0))
+        right, front, up, pitch, roll, heading = (ENLARGED * x for x in sent[:6])
+        still = (0.0, 0.0, 0.0)
+        heard = Heard("", None, (right, front, up), pitch, roll, heading, still)
         asked = self._follower.pose(heard, float(last["monotonic_s"]))
         pose, share = reached(asked)
         self.show_pose(pose, is_clamped=share < 1.0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the platform, and how much its motion is enlarged."""
+        super().paintEvent(event)
+        painter = QPainter(self)
+        painter.setPen(QColor(theme.DIM))
+        text = translate("DevicePicture", "Motion enlarged {factor} times")
+        place = self.rect().adjusted(8, 6, -8, -6)
+        painter.drawText(
+            place,
+            Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom,
+            text.format(factor=ENLARGED),
+        )
 
 
 class _Drawn(QWidget):

@@ -176,7 +176,6 @@ class DeviceTest:
         self._limit_s = self._clock.now_s() + self._patience_s
 
     def _go_on(self) -> None:
-        self._before_s += self.part.end_s
         self.part = self._next.pop(0)
         try:
             self._begin(self.part)
@@ -189,6 +188,7 @@ class DeviceTest:
         player, self._player = self._player, None
         if player is None:
             return
+        self._before_s += player.media_s
         self.problem = self.problem or player.problem
         if self.problem or player.mode is Mode.TRIPPED:
             self._next.clear()

@@ -540,6 +540,10 @@
         <translation>Plattform des Bewegungssitzes</translation>
     </message>
     <message>
+        <source>Motion enlarged {factor} times</source>
+        <translation>Bewegung {factor}-fach vergrößert</translation>
+    </message>
+    <message>
         <source>Force along one axis</source>
         <translation>Kraft entlang einer Achse</translation>
     </message>

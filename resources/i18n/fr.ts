@@ -540,6 +540,10 @@
         <translation>Plateforme du siège</translation>
     </message>
     <message>
+        <source>Motion enlarged {factor} times</source>
+        <translation>Mouvement agrandi {factor} fois</translation>
+    </message>
+    <message>
         <source>Force along one axis</source>
         <translation>Force sur un axe</translation>
     </message>

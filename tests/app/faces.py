@@ -143,7 +143,8 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
 def _outlets_in_test(window: PlayerWindow) -> OutletsPage:
     """Return the page as it is while an outlet is tested."""
     page = OutletsPage(window.clock, window.session, window)
-    page.panel.set_device("wheel")
+    page._tested = "wheel:event5,axis=x,sign=-"
+    page.panel.set_device(page._tested)
     page._show_panel(is_wanted=True)
     page.panel.state.setText("an answer that did not come, and what to do about it")
     return page

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from app.plots.device_picture import (
+    ENLARGED,
     BarsPicture,
     DevicePicture,
     GripPicture,
@@ -100,6 +101,10 @@ def test_a_platform_does_what_the_packet_says(application, qtbot):
     rig = picture_of(RECORDS["rig"])
     qtbot.addWidget(rig)
     # columns of a RigMotion: right, front, up (m/s^2), pitch, roll, heading (rad)
-    rig.show_sent(ticks(planned_n=(0.0, 0.0, 2.0), force_n=(0.1, -0.05, 0.0)), ())
-    assert rig.pose.up_m == pytest.approx(0.04)
-    assert (rig.pose.pitch_rad, rig.pose.roll_rad) == pytest.approx((0.1, -0.05))
+    rig.show_sent(ticks(planned_n=(0.0, 0.0, 0.5), force_n=(0.02, -0.01, 0.0)), ())
+    assert rig.pose.up_m == pytest.approx(ENLARGED * 0.01)
+    angles = rig.pose.pitch_rad, rig.pose.roll_rad
+    assert angles == pytest.approx((ENLARGED * 0.02, ENLARGED * -0.01))
+    assert not rig.is_clamped
+    rig.show_sent(ticks(planned_n=(0.0, 0.0, 5.0)), ())
+    assert rig.is_clamped

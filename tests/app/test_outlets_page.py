@@ -129,7 +129,7 @@ def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
         return not page.panel.is_running
 
     wait_for(is_over)
-    assert max(heights) > 0.002  # the picture has moved
+    assert max(heights) > 0.01  # the picture has moved
     assert page.problem.text() == "Test finished."
     assert not page.panel.isVisible()
     list(ears.listen(0.0))
