@@ -2,6 +2,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from app.player import fullscreen
 from hapticplayer.playback.phases import Phase
 
 
@@ -18,6 +19,12 @@ def beside_the_surface(window) -> list:
         window.transport,
         window.health,
     ]
+
+
+@pytest.fixture(autouse=True)
+def _soon(monkeypatch):
+    """Let the cursor go after 0.1 s."""
+    monkeypatch.setattr(fullscreen, "CURSOR_STAYS_MS", 100)
 
 
 @pytest.fixture

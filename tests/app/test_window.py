@@ -91,17 +91,17 @@ def test_no_line_of_the_first_page_is_cut_off(application, qtbot, width_px):
         assert label.height() >= label.heightForWidth(label.width())
 
 
-def test_help_is_the_last_menu(window):
+def test_nothing_is_open_at_first(window):
     titles = [action.text() for action in window.menuBar().actions()]
     assert titles == ["&File", "&Playback", "&View", "&Study", "&Help"]
-
-
-def test_nothing_is_open_at_first(window):
     assert window.stage.currentWidget() is window.empty_page
     assert window.player.snapshot().phase is Phase.EMPTY
     assert not window.transport.play.isEnabled()
     assert not window.commands.fullscreen.isEnabled()
     assert window.windowTitle() == "hapticplayer"
+    devices = window.transport.device
+    assert devices.model().item(devices.findData("falcon")).isEnabled()
+    assert devices.findData("falcon-simulated") < 0  # for developers
 
 
 def test_a_sequence_that_is_opened_plays(window, sequence, wait_for):
@@ -179,6 +179,7 @@ def test_the_slider_and_the_time_follow_the_clip(playing, wait_for):
 
 
 def test_the_clip_ends_and_can_be_played_again(playing, wait_for):
+    playing.player.seek(1.6)
     wait_for(lambda: playing.player.snapshot().phase is Phase.ENDED)
     wait_for(lambda: playing.transport.play.accessibleName() == "Play")
     playing.transport.play.click()
@@ -255,13 +256,6 @@ def test_space_on_a_focused_button_presses_it(playing, wait_for):
     playing.transport.stop.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyClick(playing.transport.stop, Qt.Key.Key_Space)
     wait_for(lambda: playing.player.snapshot().phase is Phase.PAUSED)
-
-
-def test_a_falcon_is_offered_and_what_is_for_developers_is_not(window):
-    combo = window.transport.device
-    row = combo.findData("falcon")
-    assert combo.model().item(row).isEnabled()
-    assert combo.findData("falcon-simulated") < 0
 
 
 def test_a_missing_falcon_leaves_the_window_without_a_device(window, wait_for):
