@@ -296,6 +296,8 @@ class SetupPage(QDialog):
         if is_right:
             self.panel.set_device(self.chosen)
             self.latency.follow(self.chosen)
+        else:
+            self.latency.number.setEnabled(False)
 
     def _is_free(self) -> bool:
         """Whether this page and the window have let go of the device."""

@@ -97,7 +97,7 @@ def checks_of(entry: DeviceEntry) -> list[Check]:
     """Return what a device needs, up to the first that is not met."""
     try:
         return until_unmet(guide_of(entry).checks(entry.serial))
-    except HapticPlayerError as problem:
+    except Exception as problem:  # noqa: BLE001 - of any package: the page shows it
         what = Message("Search on this computer")
         return [Check(what, False, message_of(problem))]
 

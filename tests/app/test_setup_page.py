@@ -286,8 +286,10 @@ def test_settings_that_are_not_allowed_cannot_be_used(make_page, wait_for):
     choose(page, "shaker", "pulse,channels=3+9")
     wait_for(lambda: "shaker option 'channels=3+9'" in page.title.text())
     assert not page.use.isEnabled()
+    assert not page.latency.number.isEnabled()
     choose(page, "shaker")
     assert page.use.isEnabled()
+    assert page.latency.number.isEnabled()
 
 
 def test_settings_of_the_device_in_use_are_shown(make_page):

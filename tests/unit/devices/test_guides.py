@@ -104,10 +104,12 @@ def test_a_falcon_needs_cable_rule_and_firmware(monkeypatch, tmp_path):
     assert states("falcon:OTHER") == {"Falcon on USB": False}
 
     def refuse():
-        raise FalconForbiddenError("libusb is missing; install it")
+        raise refused
 
     monkeypatch.setattr(guides, "list_falcons", refuse)
-    assert checks_of(find_device("falcon"))[-1].remedy.startswith("libusb is missing")
+    for refused in (FalconForbiddenError("libusb is missing"), OSError(5, "broken")):
+        (check,) = checks_of(find_device("falcon"))
+        assert (check.is_met, check.remedy) == (False, str(refused.args[-1]))
 
 
 def test_a_sound_card_is_looked_for_in_a_process_of_its_own(monkeypatch):
