@@ -241,7 +241,8 @@ class MountingPage(QWidget):
         name, field = captioned(self.tr("&Calibration"), self.calibration)
         calibration = row_of((field, 1), choose)
         form.addRow(name, calibration)
-        self._of_recording = (self.mounting, self.gravity, calibration)
+        rows = (self.mounting, self.gravity, calibration, self.rendering.lever_arm)
+        self._of_recording = rows
         form.addRow(self.tr("&Title"), self.title)
         form.addRow(self.tr("Library"), row_of((self.place, 1), change))
         hint = paragraph(
@@ -270,6 +271,7 @@ class MountingPage(QWidget):
     def show_suggested(self, video: Path) -> None:
         """Ask for rendering, title and place alone: nothing was mounted anywhere."""
         self._show_recording(is_recorded=False)
+        self.rendering.lever_arm.setCurrentIndex(0)  # the recorder itself
         self.title.setText(video.stem)
 
     def _show_recording(self, *, is_recorded: bool) -> None:

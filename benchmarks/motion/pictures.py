@@ -186,53 +186,57 @@ def _kind(row: Row) -> str:
     return "car" if row.clip.startswith("car-") else row.clip
 
 
+def _mean(rows: list[Row], name: str) -> float:
+    return float(np.mean([getattr(row, name) for row in rows]))
+
+
 def _tables(found: list[Row], report: Report) -> None:
-    header = ["clips", "sway r", "error", "bounce r", "error", "kept, %"]
-    judged = {
-        part: next(one for one in BANDS if one.part == part and one.is_judged)
-        for part in ("sway", "bounce")
-    }
-    lines = []
-    for name in dict.fromkeys(_kind(row) for row in found):
-        cells: list[object] = []
-        shares = []
-        for band in judged.values():
-            own = [
-                row
-                for row in found
-                if (_kind(row), row.band, row.is_new) == (name, band, True)
-            ]
-            cells += [
-                float(np.mean([row.correlation for row in own])),
-                float(np.mean([row.error for row in own])),
-            ]
-            shares.append(f"{100 * float(np.mean([row.kept for row in own])):.0f}")
-        lines.append([name, *cells, ", ".join(shares)])
-    report.table("Clips not used to build it", header, lines, mark="estimate")
+    new = [row for row in found if row.is_new]
+    _by_clip(new, report)
     for band in BANDS:
-        own = [row for row in found if row.band == band and row.is_new]
-        with_part = [row for row in own if row.kept >= KEPT]
-        won = sum(row.beats for row in with_part)
-        worse = sum(row.error > WORSE for row in own)
-        what = f"{band.part} {band.low_hz:g}-{band.high_hz:g} Hz"
-        print(
-            f"{what}: {won} of {len(with_part)} clips that have it beat both baselines"
-        )
-        if band.is_judged and own:
-            mean = float(np.mean([row.error for row in own]))
-            report.target(f"{what}: mean error, new clips", mean, ("<=", 0.9))
-            text = f"{what}: new clips with an error above {WORSE:g}"
-            report.target(text, worse, ("<=", 0))
+        _judge(band, [row for row in new if row.band == band], report)
     columns = ["clip", "new", "part", "Hz", "kept", "truth", "estimate", "r", "error",
                "fitted", "random r", "random error", "error / sigma"]  # fmt: skip
-    cells_ = [
+    cells = [
         [row.clip, row.is_new, row.band.part, f"{row.band.low_hz:g}-{row.band.high_hz:g}",
          row.kept, row.truth_mps2, row.estimate_mps2, row.correlation, row.error,
          row.fitted_error, row.random_correlation, row.random_error, row.sigma_ratio]
         for row in found
     ]  # fmt: skip
-    report.table("All clips", columns, cells_)
-    report.figures |= {"columns": columns, "rows": cells_}
+    report.table("All clips", columns, cells)
+    report.figures |= {"columns": columns, "rows": cells}
+
+
+def _by_clip(found: list[Row], report: Report) -> None:
+    """Show a column for each scene and each real clip."""
+    kinds = list(dict.fromkeys(_kind(row) for row in found))
+    lines, kept = [], []
+    for band in (one for one in BANDS if one.is_judged):
+        own = [
+            [row for row in found if _kind(row) == kind and row.band == band]
+            for kind in kinds
+        ]
+        cells = [
+            f"{_mean(rows, 'correlation'):.2f}, {_mean(rows, 'error'):.2f}"
+            for rows in own
+        ]
+        lines.append([f"{band.part}: r, error", *cells])
+        kept.append([f"{100.0 * _mean(rows, 'kept'):.0f}" for rows in own])
+    shares = [f"{sway}, {bounce}" for sway, bounce in zip(*kept, strict=True)]
+    lines.append(["kept, %: sway, bounce", *shares])
+    report.table("Clips not used to build it", ["", *kinds], lines, mark="estimate")
+
+
+def _judge(band: Band, found: list[Row], report: Report) -> None:
+    with_part = [row for row in found if row.kept >= KEPT]
+    won = sum(row.beats for row in with_part)
+    what = f"{band.part} {band.low_hz:g}-{band.high_hz:g} Hz"
+    print(f"{what}: {won} of {len(with_part)} clips that have it beat both baselines")
+    if band.is_judged and found:
+        error, worse = _mean(found, "error"), sum(row.error > WORSE for row in found)
+        report.target(f"{what}: mean error, new clips", error, ("<=", 0.9))
+        text = f"{what}: new clips with an error above {WORSE:g}"
+        report.target(text, worse, ("<=", 0))
 
 
 def options(parser: argparse.ArgumentParser) -> None:

@@ -7052,6 +7052,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>für diesen Clip ist kein Effekt eingeschaltet; fügen Sie seiner Sequenz einen hinzu, oder geben Sie den Namen einer bearbeiteten Spur an</translation>
     </message>
     <message>
+        <source>no estimated bounce: two halves of the points do not agree on it, or it is wilder than any gait</source>
+        <translation>kein geschätztes Auf und Ab: zwei Hälften der Punkte stimmen darin nicht überein, oder es ist heftiger als jede Gangart</translation>
+    </message>
+    <message>
         <source>no force</source>
         <translation>keine Kraft</translation>
     </message>
@@ -8642,10 +8646,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no device</source>
         <translation>kein Gerät</translation>
-    </message>
-    <message>
-        <source>no estimated bounce: two halves of the points do not agree on it</source>
-        <translation>kein geschätztes Auf und Ab: zwei Hälften der Punkte stimmen darin nicht überein</translation>
     </message>
     <message>
         <source>no estimated sway: no turns beyond what may be an error</source>

@@ -7052,6 +7052,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun effet n’est activé pour ce clip&#xa0;; ajoutez-en un à sa séquence, ou donnez le nom d’une piste modifiée</translation>
     </message>
     <message>
+        <source>no estimated bounce: two halves of the points do not agree on it, or it is wilder than any gait</source>
+        <translation>pas de rebond estimé&#xa0;: deux moitiés des points ne s’accordent pas, ou il est plus violent que toute allure</translation>
+    </message>
+    <message>
         <source>no force</source>
         <translation>aucune force</translation>
     </message>
@@ -8642,10 +8646,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no device</source>
         <translation>aucun appareil</translation>
-    </message>
-    <message>
-        <source>no estimated bounce: two halves of the points do not agree on it</source>
-        <translation>pas de rebond estimé&#xa0;: deux moitiés des points ne s’accordent pas</translation>
     </message>
     <message>
         <source>no estimated sway: no turns beyond what may be an error</source>

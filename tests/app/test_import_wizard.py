@@ -606,6 +606,7 @@ def test_a_plain_video_gets_an_estimate_if_a_person_wants_it(
     assert wizard.stack.currentIndex() == MOUNTING
     assert not wizard.mounting.mounting.isVisible()
     assert not wizard.mounting.triad.isVisible()
+    assert not wizard.mounting.rendering.lever_arm.isVisible()
     wizard.back.click()
     assert wizard.stack.currentIndex() == FILES
     wizard.next.click()

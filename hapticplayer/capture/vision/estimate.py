@@ -43,6 +43,7 @@ _SPEED_SIGMA = 0.3  # share of the sway
 _LEAST_SIGMA_MPS2 = 0.05  # less is not noticed: 0.02 N at the default gain
 _SHARES = (0.3, 0.8)  # of sway in sway and error: from no trust to full trust
 _HALVES = (0.8, 0.95)  # correlation of the halves: from no trust to full trust
+_WILD_MPS2 = (6.0, 9.0)  # RMS of a bounce that no gait has: full trust to none
 _BOUNCE_SIGMA = (2.0, 0.45)  # of the halves' difference, and share of the bounce
 _LITTLE = 0.05  # mean trust below which a part is left out, and that is said
 _STILL_HEIGHTS_PER_S, _STILL_RADPS = 0.05, 0.02
@@ -212,9 +213,11 @@ def _bounce(watched_: _Watched) -> tuple[Floats, Floats, Floats]:
     common, apart = _mean(one * other), _mean((one - other) ** 2 / 4.0)
     alike = common / (np.abs(common) + 2.0 * apart + 1e-12)
     of_noise, of_bounce = _BOUNCE_SIGMA
+    size = np.sqrt(_mean(bounce**2))
     of_halves = np.hypot(of_noise * np.sqrt(apart), _LEAST_SIGMA_MPS2)
-    sigma = np.hypot(of_halves, of_bounce * np.sqrt(_mean(bounce**2)))
-    return bounce, sigma, _between(alike, _HALVES)
+    sigma = np.hypot(of_halves, of_bounce * size)
+    trust = _between(alike, _HALVES) * (1.0 - _between(size, _WILD_MPS2))
+    return bounce, sigma, trust
 
 
 def _between(values: Floats, bounds: tuple[float, float]) -> Floats:
@@ -244,7 +247,10 @@ def _notes(watched_: _Watched, trust: Floats) -> tuple[tuple[str, ...], list[int
         notes.append(Message("no estimated sway: no turns beyond what may be an error"))
     if 1 in left_out:
         notes.append(
-            Message("no estimated bounce: two halves of the points do not agree on it")
+            Message(
+                "no estimated bounce: two halves of the points do not agree on it, or it "
+                "is wilder than any gait"
+            )
         )
     return tuple(notes), left_out
 
