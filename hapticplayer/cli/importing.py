@@ -159,10 +159,13 @@ def _say_imported(folder: Path, sequence: Sequence) -> None:
         f"({made_of['accelerometer_gain_from']})"
     )
     found = made_of.get("synchronisation")
+    synchronised = ""
     if found and found["method"] in ("pats", "pictures", "variance"):
-        say(sync_text(found))
+        synchronised = sync_text(found)
+        say(synchronised)
     for note in (*made_of["conditioning"], *made_of["notes"]):
-        say(f"note: {note}")
+        if note not in synchronised:
+            say(f"note: {note}")
     say(f"play it with: hapticplayer play {folder}")
 
 

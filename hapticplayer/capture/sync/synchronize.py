@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.errors import InputError, MediaError, Message, UsageError
 from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.model import ClockMap, ImuLog
 
@@ -136,10 +136,10 @@ def automatic(inputs: SyncInput) -> Synchronisation:
     if inputs.look is None:
         return by_pats(inputs)
     pats, problem = _tried(by_pats, inputs)
-    pictures, _ = _tried(by_pictures, inputs)
+    pictures, unseen = _tried(by_pictures, inputs)
     if pats is None and pictures is None:
         assert problem is not None
-        raise problem
+        raise _with_both_remedies(problem, unseen)
     if pats is None or pictures is None:
         found = pats or pictures
         assert found is not None
@@ -155,6 +155,14 @@ def _tried(
         return method(inputs), None
     except InputError as problem:
         return None, problem
+
+
+def _with_both_remedies(unheard: InputError, unseen: InputError | None) -> InputError:
+    """Return why there are no pats, with what makes the frames visible as well."""
+    if not isinstance(unseen, MediaError) or not unseen.remedy:
+        return unheard
+    remedy = Message("{one}; {other}", one=unseen.remedy, other=unheard.remedy)
+    return InputError(unheard.what, where=unheard.where, remedy=remedy)
 
 
 def joined_findings(

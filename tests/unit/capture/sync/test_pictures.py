@@ -16,7 +16,7 @@ from hapticplayer.capture.sync.pictures import (
 from hapticplayer.capture.sync.result import Pat, Synchronisation
 from hapticplayer.capture.sync.synchronize import SyncInput, automatic, joined_findings
 from hapticplayer.capture.vision import FeatureKind, FrameRotation
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.errors import InputError, MediaError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 
 CLIP_S = 30.0
@@ -331,6 +331,12 @@ def test_auto_uses_what_there_is(pictures, monkeypatch) -> None:
     monkeypatch.undo()
     with pytest.raises(InputError, match="there is none"):
         automatic(SyncInput(imu, missing, look=missing))
+
+    def unreadable() -> FrameRotation:
+        raise MediaError("no vectors", remedy="install this")
+
+    with pytest.raises(InputError, match=r"there is none.*install this"):
+        automatic(SyncInput(imu, missing, look=unreadable))
 
 
 def test_coarse_frames_are_less_certain(pictures) -> None:
