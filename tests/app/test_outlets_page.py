@@ -235,7 +235,7 @@ def test_escape_and_stop_bring_device_and_outlet_to_rest(
 
     def are_felt():
         if Mode.TRIPPED in modes():  # by a busy machine
-            window.session.rearm()
+            player.rearm()
             player.play()
         return modes() == {Mode.FOLLOWING}
 

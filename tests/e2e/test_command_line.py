@@ -70,7 +70,9 @@ def test_the_demo_plays_and_its_log_proves_it(demo_log):
     size = np.linalg.norm(force, axis=1)
     assert 0.05 < size.max() <= 4.5 + 1e-4
     assert size[-1] == 0.0
-    assert np.linalg.norm(np.diff(force, axis=0), axis=1).max() <= 1.0 + 1e-4
+    change = np.linalg.norm(np.diff(force, axis=0), axis=1)
+    periods = np.maximum(1.0, np.diff(times_s) / 1e-3)  # a busy machine may be late
+    assert np.all((change <= 1.0 * periods + 0.01) | (size[1:] == 0.0))
     assert summary["scheduling"] in ("fifo", "slice", "normal")
     assert set(summary["lateness_us"]) == {"p50", "p99", "p999", "max"}
 
