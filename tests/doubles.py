@@ -2,7 +2,7 @@
 
 from hapticplayer.devices.capabilities import SIMULATED
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
-from hapticplayer.devices.falcon.protocol import Command, Reply, Words
+from hapticplayer.devices.falcon.protocol import MotorCommand, Reply, Words
 from hapticplayer.devices.paced import Port
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceReading, Vector
@@ -109,7 +109,7 @@ class BenchMechanics:
         self.counts, self.buttons, self.homed = counts, 0, homed
         self.commands: list[tuple[float, Words]] = []
 
-    def command(self, command: Command, at_s: float) -> None:
+    def command(self, command: MotorCommand, at_s: float) -> None:
         """Write the words down."""
         self.commands.append((at_s, command.words))
 

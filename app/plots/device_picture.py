@@ -29,7 +29,7 @@ from hapticplayer.haptics.contract import Mode
 from hapticplayer.model.device import ChannelLevel, DeviceCapabilities, Signal
 from hapticplayer.model.rig import RigMotion
 from hapticplayer.simulation.rig.decode import Heard
-from hapticplayer.simulation.rig.platform import Follower, Pose, reached
+from hapticplayer.simulation.rig.platform import Follower, PlatformPose, reached
 
 translate = QCoreApplication.translate
 
@@ -117,7 +117,7 @@ class RigPicture(RigView):
         """Show the newest of some ticks, whose columns are a `RigMotion`."""
         if not len(ticks):
             self._follower = Follower()
-            self.show_pose(Pose(), is_clamped=False)
+            self.show_pose(PlatformPose(), is_clamped=False)
             return
         last = ticks[-1]
         sent = RigMotion(*np.concatenate([last[name] for name in _MOTION]).tolist())

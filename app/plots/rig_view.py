@@ -13,7 +13,7 @@ from hapticplayer.simulation.rig.platform import (
     HOME_M,
     LONGEST_M,
     SHORTEST_M,
-    Pose,
+    PlatformPose,
     base_m,
     legs_m,
     platform_m,
@@ -32,13 +32,13 @@ class RigView(QWidget):
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(LEAST_PX)
-        self.pose, self.is_clamped = Pose(), False
+        self.pose, self.is_clamped = PlatformPose(), False
 
     def sizeHint(self) -> QSize:
         """Return a size at which everything can be seen."""
         return WANTED_PX
 
-    def show_pose(self, pose: Pose, *, is_clamped: bool) -> None:
+    def show_pose(self, pose: PlatformPose, *, is_clamped: bool) -> None:
         """Show a pose that the legs reach, and whether more was asked for."""
         if (pose, is_clamped) != (self.pose, self.is_clamped):
             self.pose, self.is_clamped = pose, is_clamped

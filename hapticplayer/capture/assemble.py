@@ -24,8 +24,8 @@ from hapticplayer.capture.choices import (
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.mounting import axes_matrix
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.source import Source
-from hapticplayer.capture.streams import RawLog, Samples, Stream, on_common_times
+from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.streams import RawLog, Samples, SensorStream, on_common_times
 from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
@@ -40,19 +40,19 @@ _ONE_G = np.array([0.0, 0.0, STANDARD_GRAVITY_MPS2])
 
 
 def log_reader(
-    recognises: Callable[[Source], Confidence],
-    read_raw: Callable[[Source, LogChoices], RawLog],
+    recognises: Callable[[LogSource], Confidence],
+    read_raw: Callable[[LogSource, LogChoices], RawLog],
 ) -> Reader:
     """Return the reader of a format whose logs are assembled here."""
 
-    def read(source: Source, choices: LogChoices) -> Recording:
+    def read(source: LogSource, choices: LogChoices) -> Recording:
         # no other reference, so that `assemble` can free what it has used
         return assemble(read_raw(source, choices), choices, str(source.path))
 
     return Reader(recognises, read)
 
 
-def only_one(found: list[str], source: Source) -> str:
+def only_one(found: list[str], source: LogSource) -> str:
     """Return the one member that was found.
 
     Raises:
@@ -143,7 +143,7 @@ def _decided(raw: RawLog, choices: LogChoices) -> RawLog:
     """Return the log with the answers of a person in place of what it declares."""
     accel = raw.accel
     if choices.accel_sign == "-":
-        accel = Stream(accel.time_s, -accel.values)
+        accel = SensorStream(accel.time_s, -accel.values)
     return dataclasses.replace(
         raw,
         accel=accel,
@@ -176,7 +176,7 @@ def _beginning(samples: Samples) -> Samples:
 
 def _without_samples(raw: RawLog) -> RawLog:
     """Return the log with empty streams."""
-    empty = Stream(np.zeros(0), np.zeros((0, 3)))
+    empty = SensorStream(np.zeros(0), np.zeros((0, 3)))
     return dataclasses.replace(
         raw,
         accel=empty,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.limits import MAX_CSV_ROWS, MAX_DAMAGED_SHARE, MAX_LINE_BYTES
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 
@@ -102,7 +102,7 @@ Selection = Callable[[Floats, Sequence[int]], Floats]
 
 
 def read_table(
-    source: Source, name: str, shape: Shape, select: Selection | None = None
+    source: LogSource, name: str, shape: Shape, select: Selection | None = None
 ) -> Numbers:
     """Return the wanted columns of a member of a recording.
 
@@ -398,7 +398,7 @@ def find_separator(line: str) -> str:
     return max((",", ";", "\t"), key=line.count)
 
 
-def head_lines(source: Source, name: str) -> list[str]:
+def head_lines(source: LogSource, name: str) -> list[str]:
     """Return the first lines of a member, without one that may be cut."""
     text = source.head(name)
     text = text.replace("\r", "") if "\n" in text else text.replace("\r", "\n")
@@ -406,7 +406,7 @@ def head_lines(source: Source, name: str) -> list[str]:
     return lines[: max(1, len(lines) - 1)]
 
 
-def first_numbers(source: Source, name: str) -> list[list[float]]:
+def first_numbers(source: LogSource, name: str) -> list[list[float]]:
     """Return the rows of numbers at the beginning of a member, or [].
 
     Empty cells are NaN. The last line is omitted, because it may be cut.
@@ -431,7 +431,7 @@ def _number(cell: str) -> float | None:
 
 
 def header_fault(
-    source: Source,
+    source: LogSource,
     required: tuple[str, ...] = LOG_COLUMNS,
     optional: tuple[str, ...] = FIELD_COLUMNS,
 ) -> InputError:

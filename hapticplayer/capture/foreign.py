@@ -5,7 +5,7 @@ import zipfile
 from typing import NamedTuple
 
 from hapticplayer.capture.csv_table import foreign_digits, header_fault, nul_bytes
-from hapticplayer.capture.source import Source, is_plain_text
+from hapticplayer.capture.source import LogSource, is_plain_text
 from hapticplayer.errors import InputError, Message
 from hapticplayer.untrusted import open_regular
 
@@ -61,7 +61,7 @@ _CERTAIN = (
 )
 
 
-def refuse_foreign(source: Source) -> None:
+def refuse_foreign(source: LogSource) -> None:
     """Reject what its first bytes name.
 
     Raises:
@@ -73,7 +73,7 @@ def refuse_foreign(source: Source) -> None:
             raise InputError(kind.what, where=str(source.path), remedy=kind.remedy)
 
 
-def why_unreadable(source: Source) -> InputError | None:
+def why_unreadable(source: LogSource) -> InputError | None:
     """Return what a file is that could not be read as a video, or None."""
     if not source.is_binary:
         return None
@@ -81,7 +81,7 @@ def why_unreadable(source: Source) -> InputError | None:
     return InputError(what, where=str(source.path), remedy=remedy) if what else None
 
 
-def _named(source: Source, content: bytes) -> tuple[str, str]:
+def _named(source: LogSource, content: bytes) -> tuple[str, str]:
     """Return what a file is and what to do, or nothing."""
     if _is_utf16(content):
         return _UTF16
@@ -111,7 +111,7 @@ def _is_utf16(content: bytes) -> bool:
     return False
 
 
-def _is_padded_zip(source: Source) -> bool:
+def _is_padded_zip(source: LogSource) -> bool:
     try:
         with open_regular(source.path) as reader, zipfile.ZipFile(reader) as archive:
             return bool(archive.infolist())
@@ -119,7 +119,7 @@ def _is_padded_zip(source: Source) -> bool:
         return False
 
 
-def unknown(source: Source) -> InputError:
+def unknown(source: LogSource) -> InputError:
     """Return why a source of no known format cannot be read."""
     where = str(source.path)
     if any(name.startswith(_NEW_EXCEL) for name in source.names):

@@ -14,7 +14,7 @@ from hapticplayer.errors import Message
 if TYPE_CHECKING:
     from hapticplayer.capture.choices import LogChoices
     from hapticplayer.capture.recording import Recording
-    from hapticplayer.capture.source import Source
+    from hapticplayer.capture.source import LogSource
 
 
 class Confidence(enum.IntEnum):
@@ -37,8 +37,8 @@ class Reader(NamedTuple):
         read: reads the whole recording.
     """
 
-    recognises: "Callable[[Source], Confidence]"
-    read: "Callable[[Source, LogChoices], Recording]"
+    recognises: "Callable[[LogSource], Confidence]"
+    read: "Callable[[LogSource, LogChoices], Recording]"
 
 
 class RecordingFormat(NamedTuple):

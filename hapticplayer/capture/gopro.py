@@ -41,7 +41,7 @@ from hapticplayer.capture.limits import (
 )
 from hapticplayer.capture.log_checks import norm_at_rest
 from hapticplayer.capture.recording import Recording, gap_notes
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import mean_rate_with_holes
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media.telemetry import (
@@ -63,7 +63,7 @@ _SHOWN_SAMPLES = 60_000
 """For the norm at rest: five minutes."""
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """A GoPro telemetry track in a video, or the magic of a raw dump."""
     if source.is_one_file and _is_raw(source):
         return Confidence.CERTAIN
@@ -72,11 +72,11 @@ def recognises(source: Source) -> Confidence:
     return Confidence.CERTAIN if is_own else Confidence.NO
 
 
-def _is_raw(source: Source) -> bool:
+def _is_raw(source: LogSource) -> bool:
     return source.beginning(source.names[0]).startswith(RAW_MAGIC)
 
 
-def read(source: Source, _choices: LogChoices) -> Recording:
+def read(source: LogSource, _choices: LogChoices) -> Recording:
     """Return the motion in a video, or in a raw dump (`.gpmf`, `.bin`, `.raw`).
 
     Raises:

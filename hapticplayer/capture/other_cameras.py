@@ -29,8 +29,8 @@ from hapticplayer.capture.limits import (
     MEMORY_BYTES,
     TIME_LIMIT_S,
 )
-from hapticplayer.capture.source import Source
-from hapticplayer.capture.streams import RawLog, Stream
+from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.capture.telemetry_child import COLUMNS
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media.telemetry import data_track_names
@@ -42,12 +42,12 @@ _MIN_SHARE = 0.98
 """Of the samples that must have acceleration and rate."""
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """Any video; GoPro has a higher confidence."""
     return Confidence.POSSIBLE if source.is_binary else Confidence.NO
 
 
-def read(source: Source, choices: LogChoices) -> RawLog:
+def read(source: LogSource, choices: LogChoices) -> RawLog:
     """Return the motion in a video.
 
     Raises:
@@ -106,8 +106,8 @@ def read_other_camera(
         )
     return RawLog(
         name=name,
-        accel=Stream(time_s, accel),
-        rate=Stream(time_s, rate),
+        accel=SensorStream(time_s, accel),
+        rate=SensorStream(time_s, rate),
         rate_unit="deg/s",
         axes_words=Message("as telemetry-parser gives them"),
         notes=(

@@ -13,7 +13,7 @@ from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.foreign import refuse_foreign, unknown, why_unreadable
 from hapticplayer.capture.formats import Confidence, RecordingFormat
 from hapticplayer.capture.limits import GAP_STEPS
-from hapticplayer.capture.source import LogPath, Source, open_source
+from hapticplayer.capture.source import LogPath, LogSource, open_source
 from hapticplayer.errors import (
     InputError,
     MediaError,
@@ -77,7 +77,7 @@ def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording
     return replace(recording, imu=sampled)
 
 
-def find_format(source: Source, choices: LogChoices) -> RecordingFormat:
+def find_format(source: LogSource, choices: LogChoices) -> RecordingFormat:
     """Return the format of a source.
 
     Raises:
@@ -108,7 +108,7 @@ def find_format(source: Source, choices: LogChoices) -> RecordingFormat:
     return fitting[0]
 
 
-def _chosen(name: str, source: Source) -> RecordingFormat:
+def _chosen(name: str, source: LogSource) -> RecordingFormat:
     known = {one.name: one for one in formats.FORMATS}
     form = known.get(name) or known.get(name.rpartition("-")[0])
     form = form or entry_named(known, name, Message("format"))

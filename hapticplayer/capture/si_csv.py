@@ -39,7 +39,7 @@ from hapticplayer.capture.limits import (
     MAX_SI_RATE_RADPS,
 )
 from hapticplayer.capture.recording import Recording, gap_notes
-from hapticplayer.capture.source import Source, open_file
+from hapticplayer.capture.source import LogSource, open_file
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import (
     ClockMap,
@@ -55,12 +55,12 @@ FORCE_STEP_S = 1e-4
 """The haptic loop takes a value every millisecond; denser rows cost memory only."""
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """The name of the time column comes first; a folder holds one such file."""
     return Confidence.CERTAIN if len(_logs(source)) == 1 else Confidence.NO
 
 
-def _logs(source: Source) -> list[str]:
+def _logs(source: LogSource) -> list[str]:
     """Return the members that begin with the name of the time column."""
     return [
         name
@@ -69,7 +69,7 @@ def _logs(source: Source) -> list[str]:
     ]
 
 
-def read(source: Source, _choices: LogChoices) -> Recording:
+def read(source: LogSource, _choices: LogChoices) -> Recording:
     """Return the log.
 
     Empty cells, NaN and infinity are filled and marked; swapped and repeated rows are
@@ -240,7 +240,7 @@ class _ForceRows:
 
 
 def _read_strict(
-    source: Source,
+    source: LogSource,
     required: tuple[str, ...],
     optional: tuple[str, ...] = (),
     *,

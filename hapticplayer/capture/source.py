@@ -74,7 +74,7 @@ class _Member(NamedTuple):
     file: FileState
 
 
-class Source:
+class LogSource:
     """The files of one recording.
 
     Attributes:
@@ -93,10 +93,10 @@ class Source:
         self.beginning = functools.cache(self._beginning)
         self.is_binary = is_one_file and not is_text(self.beginning(self.names[0]))
 
-    def alone(self, name: str) -> "Source":
+    def alone(self, name: str) -> "LogSource":
         """Return one member as the source of a file."""
         path = self.path if self.is_one_file else self.path / name
-        return Source(path, {name: self._members[name]}, is_one_file=True)
+        return LogSource(path, {name: self._members[name]}, is_one_file=True)
 
     def refuse_changed(self) -> None:
         """Raise InputError if a file is not what it was when the source was opened."""
@@ -228,7 +228,7 @@ def name_of(log: LogPath) -> str:
     return " + ".join(path.name for path in paths_of(log))
 
 
-def open_source(log: LogPath) -> Source:
+def open_source(log: LogPath) -> LogSource:
     """Return the source at a path: a file, a folder, or a zip; or of several files.
 
     Raises:
@@ -239,12 +239,12 @@ def open_source(log: LogPath) -> Source:
         return _several(log)
     folder = Path(path)
     if folder.is_dir():
-        return Source(folder.resolve(), _folder_members(folder.resolve()))
+        return LogSource(folder.resolve(), _folder_members(folder.resolve()))
     found = open_file(path)
     if not found.beginning(found.names[0]).startswith(ZIP_MAGIC):
         return found
     try:
-        return Source(found.path, _zip_members(found.path))
+        return LogSource(found.path, _zip_members(found.path))
     except InputError:
         raise
     except _ZIP_ERRORS as error:
@@ -256,7 +256,7 @@ def open_source(log: LogPath) -> Source:
         ) from error
 
 
-def _several(log: LogPath) -> Source:
+def _several(log: LogPath) -> LogSource:
     """Return files as one source; those of the same name by their path."""
     files = [resolve_regular(path, InputError) for path in paths_of(log)]
     names = [file.name for file in files]
@@ -264,17 +264,17 @@ def _several(log: LogPath) -> Source:
         file.name if names.count(file.name) == 1 else str(file): _file_member(file)
         for file in files
     }
-    return Source(files[0].with_name(name_of(log)), members)
+    return LogSource(files[0].with_name(name_of(log)), members)
 
 
-def open_file(path: str | os.PathLike[str]) -> Source:
+def open_file(path: str | os.PathLike[str]) -> LogSource:
     """Return one file as a source, whatever its content.
 
     Raises:
         InputError: when it is not a file, or cannot be read.
     """
     file = resolve_regular(path, InputError)
-    return Source(file, {file.name: _file_member(file)}, is_one_file=True)
+    return LogSource(file, {file.name: _file_member(file)}, is_one_file=True)
 
 
 def is_text(content: bytes) -> bool:

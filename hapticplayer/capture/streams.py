@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.limits import GAP_STEPS, MAX_REACH_S
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats, all_of_rows
 
@@ -25,7 +25,7 @@ _UNPAIRED = 0.1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Stream:
+class SensorStream:
     """One sensor on its own times.
 
     Attributes:
@@ -59,9 +59,9 @@ class RawLog:
     """
 
     name: str
-    accel: Stream
-    rate: Stream | None
-    field: Stream | None = None
+    accel: SensorStream
+    rate: SensorStream | None
+    field: SensorStream | None = None
     accel_unit: str = "m/s2"
     rate_unit: str = "rad/s"
     field_unit: str = "uT"
@@ -83,28 +83,28 @@ class Sensor:
         notes: on damaged lines.
     """
 
-    stream: Stream
+    stream: SensorStream
     origin_ns: int
     notes: tuple[str, ...]
 
-    def since(self, origin_ns: int) -> Stream:
+    def since(self, origin_ns: int) -> SensorStream:
         """Return the stream with times since another origin."""
         shift_s = (self.origin_ns - origin_ns) * NANO
-        return Stream(self.stream.time_s + shift_s, self.stream.values)
+        return SensorStream(self.stream.time_s + shift_s, self.stream.values)
 
 
-def read_sensor(source: Source, name: str, shape: Shape) -> Sensor:
+def read_sensor(source: LogSource, name: str, shape: Shape) -> Sensor:
     """Return a member whose columns are a time in ns, x, y, z."""
     numbers = read_table(source, name, shape)
     values = numbers.values
-    stream = Stream(values[:, 0] * NANO, values[:, 1:4].copy())
+    stream = SensorStream(values[:, 0] * NANO, values[:, 1:4].copy())
     notes = tuple(f"{name}: {note}" for note in numbers.notes)
     return Sensor(stream, numbers.origin, notes)
 
 
 def split(
     values: Floats, time_s: Floats, starts: Sequence[int]
-) -> tuple[Stream, Stream, Stream | None]:
+) -> tuple[SensorStream, SensorStream, SensorStream | None]:
     """Return accelerometer, gyroscope and magnetometer of one table.
 
     Args:
@@ -112,11 +112,15 @@ def split(
         time_s: (rows,), shared by all three.
         starts: the columns of their x; the third may be missing.
     """
-    accel, rate, *field = (Stream(time_s, values[:, at : at + 3]) for at in starts)
+    accel, rate, *field = (
+        SensorStream(time_s, values[:, at : at + 3]) for at in starts
+    )
     return accel, rate, field[0] if field else None
 
 
-def split_sensors(time_s: Floats, parts: Mapping[str, Floats]) -> dict[str, Stream]:
+def split_sensors(
+    time_s: Floats, parts: Mapping[str, Floats]
+) -> dict[str, SensorStream]:
     """Return the sensors of one table; rows with only one become separate streams.
 
     Args:
@@ -133,12 +137,12 @@ def split_sensors(time_s: Floats, parts: Mapping[str, Floats]) -> dict[str, Stre
         )
         if min(alone) > _UNPAIRED * len(time_s):
             return {kind: _own_rows(time_s, part) for kind, part in parts.items()}
-    return {kind: Stream(time_s, part) for kind, part in parts.items()}
+    return {kind: SensorStream(time_s, part) for kind, part in parts.items()}
 
 
-def _own_rows(time_s: Floats, part: Floats) -> Stream:
+def _own_rows(time_s: Floats, part: Floats) -> SensorStream:
     held = ~np.isnan(part).all(axis=1)
-    return Stream(time_s[held], part[held])
+    return SensorStream(time_s[held], part[held])
 
 
 class Samples(NamedTuple):
@@ -152,7 +156,7 @@ class Samples(NamedTuple):
 
 
 def on_common_times(
-    accel: Stream, rate: Stream, field: Stream | None, where: str
+    accel: SensorStream, rate: SensorStream, field: SensorStream | None, where: str
 ) -> Samples:
     """Return all sensors at the times of the accelerometer.
 
@@ -182,7 +186,9 @@ def on_common_times(
     return Samples(time_s, accel.values[rows], mean, at_times, notes)
 
 
-def _ordered(stream: Stream, name: str, where: str) -> tuple[Stream, tuple[str, ...]]:
+def _ordered(
+    stream: SensorStream, name: str, where: str
+) -> tuple[SensorStream, tuple[str, ...]]:
     """Return a stream with strictly increasing times, and notes."""
     from hapticplayer.motion.repair.timestamps import repair_times  # brings scipy
 
@@ -198,12 +204,12 @@ def _ordered(stream: Stream, name: str, where: str) -> tuple[Stream, tuple[str, 
         finite = np.where(np.isfinite(values), values, np.nan)
         values = np.add.reduceat(finite, line.starts) / sizes[:, None]
     notes = tuple(f"{name}: {repair.text}" for repair in line.repairs)
-    return Stream(line.time_s, np.asarray(values)), notes
+    return SensorStream(line.time_s, np.asarray(values)), notes
 
 
 def _on_even_clock(
-    stream: Stream, name: str, **values: Floats
-) -> tuple[Stream, tuple[str, ...]]:
+    stream: SensorStream, name: str, **values: Floats
+) -> tuple[SensorStream, tuple[str, ...]]:
     """Return a stream without the jitter of its stamps, and notes."""
     from hapticplayer.motion.repair.even_clock import even_clock, jitter_text
 
@@ -211,10 +217,10 @@ def _on_even_clock(
     if even_s is None:
         return stream, ()
     text = jitter_text(stream.time_s, even_s)
-    return Stream(even_s, stream.values), (f"{name}: {text}",)
+    return SensorStream(even_s, stream.values), (f"{name}: {text}",)
 
 
-def interpolated(time_s: Floats, field: Stream, where: str) -> Floats | None:
+def interpolated(time_s: Floats, field: SensorStream, where: str) -> Floats | None:
     """Return a slow sensor at other times, NaN if none is near.
 
     Args:
@@ -230,7 +236,9 @@ def interpolated(time_s: Floats, field: Stream, where: str) -> Floats | None:
         return None
     try:
         kept, _ = _ordered(
-            Stream(field.time_s[finite], field.values[finite]), "slow sensor", where
+            SensorStream(field.time_s[finite], field.values[finite]),
+            "slow sensor",
+            where,
         )
     except InputError:
         return None  # the motion is usable without a compass

@@ -18,7 +18,7 @@ from hapticplayer.model import ranges
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict
 from hapticplayer.streaming.offer import Offer
-from hapticplayer.streaming.server import LOOPBACK, Server
+from hapticplayer.streaming.server import LOOPBACK, StreamServer
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -52,7 +52,9 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     source = open_source(Path(options.source))
     _refuse_another(source, is_accepted=options.accept_changed_video)
     with (
-        Server(Offer(source), SystemClock(), options.bind, int(options.port)) as server,
+        StreamServer(
+            Offer(source), SystemClock(), options.bind, int(options.port)
+        ) as server,
         interruptible(),
     ):
         try:
@@ -72,7 +74,9 @@ def _refuse_another(source: Source, *, is_accepted: bool) -> None:
         )
 
 
-def _announce(server: Server, source: Source, options: argparse.Namespace) -> None:
+def _announce(
+    server: StreamServer, source: Source, options: argparse.Namespace
+) -> None:
     if source.clip.has_telemetry:
         say_aside(
             "the clip holds the camera's own motion track, which may name places; "

@@ -11,7 +11,7 @@ import numpy as np
 from hapticplayer.errors import InputError, Message
 from hapticplayer.interchange import hjif_signals as signals
 from hapticplayer.interchange.force_files import MAX_SECONDS
-from hapticplayer.interchange.hjif_signals import Effect, Keyframes, Shape
+from hapticplayer.interchange.hjif_signals import HjifEffect, Keyframes, Shape
 from hapticplayer.interchange.hjif_wavelet import block_height
 from hapticplayer.interchange.json_fields import Fields
 
@@ -131,7 +131,7 @@ class Bands:
                 most_s=MAX_SAMPLES / 1000.0,
             )
 
-    def _effect(self, effect: Fields) -> Effect:
+    def _effect(self, effect: Fields) -> HjifEffect:
         frames = effect.objects("keyframes")
         rows = np.array(
             [
@@ -155,7 +155,7 @@ class Bands:
                 where=effect.where,
                 remedy=_ANOTHER,
             )
-        return Effect(
+        return HjifEffect(
             self._begin_s(effect),
             Keyframes(time_s, rows[:, 1], rows[:, 2]),
             effect.number("phase", 0.0, most=1e6),

@@ -37,7 +37,7 @@ class Keyframes(NamedTuple):
     frequency_hz: Floats
 
 
-class Effect(NamedTuple):
+class HjifEffect(NamedTuple):
     """One effect of a band.
 
     Attributes:
@@ -60,7 +60,7 @@ class Shape(NamedTuple):
     value: Floats
 
 
-def curve(effect: Effect, kind: str) -> Shape:
+def curve(effect: HjifEffect, kind: str) -> Shape:
     """Return a curve through keyframes: Linear, Cubic, Akima, or lines for others."""
     known = ~np.isnan(effect.keys.amplitude)
     time_s, value = effect.keys.time_s[known], effect.keys.amplitude[known]
@@ -80,7 +80,7 @@ def curve(effect: Effect, kind: str) -> Shape:
     return Shape(effect.begin_s + time_s, value)
 
 
-def transient(effect: Effect) -> Shape:
+def transient(effect: HjifEffect) -> Shape:
     """Return two periods of a sine for each keyframe."""
     known = ~np.isnan(effect.keys.amplitude)
     begins_s, heights = effect.keys.time_s[known], effect.keys.amplitude[known]
@@ -98,7 +98,7 @@ def transient(effect: Effect) -> Shape:
     return Shape(effect.begin_s + time_s, value)
 
 
-def wave(effect: Effect, low_hz: float, high_hz: float) -> Shape:
+def wave(effect: HjifEffect, low_hz: float, high_hz: float) -> Shape:
     """Return a vectorial wave, its frequency between the limits of its band."""
     keys = effect.keys
     time_s = _milliseconds(keys.time_s[-1] if len(keys.time_s) else 0.0)

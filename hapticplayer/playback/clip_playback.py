@@ -13,8 +13,8 @@ from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.phases import (
     PLAYING_PHASES,
     Action,
-    Event,
     Phase,
+    PhaseEvent,
     transition,
 )
 from hapticplayer.playback.sound import NO_OUTPUT, AudioFactory, Sound
@@ -77,7 +77,7 @@ class ClipPlayback:
         """Position in the clip."""
         return self.media.media_s(self._clock.now_s())
 
-    def handle(self, event: Event, media_s: float = 0.0) -> bool:
+    def handle(self, event: PhaseEvent, media_s: float = 0.0) -> bool:
         """Do what an event asks for in this phase; False where it is ignored."""
         found = transition(self.phase, event)
         if found is None:
@@ -91,29 +91,29 @@ class ClipPlayback:
 
     def open(self, source: Source) -> None:
         """Load a source and show its first frame."""
-        self.handle(Event.CLOSE)
+        self.handle(PhaseEvent.CLOSE)
         self.source, self.end_s = source, source.clip.duration_s
         self.fetched_s = FETCHED_S
         self.video.open(source.clip.content)
         self.sound.open(source.clip.content, has_sound=source.clip.has_audio)
-        self.handle(Event.OPEN)
+        self.handle(PhaseEvent.OPEN)
 
     def close(self) -> None:
         """Drop the clip and the sound output."""
-        self.handle(Event.CLOSE)
+        self.handle(PhaseEvent.CLOSE)
         self.sound.close()
 
     def seek(self, media_s: float) -> None:
         """Go to a position; keep playing if the clip plays."""
         duration_s = self.source.clip.duration_s if self.source else 0.0
-        if self.handle(Event.SEEK, min(max(0.0, media_s), duration_s)):
+        if self.handle(PhaseEvent.SEEK, min(max(0.0, media_s), duration_s)):
             self._reporter.event("seek", to_s=self.media_s)
 
     def step(self, frames: int) -> None:
         """Pause one frame later (+1) or earlier (-1)."""
         if self.source is None:
             return
-        if self.handle(Event.PAUSE):
+        if self.handle(PhaseEvent.PAUSE):
             self._reporter.event("pause")
         if frames < 0:
             half_s = 0.5 / (self.source.clip.frame_rate_hz or 30.0)
@@ -149,7 +149,7 @@ class ClipPlayback:
 
     def refresh(self) -> None:
         """Show the present frame again; while playing the next one comes soon enough."""
-        self.handle(Event.REFRESH, self.media_s)
+        self.handle(PhaseEvent.REFRESH, self.media_s)
 
     def interrupt_force(self) -> None:
         """Begin a new epoch where the clip is: the force fades out and in."""
@@ -218,9 +218,11 @@ class ClipPlayback:
             is_ready = self.video.is_ready and self.sound.is_ready(now_s)
             if is_ready and self._is_fetched(self.fetched_s):
                 is_heard = self.sound.is_open
-                self.handle(Event.BUFFERED if is_heard else Event.BUFFERED_SILENT)
+                self.handle(
+                    PhaseEvent.BUFFERED if is_heard else PhaseEvent.BUFFERED_SILENT
+                )
         elif self.phase is Phase.STARTING:
-            if now_s > self._first_sound_by_s and self.handle(Event.UNHEARD):
+            if now_s > self._first_sound_by_s and self.handle(PhaseEvent.UNHEARD):
                 self._reporter.event("no_sound")
         elif self.phase is Phase.PLAYING:
             if self.media.source is not self.led_by:  # another clock leads now
@@ -230,7 +232,7 @@ class ClipPlayback:
             if self.loop_s is not None and media_s >= self.loop_s[1]:
                 self.seek(self.loop_s[0])
             elif media_s >= self.end_s or self.video.is_dry:
-                self.handle(Event.END)
+                self.handle(PhaseEvent.END)
                 self._reporter.event("end")
 
     def _is_fetched(self, seconds: float) -> bool:
@@ -245,7 +247,7 @@ class ClipPlayback:
         for report in self.sound.reports():
             if self.phase is Phase.STARTING and report.epoch == self.media.epoch:
                 self.media.start_with(report)
-                self.handle(Event.HEARD)
+                self.handle(PhaseEvent.HEARD)
             elif not self.media.report(report, self._clock.now_s()):
                 # too far off to be caught up with: seek to where the sound is
                 self._reporter.event("resync", to_s=report.media_s)
@@ -278,7 +280,7 @@ class ClipPlayback:
                 self._reporter.notify(
                     Message("the sound output was lost; video and force continue")
                 )
-            self.handle(Event.OUTPUT_CHANGED)
+            self.handle(PhaseEvent.OUTPUT_CHANGED)
 
     def _note_latency(self) -> bool:
         """Follow outputs that have changed; return whether a latency has."""

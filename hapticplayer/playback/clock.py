@@ -28,7 +28,7 @@ class AudioReport(NamedTuple):
     media_s: float
 
 
-class Source(enum.StrEnum):
+class ClockSource(enum.StrEnum):
     """What leads the clock."""
 
     AUDIO = "audio"
@@ -40,7 +40,7 @@ class MediaClock:
 
     def __init__(self) -> None:
         self.epoch = 0
-        self.source = Source.MONOTONIC
+        self.source = ClockSource.MONOTONIC
         self.speed = 1.0  # of the media in the person's time; set before `seek`
         self._monotonic0_s = 0.0
         self._media0_s = 0.0
@@ -70,7 +70,7 @@ class MediaClock:
         """Begin a new epoch where we are: the force fades out and in, no more."""
         self.epoch += 1
 
-    def start(self, at_s: float, source: Source = Source.MONOTONIC) -> None:
+    def start(self, at_s: float, source: ClockSource = ClockSource.MONOTONIC) -> None:
         """Run from the present position at a monotonic time, past or to come."""
         self._monotonic0_s = at_s
         self._is_running = True
@@ -80,7 +80,7 @@ class MediaClock:
     def start_with(self, report: AudioReport) -> None:
         """Run along with the first sound of this epoch."""
         self._media0_s = report.media_s
-        self.start(report.monotonic_s, Source.AUDIO)
+        self.start(report.monotonic_s, ClockSource.AUDIO)
 
     def pause(self, now_s: float) -> None:
         """Stand still where the media is now; a new epoch begins."""
@@ -112,8 +112,8 @@ class MediaClock:
         """
         if report.epoch != self.epoch or not self._is_running:
             return True
-        was_lost = self.source is Source.MONOTONIC
-        self.source = Source.AUDIO
+        was_lost = self.source is ClockSource.MONOTONIC
+        self.source = ClockSource.AUDIO
         self._last_report_s = max(self._last_report_s, report.monotonic_s)
         error_s = report.media_s - self.media_s(report.monotonic_s)
         if abs(error_s) > RESYNC_S:
@@ -126,8 +126,8 @@ class MediaClock:
     def check(self, now_s: float) -> None:
         """Go on with the monotonic clock when nothing is heard any more."""
         silence_s = now_s - self._last_report_s
-        if self.source is Source.AUDIO and silence_s > REPORT_TIMEOUT_S:
-            self.source = Source.MONOTONIC
+        if self.source is ClockSource.AUDIO and silence_s > REPORT_TIMEOUT_S:
+            self.source = ClockSource.MONOTONIC
             self._error_s, self._is_correcting = 0.0, False
             self._set_bend(0.0, now_s)
 
@@ -147,4 +147,4 @@ class MediaClock:
         self._is_running = False
         self._bend = self._error_s = 0.0
         self._is_correcting = False
-        self.source = Source.MONOTONIC
+        self.source = ClockSource.MONOTONIC

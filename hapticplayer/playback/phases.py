@@ -18,7 +18,7 @@ class Phase(enum.StrEnum):
 PLAYING_PHASES = (Phase.BUFFERING, Phase.STARTING, Phase.PLAYING)
 
 
-class Event(enum.Enum):
+class PhaseEvent(enum.Enum):
     """What a person asks for, or what happens to a clip."""
 
     OPEN = enum.auto()
@@ -66,45 +66,45 @@ _HELD = Transition(Phase.PAUSED, (Action.HOLD,))
 _BUFFER_THERE = Transition(Phase.BUFFERING, (Action.GO_TO,))
 _PAUSE_THERE = Transition(Phase.PAUSED, (Action.GO_TO,))
 
-TRANSITIONS: dict[Phase, dict[Event, Transition]] = {
-    Phase.EMPTY: {Event.OPEN: _PAUSE_THERE},
+TRANSITIONS: dict[Phase, dict[PhaseEvent, Transition]] = {
+    Phase.EMPTY: {PhaseEvent.OPEN: _PAUSE_THERE},
     Phase.PAUSED: {
-        Event.CLOSE: _CLOSED,
-        Event.PLAY: Transition(Phase.BUFFERING),
-        Event.SEEK: _PAUSE_THERE,
-        Event.REFRESH: _PAUSE_THERE,
+        PhaseEvent.CLOSE: _CLOSED,
+        PhaseEvent.PLAY: Transition(Phase.BUFFERING),
+        PhaseEvent.SEEK: _PAUSE_THERE,
+        PhaseEvent.REFRESH: _PAUSE_THERE,
     },
     Phase.BUFFERING: {
-        Event.CLOSE: _CLOSED,
-        Event.PAUSE: _HELD,
-        Event.SEEK: _BUFFER_THERE,
-        Event.BUFFERED: Transition(Phase.STARTING, (Action.START_SOUND,)),
-        Event.BUFFERED_SILENT: Transition(Phase.PLAYING, (Action.START_CLOCK,)),
+        PhaseEvent.CLOSE: _CLOSED,
+        PhaseEvent.PAUSE: _HELD,
+        PhaseEvent.SEEK: _BUFFER_THERE,
+        PhaseEvent.BUFFERED: Transition(Phase.STARTING, (Action.START_SOUND,)),
+        PhaseEvent.BUFFERED_SILENT: Transition(Phase.PLAYING, (Action.START_CLOCK,)),
     },
     Phase.STARTING: {
-        Event.CLOSE: _CLOSED,
-        Event.PAUSE: _HELD,
-        Event.SEEK: _BUFFER_THERE,
-        Event.HEARD: Transition(Phase.PLAYING),
-        Event.UNHEARD: Transition(Phase.PLAYING, (Action.START_CLOCK,)),
-        Event.OUTPUT_CHANGED: Transition(Phase.BUFFERING),
+        PhaseEvent.CLOSE: _CLOSED,
+        PhaseEvent.PAUSE: _HELD,
+        PhaseEvent.SEEK: _BUFFER_THERE,
+        PhaseEvent.HEARD: Transition(Phase.PLAYING),
+        PhaseEvent.UNHEARD: Transition(Phase.PLAYING, (Action.START_CLOCK,)),
+        PhaseEvent.OUTPUT_CHANGED: Transition(Phase.BUFFERING),
     },
     Phase.PLAYING: {
-        Event.CLOSE: _CLOSED,
-        Event.PAUSE: _HELD,
-        Event.SEEK: _BUFFER_THERE,
-        Event.END: Transition(Phase.ENDED, (Action.HOLD,)),
+        PhaseEvent.CLOSE: _CLOSED,
+        PhaseEvent.PAUSE: _HELD,
+        PhaseEvent.SEEK: _BUFFER_THERE,
+        PhaseEvent.END: Transition(Phase.ENDED, (Action.HOLD,)),
     },
     Phase.ENDED: {
-        Event.CLOSE: _CLOSED,
-        Event.PLAY: _BUFFER_THERE,  # from the beginning
-        Event.SEEK: _PAUSE_THERE,
-        Event.REFRESH: Transition(Phase.ENDED, (Action.GO_TO,)),
+        PhaseEvent.CLOSE: _CLOSED,
+        PhaseEvent.PLAY: _BUFFER_THERE,  # from the beginning
+        PhaseEvent.SEEK: _PAUSE_THERE,
+        PhaseEvent.REFRESH: Transition(Phase.ENDED, (Action.GO_TO,)),
     },
 }
 """What is not listed is ignored: an event that comes too late, or twice."""
 
 
-def transition(phase: Phase, event: Event) -> Transition | None:
+def transition(phase: Phase, event: PhaseEvent) -> Transition | None:
     """Return where an event leads, None where it is ignored."""
     return TRANSITIONS[phase].get(event)

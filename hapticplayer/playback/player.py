@@ -25,7 +25,7 @@ from hapticplayer.playback.force_output import ForceOutput
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import PlaybackLog, Reporter
 from hapticplayer.playback.outlets import NO_TRACK, Outlets
-from hapticplayer.playback.phases import Event, Phase
+from hapticplayer.playback.phases import Phase, PhaseEvent
 from hapticplayer.playback.snapshot import Measurements, Snapshot, SyncTraces
 from hapticplayer.playback.sound import AudioFactory
 from hapticplayer.playback.sound_process import SoundProcess
@@ -90,12 +90,12 @@ class Player:
 
     def play(self) -> None:
         """Play from here; from the beginning when the clip has ended."""
-        if self._clip.handle(Event.PLAY):
+        if self._clip.handle(PhaseEvent.PLAY):
             self._reporter.event("play")
 
     def pause(self) -> None:
         """Pause; the force ramps to zero."""
-        if self._clip.handle(Event.PAUSE):
+        if self._clip.handle(PhaseEvent.PAUSE):
             self._reporter.event("pause")
 
     def toggle(self) -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 from hapticplayer.clock import Clock
 from hapticplayer.errors import Message
 from hapticplayer.media.clip_bytes import ClipBytes
-from hapticplayer.playback.clock import AudioReport, MediaClock, Source
+from hapticplayer.playback.clock import AudioReport, ClockSource, MediaClock
 from hapticplayer.playback.feeders import AudioFeeder
 from hapticplayer.playback.sound_process import AudioOut, OutputState
 from hapticplayer.playback.sound_ring import AudioRing
@@ -242,7 +242,7 @@ class OutputKeeper:
         `request` asks the decoder for sound of a generation from a position, s.
         """
         happened = self._follow_output(now_s)
-        is_silent = is_playing and self._media.source is Source.MONOTONIC
+        is_silent = is_playing and self._media.source is ClockSource.MONOTONIC
         if not is_silent or happened:
             self._heard_s = now_s
         if not self.is_open:

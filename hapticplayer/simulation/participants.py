@@ -39,7 +39,7 @@ _MOST = 3.0
 
 
 @dataclass(frozen=True, slots=True)
-class Effect:
+class PopulationEffect:
     """What a population says of each of F feedbacks in K factors.
 
     `rows` are the paper's conditions that they are rated like.
@@ -53,7 +53,7 @@ class Effect:
     rows: tuple[int, ...] = (0, 1, 2)
 
 
-def paper_effect() -> Effect:
+def paper_effect() -> PopulationEffect:
     """Return what the paper reports (section 5, figures 7 and 8).
 
     The factors' means are printed with one decimal and add up to 0.1 more or less than
@@ -65,7 +65,7 @@ def paper_effect() -> Effect:
     )
     qoe_means = np.array([7.5, 10.2, 15.3])
     factor_means += (qoe_means - factor_means.sum(axis=1))[:, None] / 4.0
-    return Effect(
+    return PopulationEffect(
         "paper",
         ("none", "random", "realistic"),
         ("realism", "sensory", "comfort", "satisfaction"),
@@ -74,7 +74,7 @@ def paper_effect() -> Effect:
     )
 
 
-def effect_named(name: str) -> Effect:
+def effect_named(name: str) -> PopulationEffect:
     """Return the paper's effect, none, or a share of the paper's such as "0.5".
 
     A share moves the feedbacks' means towards their common mean; spreads stay.
@@ -106,10 +106,12 @@ def effect_named(name: str) -> Effect:
             low=low,
             high=high,
         )
-    return Effect(name, paper.feedbacks, paper.factors, means, paper.qoe_sds)
+    return PopulationEffect(name, paper.feedbacks, paper.factors, means, paper.qoe_sds)
 
 
-def for_feedbacks(effect: Effect, like: Mapping[str, str]) -> Effect:
+def for_feedbacks(
+    effect: PopulationEffect, like: Mapping[str, str]
+) -> PopulationEffect:
     """Return the effect for other feedbacks, each rated like one of the effect's.
 
     Nobody has measured them: this is an assumption for planning and for trying out.
@@ -138,7 +140,7 @@ def for_feedbacks(effect: Effect, like: Mapping[str, str]) -> Effect:
 
 
 def drawn_ratings(
-    effect: Effect, shape: tuple[int, int, int], rng: np.random.Generator
+    effect: PopulationEffect, shape: tuple[int, int, int], rng: np.random.Generator
 ) -> Floats:
     """Return ratings (studies, participants, sequences, F, K); `shape` holds three."""
     studies, people, sequences = shape
@@ -153,7 +155,7 @@ def drawn_ratings(
     return np.asarray(np.clip(np.rint(scatter, out=scatter), *SCALE, out=scatter))
 
 
-def draw_effect(effect: Effect, measure: str, sequences: int) -> Draw:
+def draw_effect(effect: PopulationEffect, measure: str, sequences: int) -> Draw:
     """Return draws of participants of a population with a known effect."""
     if measure != QOE and measure not in effect.factors:
         known = ", ".join((QOE, *effect.factors))
@@ -282,7 +284,7 @@ def simulated_answers(
     )
 
 
-def _draws(shape: tuple[int, int], effect: Effect) -> int:
+def _draws(shape: tuple[int, int], effect: PopulationEffect) -> int:
     each = shape[0] * shape[1] * effect.factor_means.size
     return max(10, min(_DRAWS, _MOST_VALUES // each))
 
@@ -301,7 +303,9 @@ def _distance(drawn: Floats, qoe_sds: Floats | None = None) -> Floats:
     return np.asarray(distance)
 
 
-def _matched(ratings: Floats, effect: Effect, rng: np.random.Generator) -> Floats:
+def _matched(
+    ratings: Floats, effect: PopulationEffect, rng: np.random.Generator
+) -> Floats:
     """Move single ratings (P, S, F, K) until means and SDs are the effect's."""
     for place, (means, sd) in enumerate(
         zip(effect.factor_means, effect.qoe_sds, strict=True)
@@ -356,7 +360,7 @@ def _person(number: int, rng: np.random.Generator) -> Participant:
 def _ratings(
     people: tuple[Participant, ...],
     sequences: tuple[str, ...],
-    effect: Effect,
+    effect: PopulationEffect,
     ratings: Floats,
 ) -> list[Rating]:
     names = [[person.code for person in people], sequences]

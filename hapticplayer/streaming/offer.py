@@ -33,7 +33,7 @@ _MEDIA_TYPES = {
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class Response:
     """An answer to a request.
 
     Attributes:
@@ -94,32 +94,32 @@ class Offer:
             source.feedback,
         )
 
-    def answer(self, resource: str, byte_range: str | None) -> Answer:
+    def answer(self, resource: str, byte_range: str | None) -> Response:
         """Return what is to be sent for the name of a resource."""
         if resource in ("", MANIFEST):
-            return Answer(HTTPStatus.OK, "application/json", self.manifest.to_json())
+            return Response(HTTPStatus.OK, "application/json", self.manifest.to_json())
         if resource == _CLIP:
             return self._clip(byte_range)
         if found := _FORCE.fullmatch(resource):
             return self._force(*map(int, found.groups()))
-        return Answer(HTTPStatus.NOT_FOUND)
+        return Response(HTTPStatus.NOT_FOUND)
 
-    def _force(self, track: int, first: int, last: int) -> Answer:
+    def _force(self, track: int, first: int, last: int) -> Response:
         end = min(
             last + 1,
             first + MAX_PACKETS_AT_ONCE,
             packets_of(self.manifest.samples),
         )
         if track >= len(self._tracks) or first >= end:
-            return Answer(HTTPStatus.NOT_FOUND)
+            return Response(HTTPStatus.NOT_FOUND)
         content = encoded(self._tracks[track], track, first, end)
-        return Answer(HTTPStatus.OK, "application/octet-stream", content)
+        return Response(HTTPStatus.OK, "application/octet-stream", content)
 
-    def _clip(self, byte_range: str | None) -> Answer:
+    def _clip(self, byte_range: str | None) -> Response:
         try:
             self._state.refuse_changed()
         except InputError:
-            return Answer(HTTPStatus.GONE)
+            return Response(HTTPStatus.GONE)
         size = self._state.size_bytes
         media_type = _MEDIA_TYPES.get(
             self._state.path.suffix.lower(), "application/octet-stream"
@@ -127,14 +127,16 @@ class Offer:
         span = wanted_bytes(byte_range, size)
         if span is None:
             whole = (("Content-Range", f"bytes */{size}"),)
-            return Answer(HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE, headers=whole)
+            return Response(HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE, headers=whole)
         first, end = span
         headers: tuple[tuple[str, str], ...] = (("Accept-Ranges", "bytes"),)
         status = HTTPStatus.OK
         if byte_range and _BYTES.fullmatch(byte_range):
             status = HTTPStatus.PARTIAL_CONTENT
             headers += (("Content-Range", f"bytes {first}-{end - 1}/{size}"),)
-        return Answer(status, media_type, b"", headers, self._open, first, end - first)
+        return Response(
+            status, media_type, b"", headers, self._open, first, end - first
+        )
 
     def _open(self) -> BinaryIO:
         return open_regular(self._state.path)

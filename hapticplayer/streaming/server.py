@@ -17,7 +17,7 @@ from typing import Any
 from hapticplayer.clock import Clock
 from hapticplayer.errors import NetworkError
 from hapticplayer.streaming.manifest import MANIFEST
-from hapticplayer.streaming.offer import Answer, Offer
+from hapticplayer.streaming.offer import Offer, Response
 from hapticplayer.untrusted import (
     CONNECTION_S,
     MAX_CONNECTIONS,
@@ -29,7 +29,7 @@ EVERYWHERE = ("0.0.0.0", "::")  # noqa: S104 - recognised, not chosen
 _ANY_ADDRESS = ("192.0.2.1", 9)  # of documentation (RFC 5737): nothing is sent there
 
 
-class Server(ThreadingHTTPServer):
+class StreamServer(ThreadingHTTPServer):
     """Serves an offer; a thread for each connection.
 
     Args:
@@ -122,7 +122,7 @@ class Server(ThreadingHTTPServer):
 
 
 class _Handler(BaseHTTPRequestHandler):
-    server: Server
+    server: StreamServer
 
     protocol_version = "HTTP/1.1"
     server_version, sys_version = "hapticplayer", ""
@@ -143,15 +143,15 @@ class _Handler(BaseHTTPRequestHandler):
 
     do_HEAD = do_GET  # noqa: N815 - names of http.server
 
-    def _answer(self) -> Answer:
+    def _answer(self) -> Response:
         token, _, resource = self.path.removeprefix("/").partition("/")
         ours = self.server.token.encode()
         if not hmac.compare_digest(token.encode("utf-8", "replace"), ours):
             self.close_connection = True
-            return Answer(HTTPStatus.FORBIDDEN)
+            return Response(HTTPStatus.FORBIDDEN)
         return self.server.offer.answer(resource, self.headers.get("Range"))
 
-    def _send(self, answer: Answer) -> None:
+    def _send(self, answer: Response) -> None:
         self.send_response(answer.status)
         self.send_header("Content-Type", answer.media_type)
         self.send_header("Content-Length", str(answer.size_bytes))

@@ -70,7 +70,7 @@ def test_the_force_comes_back_after_re_arming(panel, window, wait_for):
     assert cells(panel, 1)[1] == "NOT_FINITE (TRIP)"  # the one before is kept
 
 
-def test_an_unplugged_device_is_started_anew(panel, window, wait_for):
+def test_an_unplugged_device_is_restarted(panel, window, wait_for):
     panel.buttons["unplug"].click()
     wait_for(lambda: window.player.snapshot().device_health is Health.FAILED)
     panel.again.click()

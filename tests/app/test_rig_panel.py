@@ -9,7 +9,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.devices.rig.packets import outsim
 from hapticplayer.devices.rig.settings import RigSettings
 from hapticplayer.model.rig import RigMotion
-from hapticplayer.simulation.rig.platform import Pose
+from hapticplayer.simulation.rig.platform import PlatformPose
 
 
 @pytest.fixture
@@ -47,5 +47,5 @@ def test_a_port_that_is_taken_is_told(panel, qtbot):
     qtbot.addWidget(other)
     assert other.state.text() == "Not listening"
     assert "cannot be opened" in other.hint.text()
-    assert other.view.pose == Pose()
+    assert other.view.pose == PlatformPose()
     other.done(0)

@@ -12,12 +12,12 @@ from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.source import open_source
 from hapticplayer.streaming.offer import Offer
 from hapticplayer.streaming.opening import open_stream
-from hapticplayer.streaming.server import Server
+from hapticplayer.streaming.server import StreamServer
 
 
 @pytest.fixture
 def stream(sequence):
-    with Server(Offer(open_source(sequence)), SystemClock()) as server:
+    with StreamServer(Offer(open_source(sequence)), SystemClock()) as server:
         thread = threading.Thread(target=server.serve_forever, args=(0.02,))
         thread.start()
         found = open_stream(server.url, SystemClock())

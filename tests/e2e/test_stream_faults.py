@@ -16,7 +16,7 @@ from hapticplayer.simulation.network import BadNetwork, NetworkFaults
 from hapticplayer.streaming import force_fetch, remote_clip
 from hapticplayer.streaming.offer import Offer
 from hapticplayer.streaming.opening import open_stream
-from hapticplayer.streaming.server import Server
+from hapticplayer.streaming.server import StreamServer
 
 pytestmark = pytest.mark.realtime
 CLOCK = SystemClock()
@@ -32,7 +32,7 @@ def packed(demo, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def url(packed):
-    with Server(Offer(open_source(packed)), CLOCK) as server:
+    with StreamServer(Offer(open_source(packed)), CLOCK) as server:
         thread = threading.Thread(target=server.serve_forever, args=(0.02,))
         thread.start()
         yield server.url

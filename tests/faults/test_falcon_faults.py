@@ -6,7 +6,7 @@ import pytest
 from falcon_rig import FalconGrip
 from haptic_rig import Rig, SlowClock
 
-from hapticplayer.devices.falcon.driver import State
+from hapticplayer.devices.falcon.driver import DriverState
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.messages import Word
@@ -95,7 +95,7 @@ def test_a_hand_that_moves_during_a_stall_has_not_lost_its_place(
         rig.device.position_m = (way_m * math.sin(angle), 0.0, 0.0)
         rig.tick()
         causes.add(rig.cause)
-    assert rig.device.driver.state is State.READY
+    assert rig.device.driver.state is DriverState.READY
     assert causes <= {Cause.NONE, Cause.REPLY_LATE, Cause.REPLY_LOST}
     x_m = rig.loop.reading.position_m[0]
     assert x_m == pytest.approx(rig.device.position_m[0], abs=0.004)

@@ -295,7 +295,7 @@ def test_packages_that_cannot_be_fetched_are_fetched_next_time(machine) -> None:
     assert machine.start("run").returncode == 7
 
 
-def test_what_a_killed_set_up_left_is_made_anew(machine) -> None:
+def test_what_a_killed_set_up_left_is_made_again(machine) -> None:
     machine.start("run")
     (machine.tree / ".venv" / "unfinished").touch()
     (machine.tree / ".venv" / "stamp-run").unlink()

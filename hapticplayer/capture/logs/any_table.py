@@ -21,8 +21,8 @@ from hapticplayer.capture.choices import (
 )
 from hapticplayer.capture.csv_table import Numbers, Shape, head_lines, read_table
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.source import Source
-from hapticplayer.capture.streams import NANO, RawLog, Stream, split_sensors
+from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.streams import NANO, RawLog, SensorStream, split_sensors
 from hapticplayer.errors import Message, UsageError, joined
 from hapticplayer.model.arrays import Floats
 
@@ -46,12 +46,12 @@ class _Layout(NamedTuple):
     skip_lines: int
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """Tables of at least four columns of numbers below any header, and nothing else."""
     return Confidence.POSSIBLE if _layouts(source) else Confidence.NO
 
 
-def read(source: Source, choices: LogChoices) -> RawLog:
+def read(source: LogSource, choices: LogChoices) -> RawLog:
     """Return the log in one table, or in one for each sensor.
 
     Raises:
@@ -65,7 +65,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
         )
     columns = _columns(choices, list(layouts.values()), where)
     _ask_units(choices, {name for names in columns for name in names}, where)
-    streams: dict[str, Stream] = {}
+    streams: dict[str, SensorStream] = {}
     notes: list[str] = []
     first_origin: int | None = None
     for (name, layout), named in zip(layouts.items(), columns, strict=True):
@@ -90,7 +90,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
 
 
 def _read_table(
-    source: Source,
+    source: LogSource,
     name: str,
     layout: _Layout,
     columns: tuple[str, ...],
@@ -259,7 +259,7 @@ def _times(
     return np.asarray(time_s)
 
 
-def _layouts(source: Source) -> dict[str, _Layout]:
+def _layouts(source: LogSource) -> dict[str, _Layout]:
     """Return the layouts of the tables of a source, {} if it holds anything else."""
     if len(source.names) > len(_SENSORS):
         return {}
@@ -268,7 +268,7 @@ def _layouts(source: Source) -> dict[str, _Layout]:
     return held if len(held) == len(found) else {}
 
 
-def _layout(source: Source, name: str) -> _Layout | None:
+def _layout(source: LogSource, name: str) -> _Layout | None:
     """Return the layout of a table, or None."""
     lines = head_lines(source, name)
     for separator, decimal in (

@@ -16,8 +16,8 @@ from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.source import Source
-from hapticplayer.capture.streams import RawLog, Stream
+from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message
 
 _MARKS = ("GYROFLOW IMU LOG", "CAMERA IMU LOG")
@@ -25,14 +25,14 @@ _DEFAULT_TIME_SCALE = 0.001
 _TABLE = ("t", "gx", "gy", "gz", "ax", "ay", "az", "mx", "my", "mz")
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """Its first line."""
     if len(source.names) == 1 and source.first_line(source.names[0]) in _MARKS:
         return Confidence.CERTAIN
     return Confidence.NO
 
 
-def read(source: Source, _choices: LogChoices) -> RawLog:
+def read(source: LogSource, _choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:
@@ -63,9 +63,9 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
             "gcsv of {logger}",
             logger=header.get("id", "")[:40] or Message("an unknown logger"),
         ),
-        accel=Stream(time_s, accel),
-        rate=Stream(time_s, rate),
-        field=Stream(time_s, field) if width >= 10 else None,
+        accel=SensorStream(time_s, accel),
+        rate=SensorStream(time_s, rate),
+        field=SensorStream(time_s, field) if width >= 10 else None,
         accel_unit="g",
         field_unit="gauss",
         axes_words=Message(
@@ -77,7 +77,9 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     )
 
 
-def _header(source: Source, name: str) -> tuple[dict[str, str], tuple[str, ...], int]:
+def _header(
+    source: LogSource, name: str
+) -> tuple[dict[str, str], tuple[str, ...], int]:
     """Return the keys, the columns and the number of lines before the rows."""
     header: dict[str, str] = {}
     for number, line in enumerate(source.head(name).splitlines(), start=1):

@@ -44,7 +44,7 @@ from hapticplayer.capture.csv_table import (
     read_table,
 )
 from hapticplayer.capture.formats import Confidence, Reader
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, split_sensors
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
@@ -116,20 +116,20 @@ def table_reader(layout: TableLayout) -> Reader:
     """Return the reader of a program's tables."""
     mark = re.compile(layout.mark, re.MULTILINE)
 
-    def found(source: Source) -> list[str]:
+    def found(source: LogSource) -> list[str]:
         return [name for name in source.names if mark.search(source.head(name))]
 
-    def recognises(source: Source) -> Confidence:
+    def recognises(source: LogSource) -> Confidence:
         return Confidence.CERTAIN if found(source) else Confidence.NO
 
-    def read(source: Source, choices: LogChoices) -> RawLog:
+    def read(source: LogSource, choices: LogChoices) -> RawLog:
         return _read(source, only_one(found(source), source), layout, choices)
 
     return log_reader(recognises, read)
 
 
 def _read(
-    source: Source, name: str, layout: TableLayout, choices: LogChoices
+    source: LogSource, name: str, layout: TableLayout, choices: LogChoices
 ) -> RawLog:
     """Return the log.
 
@@ -186,7 +186,7 @@ def _times(
     layout: TableLayout,
     header: _Header,
     choices: LogChoices,
-    source: Source,
+    source: LogSource,
     name: str,
 ) -> Floats:
     step_s = TIME_UNITS[header.units.get("time", layout.time_unit)]
@@ -211,7 +211,7 @@ def _times(
         return np.asarray(values * step_s)
 
 
-def _header(source: Source, name: str, layout: TableLayout) -> _Header | None:
+def _header(source: LogSource, name: str, layout: TableLayout) -> _Header | None:
     """Return where the columns of a table are, or None."""
     lines = head_lines(source, name)
     cells_of = [column_names(line, find_separator(line)) for line in lines]

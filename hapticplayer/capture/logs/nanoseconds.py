@@ -15,7 +15,7 @@ from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.csv_table import Shape, column_names, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.limits import FIRST_FRAME_S
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import NANO, RawLog, split
 from hapticplayer.errors import Message
 
@@ -29,17 +29,17 @@ _FIELD = re.compile(r"^m[xyz]\[uT\]$")
 _STAMP = re.compile(r"^\s*(\d{6,20})\s*(?:,.*)?$")
 
 
-def recognises_euroc(source: Source) -> Confidence:
+def recognises_euroc(source: LogSource) -> Confidence:
     """Its header."""
     return Confidence.CERTAIN if _tables(source, _EUROC) else Confidence.NO
 
 
-def recognises_mars(source: Source) -> Confidence:
+def recognises_mars(source: LogSource) -> Confidence:
     """Its header."""
     return Confidence.CERTAIN if _tables(source, _MARS) else Confidence.NO
 
 
-def read_euroc(source: Source, _choices: LogChoices) -> RawLog:
+def read_euroc(source: LogSource, _choices: LogChoices) -> RawLog:
     """Return the log."""
     name = only_one(_tables(source, _EUROC), source)
     frame_lists = [
@@ -50,7 +50,7 @@ def read_euroc(source: Source, _choices: LogChoices) -> RawLog:
     return _read(source, name, frame_lists[:1], "EuRoC", Message("the IMU's axes"))
 
 
-def read_mars(source: Source, _choices: LogChoices) -> RawLog:
+def read_mars(source: LogSource, _choices: LogChoices) -> RawLog:
     """Return the log."""
     name = only_one(_tables(source, _MARS), source)
     frame_lists = [n for n in source.names if source.base(n) == "frame_timestamps.txt"]
@@ -60,7 +60,7 @@ def read_mars(source: Source, _choices: LogChoices) -> RawLog:
     )
 
 
-def _tables(source: Source, mark: re.Pattern[str]) -> list[str]:
+def _tables(source: LogSource, mark: re.Pattern[str]) -> list[str]:
     """Return the members with this header whose columns are gyro and accelerometer."""
     found = []
     for name in source.names:
@@ -72,7 +72,7 @@ def _tables(source: Source, mark: re.Pattern[str]) -> list[str]:
 
 
 def _read(
-    source: Source,
+    source: LogSource,
     name: str,
     frame_lists: list[str],
     title: str,
@@ -103,7 +103,7 @@ def _read(
     )
 
 
-def _first_stamp(source: Source, frame_lists: list[str]) -> int | None:
+def _first_stamp(source: LogSource, frame_lists: list[str]) -> int | None:
     for name in frame_lists:
         stamp = first_stamp_ns(source, name)
         if stamp is not None:
@@ -111,7 +111,7 @@ def _first_stamp(source: Source, frame_lists: list[str]) -> int | None:
     return None
 
 
-def first_stamp_ns(source: Source, name: str) -> int | None:
+def first_stamp_ns(source: LogSource, name: str) -> int | None:
     """Return the first time in a list of frames, below an optional header."""
     for line in source.head(name).splitlines()[:3]:
         if match := _STAMP.match(line):

@@ -15,7 +15,7 @@ from hapticplayer.capture.csv_table import Shape, first_numbers
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.limits import COARSE_REST_MPS2
 from hapticplayer.capture.logs.nanoseconds import first_stamp_ns, plausible_frame0_s
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import NANO, RawLog, Sensor, read_sensor
 from hapticplayer.errors import InputError, Message, joined
 
@@ -25,7 +25,7 @@ _MIN_STAMP_NS = 1e8
 _RATE_NORM = 6.0
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """Four numbers a row, the last one rising nanoseconds."""
     found = [name for name in source.names if _is_sensor(source, name)]
     if not found:
@@ -34,7 +34,7 @@ def recognises(source: Source) -> Confidence:
     return Confidence.LIKELY if named else Confidence.POSSIBLE
 
 
-def read(source: Source, _choices: LogChoices) -> RawLog:
+def read(source: LogSource, _choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:
@@ -84,7 +84,7 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
     )
 
 
-def _is_sensor(source: Source, name: str) -> bool:
+def _is_sensor(source: LogSource, name: str) -> bool:
     rows = first_numbers(source, name)
     if len(rows) < 3 or {len(row) for row in rows} != {4}:
         return False
@@ -95,7 +95,7 @@ def _is_sensor(source: Source, name: str) -> bool:
     )
 
 
-def _named(source: Source, name: str) -> str:
+def _named(source: LogSource, name: str) -> str:
     base = source.base(name)
     return next((role for role in _ROLES if role in base), "")
 
@@ -118,7 +118,7 @@ def _check_roles(sensors: dict[str, Sensor], where: str) -> None:
         )
 
 
-def _frame0_s(source: Source, accel: Sensor) -> float | None:
+def _frame0_s(source: LogSource, accel: Sensor) -> float | None:
     for name in source.names:
         base = source.base(name)
         if base.endswith("timestamps.csv") and "imu" not in base:

@@ -21,8 +21,8 @@ from hapticplayer.capture.csv_table import (
 )
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.logs.named_tables import UNITS
-from hapticplayer.capture.source import Source
-from hapticplayer.capture.streams import RawLog, Stream
+from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message
 
 _TIME = "Time (s)"
@@ -60,12 +60,12 @@ class _Found(NamedTuple):
     unit: str
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """A table whose first cell is "Time (s)" and that names a sensor's axes."""
     return Confidence.CERTAIN if _sensors(source) else Confidence.NO
 
 
-def read(source: Source, _choices: LogChoices) -> RawLog:
+def read(source: LogSource, _choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:
@@ -107,17 +107,19 @@ def read(source: Source, _choices: LogChoices) -> RawLog:
 class _Member(NamedTuple):
     """A member: its streams share their times."""
 
-    streams: dict[tuple[int, ...], Stream]
+    streams: dict[tuple[int, ...], SensorStream]
     notes: tuple[str, ...]
 
 
-def _stream(source: Source, found: _Found, tables: dict[str, _Member]) -> Stream:
+def _stream(
+    source: LogSource, found: _Found, tables: dict[str, _Member]
+) -> SensorStream:
     if found.name not in tables:
         tables[found.name] = _read(source, found)
     return tables[found.name].streams[found.columns]
 
 
-def _read(source: Source, one: _Found) -> _Member:
+def _read(source: LogSource, one: _Found) -> _Member:
     """Read all sensors of a member at once, so that they share their times."""
     here = [found for found in _sensors(source).values() if found.name == one.name]
     wanted = (here[0].columns[0], *(c for found in here for c in found.columns[1:]))
@@ -127,14 +129,14 @@ def _read(source: Source, one: _Found) -> _Member:
     shape = Shape(one.width, wanted, one.separator, decimal, skip_lines=1)
     numbers = read_table(source, one.name, shape)
     time_s = numbers.values[:, 0].copy()
-    streams: dict[tuple[int, ...], Stream] = {}
+    streams: dict[tuple[int, ...], SensorStream] = {}
     for number, found in enumerate(here):
         at = 1 + 3 * number
-        streams[found.columns] = Stream(time_s, numbers.values[:, at : at + 3])
+        streams[found.columns] = SensorStream(time_s, numbers.values[:, at : at + 3])
     return _Member(streams, numbers.notes)
 
 
-def _sensors(source: Source) -> dict[str, _Found]:
+def _sensors(source: LogSource) -> dict[str, _Found]:
     """Return the sensors of a source by kind, the first member of each."""
     found: dict[str, _Found] = {}
     for name in source.names:

@@ -19,8 +19,8 @@ from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.source import Source
-from hapticplayer.capture.streams import RawLog, Stream
+from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
@@ -40,7 +40,7 @@ _SENSOR_MARKS = tuple(
 )
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """The marks at the beginning of nearly every line."""
     if len(source.names) != 1:
         return Confidence.NO
@@ -56,7 +56,7 @@ def recognises(source: Source) -> Confidence:
     return Confidence.NO
 
 
-def read(source: Source, choices: LogChoices) -> RawLog:
+def read(source: LogSource, choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:
@@ -110,8 +110,8 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
     time_s = np.arange(len(rows)) / rate_hz
     return RawLog(
         name="Razor-AHRS",
-        accel=Stream(time_s, -rows[:, 0:3]),
-        rate=Stream(time_s, rows[:, 6:9]),
+        accel=SensorStream(time_s, -rows[:, 0:3]),
+        rate=SensorStream(time_s, rows[:, 6:9]),
         accel_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
         rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
         axes="y,x,-z",
@@ -120,7 +120,7 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
     )
 
 
-def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
+def _dollar(source: LogSource, name: str, choices: LogChoices) -> RawLog:
     if choices.sample_rate_hz is None:
         raise LogQuestion(
             Message("has no timestamps, and its firmware has no fixed rate"),
@@ -133,8 +133,8 @@ def _dollar(source: Source, name: str, choices: LogChoices) -> RawLog:
     time_s = np.arange(len(values)) / choices.sample_rate_hz
     return RawLog(
         name=Message("Razor, raw output"),
-        accel=Stream(time_s, values[:, 0:3]),
-        rate=Stream(time_s, values[:, 3:6]),
+        accel=SensorStream(time_s, values[:, 0:3]),
+        rate=SensorStream(time_s, values[:, 3:6]),
         accel_unit=f"{STANDARD_GRAVITY_MPS2 / COUNTS_PER_G:.10g}",
         rate_unit=f"{np.radians(1.0 / COUNTS_PER_DPS):.10g}",
         axes_words=Message("the board's axes"),

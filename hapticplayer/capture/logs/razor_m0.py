@@ -14,7 +14,7 @@ from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.csv_table import Shape, first_numbers, read_table
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, split
 from hapticplayer.errors import Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
@@ -28,7 +28,7 @@ _COUNTS_PER_DPS = 16.4
 """Of the default range of 2000 deg/s."""
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """Comma and blank between numbers only, CRLF, whole milliseconds that rise."""
     if len(source.names) != 1:
         return Confidence.NO
@@ -44,7 +44,7 @@ def recognises(source: Source) -> Confidence:
     return Confidence.POSSIBLE if is_crlf else Confidence.NO
 
 
-def read(source: Source, choices: LogChoices) -> RawLog:
+def read(source: LogSource, choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:

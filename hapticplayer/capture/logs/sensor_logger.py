@@ -17,12 +17,12 @@ from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.csv_table import Shape, column_names
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import (
     NANO,
     RawLog,
     Sensor,
-    Stream,
+    SensorStream,
     interpolated,
     read_sensor,
 )
@@ -43,12 +43,12 @@ _GYRO = ("gyroscope.csv", "gyroscopeuncalibrated.csv")
 _FIELD = ("magnetometer.csv", "magnetometeruncalibrated.csv")
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """The header of any of its sensors."""
     return Confidence.CERTAIN if _sensors(source) else Confidence.NO
 
 
-def read(source: Source, choices: LogChoices) -> RawLog:
+def read(source: LogSource, choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:
@@ -92,7 +92,7 @@ def read(source: Source, choices: LogChoices) -> RawLog:
     )
 
 
-def _sensors(source: Source) -> dict[str, str]:
+def _sensors(source: LogSource) -> dict[str, str]:
     """Return the members with the header of a sensor, by their name in lower case."""
     found: dict[str, str] = {}
     for name in source.names:
@@ -102,7 +102,7 @@ def _sensors(source: Source) -> dict[str, str]:
     return found
 
 
-def _metadata(source: Source, choices: LogChoices) -> tuple[str, bool]:
+def _metadata(source: LogSource, choices: LogChoices) -> tuple[str, bool]:
     """Return the phone's system ("" if unknown) and whether frames are standard."""
     for system in (_IOS, _ANDROID):
         if choices.format.endswith(system):
@@ -123,7 +123,7 @@ def _metadata(source: Source, choices: LogChoices) -> tuple[str, bool]:
 
 
 def _accel(
-    source: Source, found: dict[str, str], system: str, *, is_standard: bool
+    source: LogSource, found: dict[str, str], system: str, *, is_standard: bool
 ) -> tuple[Sensor, str, tuple[str, ...]]:
     """Return the specific force with gravity, its unit, and notes."""
     where = str(source.path)
@@ -153,13 +153,13 @@ def _accel(
             remedy="record the gravity sensor (iOS) or total acceleration (Android)",
         )
     if is_flipped:
-        stream = Stream(summed.stream.time_s, -summed.stream.values)
+        stream = SensorStream(summed.stream.time_s, -summed.stream.values)
         summed = Sensor(stream, summed.origin_ns, summed.notes)
     return summed, unit, notes
 
 
 def _with_gravity(
-    source: Source, found: dict[str, str]
+    source: LogSource, found: dict[str, str]
 ) -> tuple[Sensor, tuple[str, ...]]:
     """Return acceleration plus gravity at the times of the acceleration."""
     linear = _read(source, found[_LINEAR])
@@ -174,7 +174,7 @@ def _with_gravity(
             remedy="record again with the gravity sensor",
         )
     with np.errstate(all="ignore"):
-        stream = Stream(linear.stream.time_s, linear.stream.values + at_times)
+        stream = SensorStream(linear.stream.time_s, linear.stream.values + at_times)
     notes = (
         Message("specific force is acceleration plus the phone's gravity estimate"),
     )
@@ -184,7 +184,7 @@ def _with_gravity(
     )
 
 
-def _start_ns(source: Source, name: str) -> int | None:
+def _start_ns(source: LogSource, name: str) -> int | None:
     """Return the time at which `seconds_elapsed` is 0, by the first row that tells."""
     columns = column_names(source.first_line(name))
     at, elapsed = columns.index("time"), columns.index("seconds_elapsed")
@@ -197,7 +197,7 @@ def _start_ns(source: Source, name: str) -> int | None:
     return None
 
 
-def _read(source: Source, name: str) -> Sensor:
+def _read(source: LogSource, name: str) -> Sensor:
     columns = column_names(source.first_line(name), ",")
     shape = Shape(
         width=len(columns),

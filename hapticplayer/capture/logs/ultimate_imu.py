@@ -14,7 +14,7 @@ from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.csv_table import Shape, first_numbers, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.limits import REST_G
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, split
 from hapticplayer.errors import InputError, Message
 
@@ -24,7 +24,7 @@ _DROP_RATE_DPS = 14.375
 """A skipped gyro read is divided by the scale a second time by the firmware."""
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     """Whole milliseconds that rise, then cells with two decimals, LF CR."""
     if len(source.names) != 1:
         return Confidence.NO
@@ -46,7 +46,7 @@ def recognises(source: Source) -> Confidence:
     return Confidence.CERTAIN if is_lf_cr else Confidence.LIKELY
 
 
-def read(source: Source, _choices: LogChoices) -> RawLog:
+def read(source: LogSource, _choices: LogChoices) -> RawLog:
     """Return the log.
 
     Raises:

@@ -32,7 +32,7 @@ EVENT_SIZE = _EVENT.size
 _FIRST_BUTTON = 0x100
 
 
-class Event(NamedTuple):
+class InputEvent(NamedTuple):
     """An input event without its time."""
 
     kind: int
@@ -76,11 +76,11 @@ def event_bytes(kind: int, code: int, value: int) -> bytes:
     return _EVENT.pack(0, 0, kind, code, value)
 
 
-def events_of(data: bytes) -> Iterator[Event]:
+def events_of(data: bytes) -> Iterator[InputEvent]:
     """Yield the events of what was read; what is no whole event is left out."""
     for at in range(0, len(data) - EVENT_SIZE + 1, EVENT_SIZE):
         _s, _us, kind, code, value = _EVENT.unpack_from(data, at)
-        yield Event(kind, code, value)
+        yield InputEvent(kind, code, value)
 
 
 class _Buttons:

@@ -43,7 +43,7 @@ _NOT_FINITE = Message(
 )
 
 
-class State(enum.Enum):
+class DriverState(enum.Enum):
     """How far a Falcon has come; forces only in READY."""
 
     DISCONNECTED = "not connected"
@@ -114,14 +114,14 @@ class FalconDriver:
         self._make_link = make_link
         self._options = options
         self._session: _Session | None = None
-        self._state = State.DISCONNECTED
+        self._state = DriverState.DISCONNECTED
         homing = int(Lights.HOMING) if options.homing_bit_stays else 0
         # plain numbers: operations on flags take as long as encoding the frame
         self._force_lights = int(Lights.BLUE) | homing
         self._ready_frame = encode_command((0, 0, 0), int(Lights.GREEN) | homing)
 
     @property
-    def state(self) -> State:
+    def state(self) -> DriverState:
         """How far the device has come."""
         return self._state
 
@@ -133,7 +133,7 @@ class FalconDriver:
     def open(self, progress: Progress | None = None) -> None:
         """Connect, load the firmware if needed; raises DeviceError with what to do."""
         self.close()
-        self._state = State.UNLOADED
+        self._state = DriverState.UNLOADED
         try:
             ftdi = open_running(
                 self._open_transport,
@@ -147,7 +147,7 @@ class FalconDriver:
         except BaseException:
             self.close()
             raise
-        self._state = State.LOADED
+        self._state = DriverState.LOADED
         atexit.register(self.close)
 
     def exchange(self, force_n: Vector, now_s: float) -> DeviceReading:
@@ -172,10 +172,10 @@ class FalconDriver:
             self._listen(session, link)
             link.post(self._frame(session, force_n, now_s))
         except DeviceError:
-            self._state = State.DISCONNECTED
+            self._state = DriverState.DISCONNECTED
             raise
         if session.fault:
-            self._state = State.FAULT
+            self._state = DriverState.FAULT
             raise DeviceError(session.fault)
         return self._reading(session)
 
@@ -183,7 +183,7 @@ class FalconDriver:
         """Leave zero frames behind and let go of the device; may be called again."""
         atexit.unregister(self.close)
         session, self._session = self._session, None
-        self._state = State.DISCONNECTED
+        self._state = DriverState.DISCONNECTED
         if session is None:
             return
         if session.link is not None:
@@ -210,11 +210,11 @@ class FalconDriver:
         tracker.take(reply, at_s)
         if tracker.has_lost_its_place:
             session.fault = _PLACE_LOST
-        self._state = State.READY if tracker.is_homed else State.HOMING
+        self._state = DriverState.READY if tracker.is_homed else DriverState.HOMING
 
     def _frame(self, session: _Session, force_n: Vector, now_s: float) -> bytes:
         pose = session.tracker.pose
-        if pose is None or session.fault or self._state is not State.READY:
+        if pose is None or session.fault or self._state is not DriverState.READY:
             return _RED_FRAME
         if force_n == _ZERO or now_s - session.tracker.replied_s > STALE_S:
             return self._ready_frame

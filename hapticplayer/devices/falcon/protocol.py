@@ -35,7 +35,7 @@ class Lights(IntFlag):
     RED = 8
 
 
-class Command(NamedTuple):
+class MotorCommand(NamedTuple):
     """A frame for the Falcon: motor words top, right, lower left; lights."""
 
     words: Words
@@ -93,7 +93,7 @@ def _words(frame: bytes) -> Words:
     )
 
 
-_Frame = TypeVar("_Frame", Command, Reply)
+_Frame = TypeVar("_Frame", MotorCommand, Reply)
 
 
 class _Parser(ABC, Generic[_Frame]):
@@ -137,10 +137,10 @@ class ReplyParser(_Parser[Reply]):
         return Reply(_words(frame), flags & 0x0F, flags >> 4)
 
 
-class CommandParser(_Parser[Command]):
+class CommandParser(_Parser[MotorCommand]):
     """Finds the computer's frames; for simulators."""
 
     _pattern = _COMMAND
 
-    def _decode(self, frame: bytes) -> Command:
-        return Command(_words(frame), frame[13] - _BASE)
+    def _decode(self, frame: bytes) -> MotorCommand:
+        return MotorCommand(_words(frame), frame[13] - _BASE)

@@ -12,7 +12,7 @@ from hapticplayer.devices.handing_over import hand_over, take_over
 from hapticplayer.devices.inverse3.protocol import (
     FIELDS,
     ZERO,
-    State,
+    Inverse3State,
     command,
     configuration,
     state_of,
@@ -114,7 +114,7 @@ class Inverse3Driver:
         finally:
             link.close()
 
-    def _first(self, link: Link) -> State:
+    def _first(self, link: Link) -> Inverse3State:
         until_s = self._clock.now_s() + OPENING_S
         while (left_s := until_s - self._clock.now_s()) > 0.0:
             text = link.receive(left_s)

@@ -20,7 +20,7 @@ _BUTTONS = ("a", "b", "c")
 _FARTHEST_M = 1.0
 
 
-class State(NamedTuple):
+class Inverse3State(NamedTuple):
     """What one message of the service says.
 
     Attributes:
@@ -55,7 +55,7 @@ def _message(device: str, content: dict[str, Any]) -> str:
     return json.dumps({"inverse3": [one]}, separators=(",", ":"))
 
 
-def state_of(text: str | bytes) -> State | None:
+def state_of(text: str | bytes) -> Inverse3State | None:
     """Return the first device's state; None for what makes no sense."""
     try:
         message = json.loads(text)
@@ -78,7 +78,7 @@ def state_of(text: str | bytes) -> State | None:
         return None
     if not math.hypot(*position_m) < _FARTHEST_M:
         return None
-    return State(name, position_m, ready, pressed, field)
+    return Inverse3State(name, position_m, ready, pressed, field)
 
 
 def _pressed(grips: Any) -> int:

@@ -34,8 +34,8 @@ from hapticplayer.motion.smoother.samples import InertialSamples
 from hapticplayer.motion.smoother.short_memory import SHORT_MEMORY_S, floor_under
 from hapticplayer.motion.smoother.state import (
     Block,
+    BlockState,
     Start,
-    State,
     at_rest,
     columns_to_solve,
     prepare,
@@ -176,7 +176,7 @@ def _smoothed(
     return _result(block, state, with_sigma=with_sigma)
 
 
-def _first(block: Block, start: Start) -> State:
+def _first(block: Block, start: Start) -> BlockState:
     """Return the first solution, which knows nothing of the velocity.
 
     An outlier of the gyro's bias gets a wider prior, kept if the RMS velocity drops by
@@ -210,14 +210,14 @@ def _first(block: Block, start: Start) -> State:
     return state if left_mps > KEPT_RMS_VELOCITY_RATIO * before_mps else wider
 
 
-def _widened_bias_sigma(block: Block, state: State) -> Floats | None:
+def _widened_bias_sigma(block: Block, state: BlockState) -> Floats | None:
     """Return a wider prior sigma of the gyro's bias if that is an outlier, else None."""
     found = state.calibration[GYRO_BIAS]
     sigma = stationary.widened_bias_sigma(block.bins, found, block.p)
     return sigma if np.any(sigma > state.known.bias_sigma_radps) else None
 
 
-def _with_motion(state: State) -> State:
+def _with_motion(state: BlockState) -> BlockState:
     """Return the first solution with what it tells of the kind of motion."""
     integration = state.integration
     undisturbed = vehicle.undisturbed(integration.nodes)
@@ -236,7 +236,7 @@ def _with_motion(state: State) -> State:
     return replace(state, known=known, motion=motion, solution=solution)
 
 
-def _next(block: Block, state: State) -> State | None:
+def _next(block: Block, state: BlockState) -> BlockState | None:
     """Return another solution about the last; None if it would change little."""
     p, motion, solution, known = block.p, state.motion, state.solution, state.known
     integration = state.integration
@@ -281,7 +281,7 @@ def _next(block: Block, state: State) -> State | None:
     return replace(found, motion=motion, solutions=state.solutions + 1)
 
 
-def _changes_much(block: Block, state: State, weight: Floats) -> bool:
+def _changes_much(block: Block, state: BlockState, weight: Floats) -> bool:
     """Return whether zero-velocity weights differ much from those solved with."""
     if block.bins is None:
         return False
@@ -299,7 +299,7 @@ def _mean_change(now: Floats, before: Floats) -> float:
     return float(np.abs(np.log(now / before)).sum()) / len(now)
 
 
-def _with_gyro_scale(block: Block, state: State) -> State:
+def _with_gyro_scale(block: Block, state: BlockState) -> BlockState:
     """Re-solve with a wide prior of the gyro's scale where the evidence asks for it.
 
     Kept if the RMS velocity drops by a quarter: a bias that changes and a rail look
@@ -310,7 +310,7 @@ def _with_gyro_scale(block: Block, state: State) -> State:
     known = replace(state.known, gyro_scale_sigma=WIDE_GYRO_SCALE_SIGMA)
     found = replace(state, known=known)
     for _ in range(SCALE_SOLUTIONS):
-        last, found = found, _solved_anew(block, found)
+        last, found = found, _solved_again(block, found)
         moved = np.abs(found.calibration[GYRO_SCALE] - last.calibration[GYRO_SCALE])
         if moved.max() < SETTLED_GYRO_SCALE_CHANGE:
             break
@@ -322,7 +322,7 @@ def _with_gyro_scale(block: Block, state: State) -> State:
     return found if is_possible and explains else state
 
 
-def _solved_anew(block: Block, state: State) -> State:
+def _solved_again(block: Block, state: BlockState) -> BlockState:
     """Return the next solution, integrated with the calibration of the last."""
     duration_s, p = state.integration.nodes.duration_s, block.p
     velocity_mps = state.solution.velocity_mps
@@ -338,7 +338,7 @@ def _solved_anew(block: Block, state: State) -> State:
     return replace(found, motion=state.motion, solutions=state.solutions + 1)
 
 
-def _with_floor(block: Block, state: State) -> State:
+def _with_floor(block: Block, state: BlockState) -> BlockState:
     """Put the plain estimate under the solution where the gyro is noisier than usual.
 
     It shows in what moves and turns; elsewhere the gyro's errors do little.
@@ -360,7 +360,7 @@ def _with_floor(block: Block, state: State) -> State:
     return replace(state, floor=replace(floor, weight=weight))
 
 
-def _with_time_constant(state: State, p: SmootherParameters) -> State:
+def _with_time_constant(state: BlockState, p: SmootherParameters) -> BlockState:
     """Use the time constant that a person chose, with the calibration found.
 
     Solved for together, too short a one would put the motion into the calibration.
@@ -374,7 +374,7 @@ def _with_time_constant(state: State, p: SmootherParameters) -> State:
     return solve_again(state, bound_mps, p, adjusted)
 
 
-def _result(block: Block, state: State, *, with_sigma: bool) -> Smoothed:
+def _result(block: Block, state: BlockState, *, with_sigma: bool) -> Smoothed:
     """Return the orientation at each sample, and its uncertainty."""
     count, resting, floor = len(block.samples), at_rest(block, state), state.floor
     levelled = stationary.levelled_at_rest(state.problem, state.solution, resting)
@@ -398,7 +398,7 @@ def _result(block: Block, state: State, *, with_sigma: bool) -> Smoothed:
     )
 
 
-def _calibration(state: State, p: SmootherParameters) -> Calibration:
+def _calibration(state: BlockState, p: SmootherParameters) -> Calibration:
     total, solution = state.calibration, state.solution
     unit = np.eye(len(solution.calibration), BIAS_COLUMNS)
     sigma = np.sqrt(np.diag(solution.covariance_times(unit)))

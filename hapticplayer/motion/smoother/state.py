@@ -106,7 +106,7 @@ class Integration:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class State:
+class BlockState:
     """What has been found about a block so far.
 
     Attributes:
@@ -209,7 +209,7 @@ def solve(
     known: Knowledge,
     p: SmootherParameters,
     adjusted: Callable[[Problem], Problem] | None = None,
-) -> State:
+) -> BlockState:
     """Return the first solution about a vertical.
 
     Args:
@@ -223,15 +223,15 @@ def solve(
     problem = linearised(nodes, start.vertical, frames, known, p)
     if adjusted is not None:
         problem = adjusted(problem)
-    return State(start.integration, known, frames, problem, minimise(problem))
+    return BlockState(start.integration, known, frames, problem, minimise(problem))
 
 
 def solve_again(
-    state: State,
+    state: BlockState,
     bound_mps: float,
     p: SmootherParameters,
     adjusted: Callable[[Problem], Problem],
-) -> State:
+) -> BlockState:
     """Return the solution about the last one with one bound on the velocity throughout.
 
     Args:
@@ -248,7 +248,7 @@ def solve_again(
 
 
 def reintegrate(
-    block: Block, state: State, bound_mps: Floats, *, is_fine: bool
+    block: Block, state: BlockState, bound_mps: Floats, *, is_fine: bool
 ) -> Start:
     """Integrate with what was found, and return where the next solution starts.
 
@@ -286,7 +286,7 @@ def columns_to_solve(integration: Integration, p: SmootherParameters) -> int:
     return BIAS_COLUMNS if turns_little or not integration.is_fine else ALL_COLUMNS
 
 
-def at_rest(block: Block, state: State) -> Flags:
+def at_rest(block: Block, state: BlockState) -> Flags:
     """Return which still intervals are not accelerated in the solution, (K,)."""
     still = state.integration.still
     if block.bins is None:
@@ -296,7 +296,7 @@ def at_rest(block: Block, state: State) -> Flags:
 
 
 def zero_velocity_weight(
-    block: Block, state: State, integration: Integration
+    block: Block, state: BlockState, integration: Integration
 ) -> Floats:
     """Return the weights of still intervals of an integration, after a solution."""
     duration_s = integration.nodes.duration_s
@@ -308,7 +308,7 @@ def zero_velocity_weight(
     )
 
 
-def _apparent_mps2(state: State, integration: Integration) -> Floats:
+def _apparent_mps2(state: BlockState, integration: Integration) -> Floats:
     return stationary.apparent_acceleration(
         state.solution.velocity_mps,
         state.problem.duration_s,

@@ -31,7 +31,7 @@ from hapticplayer.motion.smoother.least_squares import (
 )
 from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import mean_square, velocity_bound
-from hapticplayer.motion.smoother.state import Block, State
+from hapticplayer.motion.smoother.state import Block, BlockState
 from hapticplayer.motion.smoother.vehicle import Locomotion
 
 # The model's variance is found at nodes this far apart, of so many at the least.
@@ -159,7 +159,7 @@ def gaps_of(problem: Problem) -> NDArray[np.intp]:
 
 
 def sigma_rad(
-    block: Block, state: State, gyro_bias_radps: Floats, tilt: Floats
+    block: Block, state: BlockState, gyro_bias_radps: Floats, tilt: Floats
 ) -> Floats:
     """Return the standard deviation of the tilt at each sample, both axes together.
 
@@ -187,7 +187,7 @@ def sigma_rad(
     return np.asarray(at_samples.reshape(-1)[: len(block.samples)])
 
 
-def _excess(state: State, p: SmootherParameters) -> BoundExcess:
+def _excess(state: BlockState, p: SmootherParameters) -> BoundExcess:
     """Return by how much the bound is wider than one for the velocity found."""
     bound_mps, velocity_mps = state.known.bound_mps, state.solution.velocity_mps
     if not state.motion.moving_weight:

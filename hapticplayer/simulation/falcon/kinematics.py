@@ -15,7 +15,7 @@ _REFINEMENTS = 4
 _CLOSE_ENOUGH_M = 1e-12
 
 
-class Pose(NamedTuple):
+class PlantPose(NamedTuple):
     """The thighs' angles and d theta / d position, 1/m, the inverse of the Jacobian."""
 
     theta_rad: Vector
@@ -30,7 +30,7 @@ class Kinematics:
         self._shin2_m2 = geometry.shin_m**2
         self._directions = [(math.cos(p), math.sin(p)) for p in geometry.azimuths_rad]
 
-    def inverse(self, position_m: Vector) -> Pose:
+    def inverse(self, position_m: Vector) -> PlantPose:
         """Return the joints for a position; raises ValueError out of reach."""
         geometry, shin2_m2 = self.geometry, self._shin2_m2
         thigh_m, radial_m = geometry.thigh_m, geometry.radial_m
@@ -62,7 +62,7 @@ class Kinematics:
                 )
             )
             angles.append(theta)
-        return Pose((angles[0], angles[1], angles[2]), (rows[0], rows[1], rows[2]))
+        return PlantPose((angles[0], angles[1], angles[2]), (rows[0], rows[1], rows[2]))
 
     def forward(self, theta_rad: Vector, near_m: Vector) -> Vector:
         """Return the position for joint angles by Newton's method, to 1 pm.

@@ -23,7 +23,7 @@ SERIAL_MASK = 0xFFFFFFFF
 MAX_BYTES = 256
 
 
-class Command(NamedTuple):
+class ForceCommand(NamedTuple):
     """A force in N, frame D, and when it was commanded."""
 
     serial: int
@@ -51,11 +51,11 @@ class Control(NamedTuple):
     value: float = 0.0
 
 
-Packet = Command | Control
+Packet = ForceCommand | Control
 
 
 def command_bytes(serial: int, stamp_s: float, force_n: Vector) -> bytes:
-    """Return the bytes of a command; its fields, and no `Command`, because it is at 1 kHz."""
+    """Return the bytes of a command; its fields, and no `ForceCommand`, because it is at 1 kHz."""
     x, y, z = force_n
     body = _COMMAND.pack(_COMMAND_MAGIC, serial & SERIAL_MASK, stamp_s, x, y, z)
     return body + zlib.crc32(body).to_bytes(4, "little")
@@ -85,7 +85,7 @@ def unpack(data: bytes) -> Packet | None:
     if kind == _COMMAND_MAGIC and size == _COMMAND.size:
         _, serial, stamp_s, x, y, z = _COMMAND.unpack(body)
         is_finite = math.isfinite(stamp_s + x + y + z)
-        return Command(serial, stamp_s, (x, y, z)) if is_finite else None
+        return ForceCommand(serial, stamp_s, (x, y, z)) if is_finite else None
     if kind == _CONTROL_MAGIC and size == _CONTROL.size:
         _, _, value, act = _CONTROL.unpack(body)
         known = act in Act.__members__.values() and math.isfinite(value)

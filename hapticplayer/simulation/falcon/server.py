@@ -7,8 +7,8 @@ from hapticplayer.clock import Clock
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
     Act,
-    Command,
     Control,
+    ForceCommand,
     pack_reply,
     unpack,
 )
@@ -117,14 +117,14 @@ class Server:
     def _take(self, data: bytes) -> None:
         self._is_up_to_date = False
         packet, now_s = unpack(data), self._clock.now_s()
-        if isinstance(packet, Command):
+        if isinstance(packet, ForceCommand):
             self._obey(packet, now_s)
         elif isinstance(packet, Control):
             self._act(packet, now_s)
         else:
             self._simulation.refused += 1
 
-    def _obey(self, command: Command, now_s: float) -> None:
+    def _obey(self, command: ForceCommand, now_s: float) -> None:
         is_timely = abs(now_s - command.stamp_s) <= COMMAND_AGE_S
         if not (is_timely or command.force_n == ZERO):  # a zero never comes too late
             self._simulation.refused += 1

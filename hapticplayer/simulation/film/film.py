@@ -24,7 +24,7 @@ from hapticplayer.model.quaternions import rotate
 from hapticplayer.simulation.film.frame import PictureMaker
 from hapticplayer.simulation.film.ground import SHAKES_PX
 from hapticplayer.simulation.film.scenery import Country
-from hapticplayer.simulation.film.view import Pose
+from hapticplayer.simulation.film.view import CameraPose
 from hapticplayer.simulation.rides.scenes import Scene
 
 _GROUP_FRAMES, _GROUP_M = 20, 10.0
@@ -57,13 +57,13 @@ class Film:
             for pose in group:
                 yield maker.draw(pose)
 
-    def studio(self) -> tuple[PictureMaker, list[Pose]]:
+    def studio(self) -> tuple[PictureMaker, list[CameraPose]]:
         """Return what draws, and where the camera is for each frame."""
         rng = np.random.default_rng([self.seed, 2])
         country = Country(self.scene, rng)
         return PictureMaker(country, self.width, self.height, rng), self._poses()
 
-    def _poses(self) -> list[Pose]:
+    def _poses(self) -> list[CameraPose]:
         time_s = np.arange(self.frame_count) / self.frame_rate_hz
         motion = self.scene.trajectory.at(time_s)
         axes = [
@@ -77,7 +77,7 @@ class Film:
             turned = self.scene.steering_rad
             steering_rad = np.interp(time_s, self.scene.route_time_s, turned)
         return [
-            Pose(*pose)
+            CameraPose(*pose)
             for pose in zip(
                 motion.position_m, rotations, shakes_px, steering_rad, strict=True
             )
@@ -93,9 +93,9 @@ class Film:
         return np.asarray(shakes)
 
 
-def _groups(poses: list[Pose]) -> Iterator[list[Pose]]:
+def _groups(poses: list[CameraPose]) -> Iterator[list[CameraPose]]:
     """Yield successive poses that are near enough to share the painted ground."""
-    group: list[Pose] = []
+    group: list[CameraPose] = []
     for pose in poses:
         is_far = bool(group) and _apart_m(group[0], pose) > _GROUP_M
         if is_far or len(group) == _GROUP_FRAMES:
@@ -106,7 +106,7 @@ def _groups(poses: list[Pose]) -> Iterator[list[Pose]]:
         yield group
 
 
-def _apart_m(one: Pose, other: Pose) -> float:
+def _apart_m(one: CameraPose, other: CameraPose) -> float:
     return float(np.hypot(*(one.position_m[:2] - other.position_m[:2])))
 
 

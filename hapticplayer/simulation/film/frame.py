@@ -14,9 +14,9 @@ from hapticplayer.simulation.film.view import (
     HAZE,
     HAZE_FROM_M,
     WHITE,
+    CameraPose,
     Floats32,
     Pixels,
-    Pose,
     View,
     colour,
     haze_share,
@@ -285,7 +285,7 @@ class PictureMaker:
         self._sky = Sky(rng)
         self._foreground = make_foreground(country.vehicle, width, height, rng)
 
-    def draw(self, pose: Pose) -> NDArray[np.uint8]:
+    def draw(self, pose: CameraPose) -> NDArray[np.uint8]:
         """Return the frame (height, width, 4): RGB and an unused channel."""
         self._country.prepare([pose])
         canvas = np.empty(self._view.size, np.uint32)
@@ -300,12 +300,12 @@ class PictureMaker:
             self._foreground(canvas, pose.shake_px, pose.steering_rad)
         return canvas.view(np.uint8).reshape(*canvas.shape, 4)
 
-    def prepare(self, poses: list[Pose], margin_m: float) -> None:
+    def prepare(self, poses: list[CameraPose], margin_m: float) -> None:
         """Paint the ground for poses that will be drawn, by several threads perhaps."""
         self._country.prepare(poses, margin_m)
 
     def _draw_strip(
-        self, canvas: Pixels, top: int, pose: Pose, rotation: Floats32
+        self, canvas: Pixels, top: int, pose: CameraPose, rotation: Floats32
     ) -> None:
         """Draw the ground in some rows; so few that all of it stays in the cache."""
         view = self._view.rows(top, top + _STRIP)
@@ -330,7 +330,7 @@ class PictureMaker:
             seen &= rise >= steepest
             np.copyto(canvas[top : top + _STRIP], colours, where=seen)
 
-    def _draw_standing(self, canvas: Pixels, pose: Pose) -> None:
+    def _draw_standing(self, canvas: Pixels, pose: CameraPose) -> None:
         """Draw the things beside the road, from far to near."""
         things = self._country.standing
         right, front, up = ((things.foot_m - pose.position_m) @ pose.rotation).T
@@ -354,7 +354,7 @@ class PictureMaker:
 
 
 def _look_up(
-    texture: GroundTexture, view: View, pose: Pose, distance: Floats32
+    texture: GroundTexture, view: View, pose: CameraPose, distance: Floats32
 ) -> Pixels:
     """Return the colour of the ground that each ray meets."""
     rotation = pose.rotation.astype(np.float32)

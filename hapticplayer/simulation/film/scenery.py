@@ -14,7 +14,13 @@ from hapticplayer.simulation.film.ground import (
     Surroundings,
     stair_faces,
 )
-from hapticplayer.simulation.film.view import Floats32, Pixels, Pose, packed, rgb_of
+from hapticplayer.simulation.film.view import (
+    CameraPose,
+    Floats32,
+    Pixels,
+    packed,
+    rgb_of,
+)
 from hapticplayer.simulation.rides.scenes import Scene
 
 Grid = NDArray[np.float32]
@@ -169,7 +175,7 @@ class Country:
             )
         )
 
-    def prepare(self, poses: list[Pose], margin_m: float = 0.0) -> None:
+    def prepare(self, poses: list[CameraPose], margin_m: float = 0.0) -> None:
         """Paint the ground that can be seen from places at most `margin_m` away."""
         for pose in poses:
             ahead = pose.rotation[:2, 1] / np.hypot(*pose.rotation[:2, 1])

@@ -58,7 +58,7 @@ WHITE = colour(255.0, 252.0, 246.0)
 FIELD_OF_VIEW_RAD = np.radians(84.0)
 
 
-class Pose(NamedTuple):
+class CameraPose(NamedTuple):
     """Where the camera is; `rotation` is sensor (right, front, up) to earth.
 
     `shake_px` is how far the handlebar moves against the frame, down, `steering_rad`

@@ -17,8 +17,8 @@ from hapticplayer.simulation.falcon.options import device_parser
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
     Act,
-    Command,
     Control,
+    ForceCommand,
     unpack,
 )
 from hapticplayer.simulation.falcon.parameters import Electronics
@@ -83,7 +83,7 @@ class Process:
         """Do what the line says; return whether the device is unplugged."""
         packet, now_s = unpack(data), self._clock.now_s()
         with self._lock:
-            if isinstance(packet, Command):  # a guard's zero
+            if isinstance(packet, ForceCommand):  # a guard's zero
                 self._service.simulation.command(packet.force_n, now_s)
                 self._pass(now_s)
             elif isinstance(packet, Control):

@@ -24,7 +24,7 @@ _PLATFORM_DEG = (-50.0, 50.0, 70.0, 170.0, 190.0, 290.0)
 _HALVINGS = 20
 
 
-class Pose(NamedTuple):
+class PlatformPose(NamedTuple):
     """Of the platform against neutral: right, front, up, m; roll, pitch, yaw, rad."""
 
     right_m: float = 0.0
@@ -34,9 +34,9 @@ class Pose(NamedTuple):
     pitch_rad: float = 0.0
     yaw_rad: float = 0.0
 
-    def scaled(self, share: float) -> "Pose":
+    def scaled(self, share: float) -> "PlatformPose":
         """Return a share of it."""
-        return Pose(*(share * value for value in self))
+        return PlatformPose(*(share * value for value in self))
 
 
 def base_m() -> Floats:
@@ -44,7 +44,7 @@ def base_m() -> Floats:
     return _ring(_BASE_DEG, BASE_RADIUS_M)
 
 
-def platform_m(pose: Pose) -> Floats:
+def platform_m(pose: PlatformPose) -> Floats:
     """Return the six joints of the platform in the room, (6, 3)."""
     r, p, y = pose.roll_rad, pose.pitch_rad, pose.yaw_rad
     about_y = np.array(
@@ -61,24 +61,24 @@ def platform_m(pose: Pose) -> Floats:
     return np.asarray(turned + centre)
 
 
-def legs_m(pose: Pose) -> Floats:
+def legs_m(pose: PlatformPose) -> Floats:
     """Return the lengths of the six legs."""
     return np.asarray(np.linalg.norm(platform_m(pose) - base_m(), axis=1))
 
 
-def is_reachable(pose: Pose) -> bool:
+def is_reachable(pose: PlatformPose) -> bool:
     """Whether every leg is as long as it can be."""
     lengths = legs_m(pose)
     return bool(np.all((lengths >= SHORTEST_M) & (lengths <= LONGEST_M)))
 
 
-def reached(pose: Pose) -> tuple[Pose, float]:
+def reached(pose: PlatformPose) -> tuple[PlatformPose, float]:
     """Return the pose that the legs can follow, and its share of the one asked for.
 
     It lies between neutral and what was asked for, as far out as the legs go.
     """
     if not all(map(math.isfinite, pose)):
-        return Pose(), 0.0
+        return PlatformPose(), 0.0
     if is_reachable(pose):
         return pose, 1.0
     low, high = 0.0, 1.0
@@ -97,7 +97,7 @@ class Follower:
         self._heading_rad: float | None = None
         self._yaw_rad = self._last_s = 0.0
 
-    def pose(self, heard: Heard, now_s: float) -> Pose:
+    def pose(self, heard: Heard, now_s: float) -> PlatformPose:
         """Return what a packet that came at a time asks for."""
         before = self._heading_rad
         if before is not None:
@@ -106,7 +106,9 @@ class Follower:
             self._yaw_rad = kept * self._yaw_rad + turned
         self._heading_rad, self._last_s = heard.heading_rad, now_s
         right, front, up = (SHIFT_M_PER_MPS2 * a for a in heard.acceleration_mps2)
-        return Pose(right, front, up, heard.roll_rad, heard.pitch_rad, self._yaw_rad)
+        return PlatformPose(
+            right, front, up, heard.roll_rad, heard.pitch_rad, self._yaw_rad
+        )
 
 
 def _ring(degrees: tuple[float, ...], radius_m: float) -> Floats:

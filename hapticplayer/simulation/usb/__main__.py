@@ -17,7 +17,7 @@ from hapticplayer.simulation.usb.mechanics import (
     RecordedMechanics,
     SimulatedMechanics,
 )
-from hapticplayer.simulation.usb.server import Server, serve_acts
+from hapticplayer.simulation.usb.server import UsbServer, serve_acts
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -42,7 +42,7 @@ def main(argv: list[str] | None = None) -> int:
         threading.Thread(target=serve_acts, args=acts, daemon=True).start()
     gc.freeze()
     gc.disable()  # no cycles are made here; a collection costs milliseconds
-    Server(chip, socket.socket(fileno=options.line)).run()
+    UsbServer(chip, socket.socket(fileno=options.line)).run()
     os._exit(0)  # do not wait for threads whose peer has gone
 
 

@@ -4,7 +4,7 @@ from typing import Protocol
 
 from hapticplayer.devices.falcon.kinematics import WORDS_PER_NM, Kinematics
 from hapticplayer.devices.falcon.matrix3 import cross, dot
-from hapticplayer.devices.falcon.protocol import Command, Lights, Reply
+from hapticplayer.devices.falcon.protocol import Lights, MotorCommand, Reply
 from hapticplayer.model.device import Vector
 from hapticplayer.simulation.falcon.record import Recorder
 from hapticplayer.simulation.falcon.simulation import Simulation
@@ -17,7 +17,7 @@ _DECIDING_S = 0.5
 class Mechanics(Protocol):
     """Motors, encoders and buttons; times never run backwards."""
 
-    def command(self, command: Command, at_s: float) -> None:
+    def command(self, command: MotorCommand, at_s: float) -> None:
         """Apply motor words and lights."""
 
     def reply(self, at_s: float) -> Reply:
@@ -60,7 +60,7 @@ class SimulatedMechanics:
         self.homing: Homing | None = None
         self._kinematics = Kinematics()
 
-    def command(self, command: Command, at_s: float) -> None:
+    def command(self, command: MotorCommand, at_s: float) -> None:
         """Let the motors push: F = J^-T tau with tau = -words / 10000."""
         simulation, words = self.simulation, command.words
         simulation.advance(at_s)
@@ -96,7 +96,7 @@ class RecordedMechanics(SimulatedMechanics):
         super().__init__(simulation)
         self._recorder = recorder
 
-    def command(self, command: Command, at_s: float) -> None:
+    def command(self, command: MotorCommand, at_s: float) -> None:
         """Let the motors push, and write it down."""
         super().command(command, at_s)
         self._recorder.write(at_s, self.simulation)

@@ -41,7 +41,7 @@ class Request(NamedTuple):
     data: bytes = b""
 
 
-class Answer(NamedTuple):
+class UsbAnswer(NamedTuple):
     """From the Falcon to the bus; `problem` is an errno, 0 for none."""
 
     serial: int
@@ -69,16 +69,16 @@ def unpack_request(data: bytes) -> Request | None:
     return Request(Kind(kind), serial, timeout_s, (i, j, k), data[_REQUEST.size :])
 
 
-def pack_answer(answer: Answer) -> bytes:
+def pack_answer(answer: UsbAnswer) -> bytes:
     """Return the bytes of an answer."""
     head = _ANSWER.pack(answer.serial, answer.problem, answer.taken)
     return head + answer.data
 
 
-def unpack_answer(data: bytes) -> Answer:
+def unpack_answer(data: bytes) -> UsbAnswer:
     """Return the answer in these bytes; raises struct.error when they are none."""
     serial, problem, taken = _ANSWER.unpack_from(data)
-    return Answer(serial, problem, taken, data[_ANSWER.size :])
+    return UsbAnswer(serial, problem, taken, data[_ANSWER.size :])
 
 
 _SLACK_S = 0.1
@@ -122,7 +122,9 @@ class RemoteChip:
         answer = self._do(self._in, request, timeout_s)
         return answer.data if answer is not None else None
 
-    def _do(self, line: "_Line", request: Request, timeout_s: float) -> Answer | None:
+    def _do(
+        self, line: "_Line", request: Request, timeout_s: float
+    ) -> UsbAnswer | None:
         try:
             answer = line.ask(request, timeout_s + _SLACK_S)
         except OSError as problem:
@@ -147,7 +149,7 @@ class _Line:
         self._poll.register(descriptor, select.POLLIN)
         self._serial = NO_ANSWER
 
-    def ask(self, request: Request, timeout_s: float) -> Answer | None:
+    def ask(self, request: Request, timeout_s: float) -> UsbAnswer | None:
         """Return the answer, None if it does not come; raises OSError at the end."""
         self._serial = self._serial % 0xFFFFFFFF + 1
         try:

@@ -12,15 +12,15 @@ from hapticplayer.simulation.usb.chip import Chip, UsbFault
 from hapticplayer.simulation.usb.remote import (
     MAX_BYTES,
     NO_ANSWER,
-    Answer,
     Kind,
     Request,
+    UsbAnswer,
     pack_answer,
     unpack_request,
 )
 
 
-class Server:
+class UsbServer:
     """Hands requests from line A to a chip in real time, and answers."""
 
     def __init__(self, chip: Chip, line: socket.socket) -> None:
@@ -63,21 +63,21 @@ class Server:
         except OSError:
             return  # the peer has gone; the next read ends
 
-    def _answer(self, request: Request) -> Answer:
+    def _answer(self, request: Request) -> UsbAnswer:
         serial, chip = request.serial, self._chip
         try:
             if request.kind is Kind.CONTROL:
                 chip.control(*request.words)
-                return Answer(serial)
+                return UsbAnswer(serial)
             if request.kind is Kind.OUT:
                 taken = chip.write(request.data, request.timeout_s)
-                return Answer(serial, taken=taken)
+                return UsbAnswer(serial, taken=taken)
             packet = chip.read(request.timeout_s)
         except UsbFault as fault:
-            return Answer(serial, fault.errno or errno.EIO)
+            return UsbAnswer(serial, fault.errno or errno.EIO)
         if packet is None:
-            return Answer(serial, errno.ETIMEDOUT)
-        return Answer(serial, data=packet)
+            return UsbAnswer(serial, errno.ETIMEDOUT)
+        return UsbAnswer(serial, data=packet)
 
 
 def serve_acts(

@@ -9,7 +9,7 @@ from hapticplayer.capture import formats, read_recording, synchronize
 from hapticplayer.capture.choices import LogChoices, parse_choices
 from hapticplayer.capture.formats import Confidence, Reader, RecordingFormat
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.source import Source
+from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.methods import SyncMethod
 from hapticplayer.capture.sync.result import Synchronisation
@@ -23,12 +23,12 @@ FORMAT = RecordingFormat("dummy", Message("Dummy logger"), f"{__name__}:READER")
 METHOD = SyncMethod("dummy", Message("a dummy method"), f"{__name__}:by_guess")
 
 
-def recognises(source: Source) -> Confidence:
+def recognises(source: LogSource) -> Confidence:
     is_own = source.first_line(source.names[0]) == "dummy"
     return Confidence.CERTAIN if is_own else Confidence.NO
 
 
-def read(_source: Source, _choices: LogChoices) -> Recording:
+def read(_source: LogSource, _choices: LogChoices) -> Recording:
     return Recording(IMU, ClockMap(confidence=0.0), "dummy camera")
 
 

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hapticplayer.capture.streams import Stream, mean_rate, on_common_times
+from hapticplayer.capture.streams import SensorStream, mean_rate, on_common_times
 
 
 def test_equal_times_change_nothing():
@@ -62,7 +62,7 @@ def test_jitter_of_either_stream_does_not_reach_the_other(rng):
 
     def stamped(values):
         noise_s = 0.2 * interval_s * rng.uniform(-1.0, 1.0, len(true_s))
-        return Stream(true_s + noise_s, values)
+        return SensorStream(true_s + noise_s, values)
 
     force = 9.8 + np.sin(true_s[:, None] * [5.0, 7.0, 11.0])
     force[100:110] = np.nan
@@ -81,8 +81,8 @@ def test_jitter_of_either_stream_does_not_reach_the_other(rng):
 
 def test_even_streams_keep_their_times(rng):
     time_s = 0.01 * np.arange(1500)
-    given = Stream(time_s, rng.normal(size=(1500, 3)))
-    other = Stream(time_s.copy(), rng.normal(size=(1500, 3)))
+    given = SensorStream(time_s, rng.normal(size=(1500, 3)))
+    other = SensorStream(time_s.copy(), rng.normal(size=(1500, 3)))
     found = on_common_times(given, other, None, "")
     np.testing.assert_array_equal(found.time_s, time_s)
     assert found.notes == ()

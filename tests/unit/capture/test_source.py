@@ -10,7 +10,7 @@ import pytest
 
 from hapticplayer.capture import csv_table, read_recording, source
 from hapticplayer.capture.csv_table import Numbers, Shape, read_numbers
-from hapticplayer.capture.source import Source, open_source
+from hapticplayer.capture.source import LogSource, open_source
 from hapticplayer.errors import InputError
 from tests.faults.import_formats import FORMATS, put, zipped
 from tests.faults.import_signal import sample
@@ -45,7 +45,7 @@ def test_a_recording_that_changes_meanwhile_is_refused(
     log = put(files, tmp_path / "in", as_zip=kind == "zip")
     changing = log if log.is_file() else next(log.iterdir())
     log = list(log.iterdir()) if kind == "files" else log
-    begun, read = [], Source.opened
+    begun, read = [], LogSource.opened
 
     def opened(self, member):
         if not begun:
@@ -53,7 +53,7 @@ def test_a_recording_that_changes_meanwhile_is_refused(
             change(changing)
         return read(self, member)
 
-    monkeypatch.setattr(Source, "opened", opened)
+    monkeypatch.setattr(LogSource, "opened", opened)
     with pytest.raises(InputError, match="changed or replaced while it was read"):
         read_recording(log)
 

@@ -58,7 +58,7 @@ def test_a_gap_of_hours_costs_a_method_only_a_new_start(method):
     assert rms(error) < rms(usual) + 0.05
 
 
-def test_a_method_says_that_it_started_anew():
+def test_a_method_says_that_it_restarted():
     done = analyse(with_a_hole(WOBBLE.instant(TIME_S)), "ekf")
     assert done.summary["pieces"] == 2
     assert len(done.track.gravity_sigma_mps2) == COUNT

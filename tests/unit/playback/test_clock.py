@@ -10,8 +10,8 @@ from hapticplayer.playback.clock import (
     MAX_BEND,
     REPORT_TIMEOUT_S,
     AudioReport,
+    ClockSource,
     MediaClock,
-    Source,
 )
 
 T0 = 500.0
@@ -48,7 +48,7 @@ def test_it_runs_from_the_first_sound_even_if_that_lies_ahead():
     clock = led_by_sound()
     assert clock.media_s(T0 - 0.1) == 10.0
     assert clock.media_s(T0 + 1.0) == pytest.approx(11.0)
-    assert clock.source is Source.AUDIO
+    assert clock.source is ClockSource.AUDIO
 
 
 def test_a_published_clock_expires():
@@ -86,7 +86,7 @@ def test_when_the_sound_is_lost_the_clock_goes_on_without_a_jump():
     feed(clock, 2.0, error_s=0.004)
     before = clock.media_s(T0 + 2.0)
     clock.check(T0 + 2.0 + REPORT_TIMEOUT_S + 0.01)
-    assert clock.source is Source.MONOTONIC
+    assert clock.source is ClockSource.MONOTONIC
     later = clock.media_s(T0 + 3.0)
     assert later - before == pytest.approx(1.0, abs=0.002)
 
@@ -96,7 +96,7 @@ def test_when_the_sound_comes_back_it_leads_again():
     feed(clock, 1.0)
     clock.check(T0 + 2.0)
     feed(clock, 5.0, error_s=-0.03, start_s=T0 + 3.0)
-    assert clock.source is Source.AUDIO
+    assert clock.source is ClockSource.AUDIO
     assert clock.media_s(T0 + 8.0) == pytest.approx(18.0 - 0.03, abs=0.001)
 
 

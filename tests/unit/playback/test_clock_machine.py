@@ -15,8 +15,8 @@ from hapticplayer.playback.clock import (
     REPORT_TIMEOUT_S,
     RESYNC_S,
     AudioReport,
+    ClockSource,
     MediaClock,
-    Source,
 )
 
 REPORT_PERIOD_S = 0.01
@@ -82,7 +82,7 @@ class ClockMachine(RuleBasedStateMachine):
     @rule()
     def play_without_sound(self):
         self.keep(lambda: self.clock.start(self.now))
-        assert self.clock.source is Source.MONOTONIC
+        assert self.clock.source is ClockSource.MONOTONIC
 
     @precondition(lambda self: not self.clock.is_running)
     @rule(ahead_s=st.floats(0.0, 0.2), drift=st.floats(-DRIFT, DRIFT))
@@ -143,9 +143,9 @@ class ClockMachine(RuleBasedStateMachine):
         # a sound that was to come is waited for as long
         silent_s = min(silent_s, self.now - self.started_s)
         if silent_s > REPORT_TIMEOUT_S + 2.0 * REPORT_PERIOD_S:
-            assert self.clock.source is Source.MONOTONIC
+            assert self.clock.source is ClockSource.MONOTONIC
         is_settled = self.is_heard and self.now - self.started_s > 12.0
-        if is_settled and self.clock.source is Source.AUDIO:
+        if is_settled and self.clock.source is ClockSource.AUDIO:
             off_s = self.heard_s() - self.clock.media_s(self.now)
             assert abs(off_s) < CORRECT_FROM_S + 2.0 * JITTER_S + 12.0 * DRIFT * 0.1
 

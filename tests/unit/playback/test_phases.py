@@ -2,7 +2,7 @@
 
 import pytest
 
-from hapticplayer.playback.phases import Action, Event, Phase, transition
+from hapticplayer.playback.phases import Action, Phase, PhaseEvent, transition
 
 GO_TO, HOLD, FORGET = (Action.GO_TO,), (Action.HOLD,), (Action.FORGET,)
 SOUND, CLOCK = (Action.START_SOUND,), (Action.START_CLOCK,)
@@ -11,22 +11,22 @@ SOUND, CLOCK = (Action.START_SOUND,), (Action.START_CLOCK,)
 # order of `Phase` (empty, paused, buffering, starting, playing, ended); "-" is ignored
 PHASES = {phase.value[:2]: phase for phase in Phase}
 ROWS = {
-    Event.OPEN: ("pa - - - - -", [GO_TO]),
-    Event.CLOSE: ("- em em em em em", [FORGET] * 5),
-    Event.PLAY: ("- bu - - - bu", [(), GO_TO]),
-    Event.PAUSE: ("- - pa pa pa -", [HOLD] * 3),
-    Event.SEEK: ("- pa bu bu bu pa", [GO_TO] * 5),
-    Event.REFRESH: ("- pa - - - en", [GO_TO] * 2),
-    Event.BUFFERED: ("- - st - - -", [SOUND]),
-    Event.BUFFERED_SILENT: ("- - pl - - -", [CLOCK]),
-    Event.HEARD: ("- - - pl - -", [()]),
-    Event.UNHEARD: ("- - - pl - -", [CLOCK]),
-    Event.OUTPUT_CHANGED: ("- - - bu - -", [()]),
-    Event.END: ("- - - - en -", [HOLD]),
+    PhaseEvent.OPEN: ("pa - - - - -", [GO_TO]),
+    PhaseEvent.CLOSE: ("- em em em em em", [FORGET] * 5),
+    PhaseEvent.PLAY: ("- bu - - - bu", [(), GO_TO]),
+    PhaseEvent.PAUSE: ("- - pa pa pa -", [HOLD] * 3),
+    PhaseEvent.SEEK: ("- pa bu bu bu pa", [GO_TO] * 5),
+    PhaseEvent.REFRESH: ("- pa - - - en", [GO_TO] * 2),
+    PhaseEvent.BUFFERED: ("- - st - - -", [SOUND]),
+    PhaseEvent.BUFFERED_SILENT: ("- - pl - - -", [CLOCK]),
+    PhaseEvent.HEARD: ("- - - pl - -", [()]),
+    PhaseEvent.UNHEARD: ("- - - pl - -", [CLOCK]),
+    PhaseEvent.OUTPUT_CHANGED: ("- - - bu - -", [()]),
+    PhaseEvent.END: ("- - - - en -", [HOLD]),
 }
 
 
-@pytest.mark.parametrize("event", list(Event))
+@pytest.mark.parametrize("event", list(PhaseEvent))
 def test_each_event_leads_where_the_table_says(event):
     cells, actions = ROWS[event]
     left = iter(actions)

@@ -12,7 +12,7 @@ from hapticplayer.media.frames import FrameConverter
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback import sound
-from hapticplayer.playback.clock import Source
+from hapticplayer.playback.clock import ClockSource
 from hapticplayer.playback.force_output import ForceOutput
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.phases import Phase
@@ -280,13 +280,13 @@ def test_a_sound_output_that_was_lost_comes_back_without_a_jump(theatre, monkeyp
     epoch, first.is_alive = player.snapshot().epoch, False
     offsets = []
     pause = SystemClock()  # for the thread that opens the new output
-    while theatre.out is first or clip_of(player).media.source is not Source.AUDIO:
+    while theatre.out is first or clip_of(player).media.source is not ClockSource.AUDIO:
         theatre.run(theatre.STEP_S)
         offsets.append(player.snapshot().media_s - theatre.clock.now_s())
         pause.sleep_until(pause.now_s() + 0.001)
         assert player.snapshot().phase is Phase.PLAYING, "the clip was over before"
     theatre.run(0.3)
-    assert clip_of(player).media.source is Source.AUDIO
+    assert clip_of(player).media.source is ClockSource.AUDIO
     assert player.snapshot().epoch == epoch, "the force was interrupted"
     offsets.append(player.snapshot().media_s - theatre.clock.now_s())
     assert max(offsets) - min(offsets) < 0.001

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import ManualClock, SystemClock
-from hapticplayer.playback.clock import MediaClock, Source
+from hapticplayer.playback.clock import ClockSource, MediaClock
 from hapticplayer.playback.sound import (
     LOST_AFTER_S,
     OPENING_S,
@@ -180,10 +180,10 @@ def test_a_lost_output_is_replaced_and_joins_the_clock(bench, loss):
         lost.state = OutputState.GONE
     bench.run(LOST_AFTER_S + 0.4)
     assert bench.events[:3] == ["sound_open", "sound_lost", "sound_back"]
-    assert bench.media.source is Source.MONOTONIC
+    assert bench.media.source is ClockSource.MONOTONIC
     assert len(bench.outputs) == 2
     bench.run(SETTLED_S + 0.5)
-    assert bench.media.source is Source.AUDIO
+    assert bench.media.source is ClockSource.AUDIO
     now_s = bench.clock.now_s()
     assert bench.media.epoch == epoch, "the force was interrupted"
     assert bench.media.media_s(now_s) - now_s == pytest.approx(offset_s, abs=1e-3)
@@ -205,7 +205,7 @@ def test_an_output_that_comes_late_joins_what_plays(bench):
     bench.outputs[0].state = OutputState.OPEN
     bench.run(SETTLED_S + 0.5)
     assert bench.events == ["no_sound_output", "sound_back"]
-    assert bench.media.source is Source.AUDIO
+    assert bench.media.source is ClockSource.AUDIO
     assert len(bench.outputs) == 1
 
 
@@ -258,7 +258,7 @@ def test_a_window_hanging_for_2_s_stops_neither_sound_nor_clock(bench):
     bench.run(0.1)
     now_s = bench.clock.now_s()
     assert bench.ring.underrun_samples == 0
-    assert bench.media.source is Source.AUDIO
+    assert bench.media.source is ClockSource.AUDIO
     assert bench.media.epoch == epoch
     assert bench.media.media_s(now_s) - now_s == pytest.approx(offset_s, abs=1e-3)
     assert bench.events == ["sound_open"]

@@ -10,7 +10,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.pack import pack
 from hapticplayer.streaming.offer import Offer
-from hapticplayer.streaming.server import Server
+from hapticplayer.streaming.server import StreamServer
 
 
 def wait_for(condition):
@@ -39,7 +39,7 @@ def server(packed):
         yield server
 
 
-class served(Server):  # noqa: N801 - used as a function
+class served(StreamServer):  # noqa: N801 - used as a function
     """A server whose thread runs within a `with` block."""
 
     def __init__(self, offer, clock=None, **how):

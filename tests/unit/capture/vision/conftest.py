@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation.film.film import Film
-from hapticplayer.simulation.film.view import Pose
+from hapticplayer.simulation.film.view import CameraPose
 from hapticplayer.simulation.rides.catalogue import SCENES
 from tests.once import made_once
 
@@ -46,7 +46,7 @@ def turning(rotations: Rotation, position_m: np.ndarray) -> list[np.ndarray]:
     """Draw what a camera sees that only rotates."""
     maker, poses = film("bike").studio()
     made = poses[0].rotation @ rotations.as_matrix()
-    return [maker.draw(Pose(position_m, matrix, 0.0)) for matrix in made]
+    return [maker.draw(CameraPose(position_m, matrix, 0.0)) for matrix in made]
 
 
 @pytest.fixture

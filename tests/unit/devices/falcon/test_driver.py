@@ -10,8 +10,8 @@ from hapticplayer.devices.falcon import kinematics, matrix3
 from hapticplayer.devices.falcon.driver import (
     STALE_S,
     ZEROS_AT_THE_END,
+    DriverState,
     FalconDriver,
-    State,
 )
 from hapticplayer.devices.falcon.link import DirectLink
 from hapticplayer.devices.falcon.protocol import Lights
@@ -63,21 +63,21 @@ def session(running):
 
 def test_it_goes_from_unplugged_to_ready_and_back(bench):
     device = bench.driver()
-    assert device.state is State.DISCONNECTED
+    assert device.state is DriverState.DISCONNECTED
     device.open()
-    assert device.state is State.LOADED
+    assert device.state is DriverState.LOADED
     assert bench.board.stage is Stage.RUNNING
     bench.mechanics.homed = 3
     reading = [device.exchange(ZERO, bench.clock.now_s()) for _ in range(4)][-1]
-    assert device.state is State.HOMING
+    assert device.state is DriverState.HOMING
     assert (reading.is_homed, reading.position_m) == (False, ZERO)
     assert device.reply.homed == 3
     bench.mechanics.homed = 7
     reading = [device.exchange(ZERO, bench.clock.now_s()) for _ in range(4)][-1]
-    assert device.state is State.READY
+    assert device.state is DriverState.READY
     assert reading.is_homed
     device.close()
-    assert device.state is State.DISCONNECTED
+    assert device.state is DriverState.DISCONNECTED
     assert not bench.port.is_claimed
     device.open()  # the firmware is still there
     assert bench.chip.requests.count((9, 16, 0)) == 1
@@ -125,11 +125,11 @@ def test_lost_homing_takes_the_force_away_at_the_next_answer(session):
     reading = session.tick(PUSH, count=4)
     assert (session.words, reading.is_homed) == ((0, 0, 0), False)
     assert reading.position_m == ZERO
-    assert session.device.state is State.HOMING
+    assert session.device.state is DriverState.HOMING
     session.bench.mechanics.homed = 7
     session.bench.mechanics.counts = (900, -900, 100)  # a new zero
     session.tick(PUSH, count=4)
-    assert session.device.state is State.READY
+    assert session.device.state is DriverState.READY
     assert session.words != (0, 0, 0)
 
 
@@ -209,7 +209,7 @@ def test_a_force_that_is_no_number_is_a_fault_and_zero(session, bad):
     with pytest.raises(DeviceError, match="not a number"):
         session.tick((0.0, bad, 0.0))
     assert session.words == (0, 0, 0)
-    assert session.device.state is State.FAULT
+    assert session.device.state is DriverState.FAULT
     with pytest.raises(DeviceError, match="not a number"):
         session.tick(PUSH)
     assert session.words == (0, 0, 0)
@@ -306,7 +306,7 @@ def test_an_encoder_that_stays_away_is_a_fault_and_zero(session):
     with pytest.raises(DeviceError, match="home it again"):
         session.tick(PUSH, count=20)
     assert session.words == (0, 0, 0)
-    assert session.device.state is State.FAULT
+    assert session.device.state is DriverState.FAULT
 
 
 def test_a_quick_hand_is_no_glitch(session):
@@ -326,7 +326,7 @@ def test_unplugging_is_an_error_and_closing_then_is_none(session):
     session.bench.chip.unplug()
     with pytest.raises(DeviceError, match="unplugged"):
         session.tick(PUSH)
-    assert session.device.state is State.DISCONNECTED
+    assert session.device.state is DriverState.DISCONNECTED
     session.device.close()
 
 
@@ -335,7 +335,7 @@ def test_a_failed_opening_leaves_nothing_open(bench):
     device = bench.driver()
     with pytest.raises(DeviceError):
         device.open()
-    assert device.state is State.DISCONNECTED
+    assert device.state is DriverState.DISCONNECTED
     assert not bench.port.is_claimed
     with pytest.raises(DeviceError, match="not open"):
         device.exchange(ZERO, 0.0)

@@ -6,7 +6,7 @@ import threading
 import pytest
 
 from hapticplayer.clock import ManualClock, SystemClock
-from hapticplayer.devices.falcon.driver import FalconDriver, State
+from hapticplayer.devices.falcon.driver import DriverState, FalconDriver
 from hapticplayer.devices.falcon.link import NO_ANSWER, OLD_S, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Reply, encode_reply
 from hapticplayer.devices.falcon.transport import FalconGoneError
@@ -233,7 +233,7 @@ def test_the_whole_chain_runs_on_threads_and_the_machines_clock(running_now):
         clock.sleep_until(now_s + 0.001)
         if running.mechanics.commands[-1][1] != (0, 0, 0):
             break
-    assert device.state is State.READY
+    assert device.state is DriverState.READY
     assert reading.is_homed
     running.chip.unplug()
 

@@ -49,7 +49,7 @@ def test_without_a_falcon_there_is_nothing_left_to_do(running):
     assert not silencer()
 
 
-def test_trouble_on_the_bus_is_met_by_beginning_anew(running):
+def test_trouble_on_the_bus_is_met_by_beginning_again(running):
     silencer = Silencer(running.bus)
     running.chip.control(3, *RUN_BAUD)
     running.port.refuses_with = 32

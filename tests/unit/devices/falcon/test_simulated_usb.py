@@ -7,7 +7,7 @@ import usb.core
 
 from hapticplayer.devices.falcon import kinematics
 from hapticplayer.devices.falcon.ftdi import LOADER_BAUD, RUN_BAUD
-from hapticplayer.devices.falcon.protocol import Command, Lights
+from hapticplayer.devices.falcon.protocol import Lights, MotorCommand
 from hapticplayer.simulation.falcon.simulation import Simulation
 from hapticplayer.simulation.usb.board import Stage
 from hapticplayer.simulation.usb.mechanics import Homing, SimulatedMechanics
@@ -135,7 +135,7 @@ def test_the_motors_of_the_simulated_hand_push_as_they_are_told(rng):
         jacobian = kinematics.jacobian((x, y, z + 0.12))
         force = tuple(rng.uniform(-2.0, 2.0, 3).tolist())
         words = kinematics.motor_words(jacobian, force)
-        mechanics.command(Command(tuple(round(w) for w in words), 0), 1.0)
+        mechanics.command(MotorCommand(tuple(round(w) for w in words), 0), 1.0)
         assert simulation.commanded_n == pytest.approx(force, abs=0.005)
         counts = mechanics.reply(1.0).counts
         seen = kinematics.forward(kinematics.angles(counts))
@@ -159,7 +159,7 @@ def test_an_owner_homes_the_grip_only_when_asked():
     def run(lights, seconds):
         for _ in range(round(1000 * seconds)):
             run.now_s += 0.001
-            mechanics.command(Command((0, 0, 0), lights), run.now_s)
+            mechanics.command(MotorCommand((0, 0, 0), lights), run.now_s)
             places.append(simulation.position_m[2])
         return mechanics.reply(run.now_s).is_homed
 

@@ -9,8 +9,8 @@ from hapticplayer.model.device import DeviceReading
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
     Act,
-    Command,
     Control,
+    ForceCommand,
     command_bytes,
     pack_control,
     pack_reply,
@@ -18,7 +18,7 @@ from hapticplayer.simulation.falcon.packets import (
     unpack,
 )
 
-COMMAND = Command(7, 1234.5, (1.25, -2.5, 0.125))
+COMMAND = ForceCommand(7, 1234.5, (1.25, -2.5, 0.125))
 READING = DeviceReading((0.01, -0.02, 0.03), 0b1010, is_homed=True, replied_s=99.0)
 CONTROL = Control(Act.STALL, 0.25)
 PACKED = [command_bytes(*COMMAND), pack_reply(8, READING), pack_control(CONTROL)]
@@ -65,7 +65,7 @@ def test_numbers_that_are_none_are_not_taken(bad):
 
 def test_serial_numbers_wrap_around():
     found = unpack(command_bytes(*COMMAND._replace(serial=(1 << 32) + 5)))
-    assert isinstance(found, Command)
+    assert isinstance(found, ForceCommand)
     assert found.serial == 5
 
 

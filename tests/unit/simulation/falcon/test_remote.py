@@ -129,7 +129,7 @@ def test_a_falsified_answer_is_counted_and_the_next_one_taken(bench):
     assert (reading.malformed, reading.position_m[0]) == (0, 0.02)
 
 
-def test_serial_numbers_begin_anew_and_leave_out_zero(bench, monkeypatch):
+def test_serial_numbers_restart_and_leave_out_zero(bench, monkeypatch):
     monkeypatch.setattr(remote, "SERIAL_MASK", 5)
     assert [bench.tick()[1] for _ in range(3)] == [2, 3, 4]
     serials = []

@@ -8,7 +8,7 @@ import pytest
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.falcon.packets import Command, command_bytes
+from hapticplayer.simulation.falcon.packets import ForceCommand, command_bytes
 from hapticplayer.simulation.falcon.parameters import Electronics
 from hapticplayer.simulation.falcon.record import RING_RECORDS, Recorder
 from hapticplayer.simulation.falcon.record_reader import read_record
@@ -75,7 +75,7 @@ def test_a_slow_player_gets_the_newest_of_many_answers(bench):
     bench.tick()
     for _ in range(50):
         bench.clock.advance(0.001)
-        bench.raw.send(command_bytes(*Command(0, bench.clock.now_s(), PUSH)))
+        bench.raw.send(command_bytes(*ForceCommand(0, bench.clock.now_s(), PUSH)))
         bench.server.turn()
     assert bench.tick().replied_s == pytest.approx(bench.clock.now_s() - 0.001)
 
@@ -84,25 +84,25 @@ def test_a_command_of_20_ms_ago_is_refused_and_counted(bench):
     bench.tick(ZERO)
     now_s = bench.clock.now_s()
     for age_s in (COMMAND_AGE_S + 1e-6, 1.0, -1.0):
-        bench.raw.send(command_bytes(*Command(0, now_s - age_s, PUSH)))
+        bench.raw.send(command_bytes(*ForceCommand(0, now_s - age_s, PUSH)))
     bench.server.turn()
     assert bench.simulation.refused == 3
     assert bench.simulation.commanded_n == ZERO
-    bench.raw.send(command_bytes(*Command(0, now_s - COMMAND_AGE_S + 1e-6, PUSH)))
+    bench.raw.send(command_bytes(*ForceCommand(0, now_s - COMMAND_AGE_S + 1e-6, PUSH)))
     bench.server.turn()
     assert bench.simulation.commanded_n == PUSH
 
 
 def test_a_zero_is_never_too_old(bench):
     bench.tick(PUSH, 10)
-    bench.raw.send(command_bytes(*Command(0, bench.clock.now_s() - 5.0, ZERO)))
+    bench.raw.send(command_bytes(*ForceCommand(0, bench.clock.now_s() - 5.0, ZERO)))
     bench.server.turn()
     assert bench.simulation.applied_n == ZERO
     assert bench.simulation.refused == 0
 
 
 def test_what_makes_no_sense_is_refused_and_counted(bench):
-    good = command_bytes(*Command(0, bench.clock.now_s(), PUSH))
+    good = command_bytes(*ForceCommand(0, bench.clock.now_s(), PUSH))
     for data in (b"?", good[:-1], bytes(64), good[:-1] + bytes([good[-1] ^ 1])):
         bench.raw.send(data)
     bench.server.turn()
@@ -172,7 +172,7 @@ def test_it_ends_when_the_last_holder_has_closed_and_not_before(bench):
 
 def test_a_last_zero_counts_although_its_sender_has_left(bench):
     bench.tick(PUSH, 10)
-    bench.raw.send(command_bytes(*Command(0, bench.clock.now_s(), ZERO)))
+    bench.raw.send(command_bytes(*ForceCommand(0, bench.clock.now_s(), ZERO)))
     bench.hang_up()  # with replies unread: the server's next recv reports a reset
     bench.server.turn()
     assert bench.simulation.applied_n == ZERO
@@ -215,7 +215,7 @@ def test_every_tick_is_logged_once_with_its_refusals(bench):
 
     before = records()
     assert records() == before + 1  # nothing came
-    command = command_bytes(*Command(0, bench.clock.now_s(), PUSH))
+    command = command_bytes(*ForceCommand(0, bench.clock.now_s(), PUSH))
     bench.raw.send(command)
     assert records() == before + 2
     for data in (command, b"?"):

@@ -16,7 +16,7 @@ from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.simulation.film import film
 from hapticplayer.simulation.film.frame import PictureMaker
-from hapticplayer.simulation.film.view import Pose
+from hapticplayer.simulation.film.view import CameraPose
 from hapticplayer.simulation.rides import recording
 from hapticplayer.simulation.rides.catalogue import SCENES
 from hapticplayer.simulation.rides.recording import (
@@ -34,7 +34,7 @@ def ride() -> SimulatedRecording:
 
 
 @pytest.fixture(scope="module")
-def studio(ride: SimulatedRecording) -> tuple[PictureMaker, list[Pose]]:
+def studio(ride: SimulatedRecording) -> tuple[PictureMaker, list[CameraPose]]:
     return ride.film.studio()
 
 
@@ -242,7 +242,7 @@ def test_recording_and_truth_are_handed_on(ride: SimulatedRecording) -> None:
     assert all(len(array) == 2001 for array in arrays.values())
 
 
-def turned(pose: Pose, axis: int, angle_rad: float) -> Pose:
+def turned(pose: CameraPose, axis: int, angle_rad: float) -> CameraPose:
     rotvec = np.zeros(3)
     rotvec[axis] = angle_rad
     rotation = pose.rotation @ Rotation.from_rotvec(rotvec).as_matrix()
@@ -266,7 +266,7 @@ def moved_px(before: NDArray[np.uint8], after: NDArray[np.uint8]) -> NDArray[np.
     ids=["turning left moves it right", "lifting the nose moves it down"],
 )
 def test_picture_turns_with_the_camera(
-    studio: tuple[PictureMaker, list[Pose]], axis: int, direction: tuple[int, int]
+    studio: tuple[PictureMaker, list[CameraPose]], axis: int, direction: tuple[int, int]
 ) -> None:
     """A turn by 1.5 degrees moves the middle by f tan(angle) = 14 px."""
     maker, poses = studio
@@ -279,7 +279,7 @@ def test_picture_turns_with_the_camera(
 
 
 def test_horizon_tilts_against_the_lean(
-    studio: tuple[PictureMaker, list[Pose]],
+    studio: tuple[PictureMaker, list[CameraPose]],
 ) -> None:
     """Leaning to the left (roll < 0) turns the world clockwise: left side up."""
     maker, poses = studio
@@ -297,7 +297,7 @@ def test_horizon_tilts_against_the_lean(
 
 
 def test_pictures_are_rgb_of_the_promised_size(
-    studio: tuple[PictureMaker, list[Pose]], ride: SimulatedRecording
+    studio: tuple[PictureMaker, list[CameraPose]], ride: SimulatedRecording
 ) -> None:
     maker, poses = studio
     picture = maker.draw(poses[150])
@@ -311,7 +311,7 @@ def test_pictures_are_rgb_of_the_promised_size(
 
 
 def test_drawing_does_not_depend_on_what_was_drawn_before(
-    studio: tuple[PictureMaker, list[Pose]],
+    studio: tuple[PictureMaker, list[CameraPose]],
 ) -> None:
     maker, poses = studio
     first = maker.draw(poses[205])

@@ -14,7 +14,7 @@ from hapticplayer.simulation.rig.platform import (
     SHORTEST_M,
     YAW_S,
     Follower,
-    Pose,
+    PlatformPose,
     is_reachable,
     legs_m,
     platform_m,
@@ -23,7 +23,7 @@ from hapticplayer.simulation.rig.platform import (
 
 SHIFTS = st.floats(-2.0, 2.0)
 ANGLES = st.floats(-1.5, 1.5)
-POSES = st.builds(Pose, SHIFTS, SHIFTS, SHIFTS, ANGLES, ANGLES, ANGLES)
+POSES = st.builds(PlatformPose, SHIFTS, SHIFTS, SHIFTS, ANGLES, ANGLES, ANGLES)
 STILL = Heard("outsim", 0.0, (0.0, 0.0, 0.0), 0.0, 0.0, 0.0, (0.0, 0.0, 0.0))
 
 
@@ -32,7 +32,7 @@ def test_the_platform_is_turned_as_the_packets_say(pose):
     """Yaw, then pitch, then roll in the platform's own axes, by scipy's own matrices."""
     angles = [pose.yaw_rad, pose.pitch_rad, pose.roll_rad]
     turn = Rotation.from_euler("ZXY", angles).as_matrix()
-    level = platform_m(Pose())
+    level = platform_m(PlatformPose())
     centre = level.mean(axis=0)
     shift = [pose.right_m, pose.front_m, pose.up_m]
     expected = (level - centre) @ turn.T + centre + shift
@@ -40,17 +40,19 @@ def test_the_platform_is_turned_as_the_packets_say(pose):
 
 
 def test_in_neutral_all_legs_are_alike_and_in_the_middle():
-    lengths = legs_m(Pose())
+    lengths = legs_m(PlatformPose())
     assert np.ptp(lengths) < 1e-12
     assert SHORTEST_M + 0.1 < lengths[0] < LONGEST_M - 0.1
 
 
 def test_up_is_longer_and_a_nose_up_lifts_the_front():
-    assert (legs_m(Pose(up_m=0.05)) > legs_m(Pose())).all()
-    top = platform_m(Pose(pitch_rad=0.2))
+    assert (legs_m(PlatformPose(up_m=0.05)) > legs_m(PlatformPose())).all()
+    top = platform_m(PlatformPose(pitch_rad=0.2))
     assert top[:2, 2].min() > top[2:, 2].max()
-    right_down = platform_m(Pose(roll_rad=0.2))
-    assert right_down[right_down[:, 0] > 0.1, 2].max() < platform_m(Pose())[0, 2]
+    right_down = platform_m(PlatformPose(roll_rad=0.2))
+    assert (
+        right_down[right_down[:, 0] > 0.1, 2].max() < platform_m(PlatformPose())[0, 2]
+    )
 
 
 @given(POSES)
@@ -66,7 +68,7 @@ def test_what_is_done_is_reachable_and_as_far_as_the_legs_go(pose):
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_no_number_is_neutral(bad):
-    assert reached(Pose(up_m=bad)) == (Pose(), 0.0)
+    assert reached(PlatformPose(up_m=bad)) == (PlatformPose(), 0.0)
 
 
 def test_a_heading_that_turns_on_comes_back():
