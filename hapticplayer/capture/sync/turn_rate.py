@@ -14,13 +14,18 @@ def turn_rate_of_frames(frames: FrameRotation) -> tuple[Floats, Floats]:
     """Return media times (N,), s, and the turn rate (N,) above 0.4 Hz, rad/s.
 
     Two of its three axes hold the unknown factor of `FrameRotation`. Where the frames
-    show nothing of the rotation it is 0.
+    show nothing of the rotation it is 0; single intervals are bridged, because a key
+    frame has no motion vectors.
     """
     watched = Watched.of(frames)
-    high = watched.high_passed(watched.rotation_rad, watched.weight > 0.0)
+    known = watched.weight > 0.0
+    high = watched.high_passed(watched.rotation_rad, known)
     middle_s = 0.5 * (watched.begin_s + watched.end_s)
     length_s = watched.end_s - watched.begin_s
-    return middle_s, np.linalg.norm(high, axis=1) / length_s
+    rate = np.linalg.norm(high, axis=1) / length_s
+    alone = 1 + np.flatnonzero(known[:-2] & ~known[1:-1] & known[2:])
+    rate[alone] = 0.5 * (rate[alone - 1] + rate[alone + 1])
+    return middle_s, rate
 
 
 def turn_rate_of_gyro(imu: ImuLog) -> tuple[Floats, Floats]:

@@ -64,3 +64,12 @@ def test_gaps_and_cuts_are_flat(frames, imu):
     )
     log_s, rate = turn_rate_of_gyro(gap)
     assert not rate[np.abs(log_s - 1.6) < 0.45].any()
+
+
+def test_a_single_key_frame_is_bridged(frames):
+    _, whole = turn_rate_of_frames(frames)
+    at = int(np.argmax(whole))
+    frames.quality[at] = 0.0
+    frames.rotation_rad[at] = 0.0
+
+    assert turn_rate_of_frames(frames)[1][at] == pytest.approx(whole[at], rel=0.1)
