@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from hapticplayer.capture.clock_lag import CORI, ClockLag
 from hapticplayer.capture.gopro_streams import Payload, SensorStream, collect
 from hapticplayer.capture.vision import FrameRotation
-from hapticplayer.errors import TelemetryError
+from hapticplayer.errors import InputError, TelemetryError
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
@@ -42,7 +42,10 @@ def clock_by_cori(
         return None
     from hapticplayer.capture.sync.own_clock import fit_own_clock, sigma_of_windows_s
 
-    found = fit_own_clock(imu, rotation)
+    try:
+        found = fit_own_clock(imu, rotation)
+    except InputError:  # too short, or no rotation
+        return None
     if found is None:
         return None
     sigma_s = sigma_of_windows_s(found.line)

@@ -44,11 +44,12 @@ def recording(
     rms_rad: float = 0.02,
     seeds: tuple[int, int] = (1, 1),
     repeated_in: int | None = None,
+    payloads: int = PAYLOADS,
 ) -> Recording:
     """Return a camera whose gyro is stamped too late by `lag_s`."""
     packets, first = [], 0
     rng = np.random.default_rng(3)
-    for number in range(PAYLOADS):
+    for number in range(payloads):
         begin_us = 1_000_000 + round(1e6 * PAYLOAD_S * number)
         stamp_s = 1.0 + PAYLOAD_S * number
         index = np.arange(RATE_HZ)
@@ -101,7 +102,9 @@ def test_a_repeated_orientation_does_not_matter():
 
 
 @pytest.mark.parametrize(
-    "flaw", [{"rms_rad": 0.0}, {"seeds": (1, 2)}], ids=["still", "other motion"]
+    "flaw",
+    [{"rms_rad": 0.0}, {"seeds": (1, 2)}, {"payloads": 3}],
+    ids=["still", "other motion", "short"],
 )
 def test_what_does_not_tell_changes_nothing(flaw):
     found = recording(0.013, **flaw)
