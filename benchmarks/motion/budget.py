@@ -6,11 +6,11 @@ chain runs with all of them. Causes are independent where their squares add up t
 chain's; the rest is shown as what they have in common. The pats and the stationary time
 around them are left out. Figures are the RMS of the error vector in mN, over all seeds.
 
-Four chains: *paper* (30 Hz means, pats found to half a frame, each value held), *lines*
+Five chains: *paper* (30 Hz means, pats found to half a frame, each value held), *lines*
 (the same log, pats to the 8 ms that event matching reaches at 30 Hz, straight lines),
-*today* (the same, and what `rendering.window_means` puts between the means) and *camera*
-(200 Hz beside the clip, embedded clock). `python -m tools.result_figures` draws the saved
-result.
+*today* (the same, and what `rendering.window_means` puts between the means), *pictures* (the
+same, synchronised by the frames) and *camera* (200 Hz beside the clip, embedded clock).
+`python -m tools.result_figures` draws the saved result.
 
 Between the means: all scenes of motion alone with the windows and the noise of the
 paper's accelerometer, gravity known; the error of the force below 8 Hz, with straight
@@ -59,7 +59,8 @@ SCENARIOS = ("bike", "horse", "car-turning", "car-braking")
 SEEDS = (1, 2, 3)
 QUICK_SCENES = ("walk", "handheld-quiet")
 BEGIN_S = 6.0
-SYNC_S = {"camera": 0.0015, "event pattern, 200 Hz": 0.002, "event pattern, 30 Hz": 0.008,
+SYNC_S = {"camera": 0.0015, "pictures, 30 Hz": 0.0015,
+          "event pattern, 200 Hz": 0.002, "event pattern, 30 Hz": 0.008,
           "half a frame, 30 Hz": 1.0 / 60.0, "a frame, 30 Hz": 1.0 / 30.0}  # fmt: skip
 """Errors of synchronisation by where they are met; the sign does not matter."""
 
@@ -286,6 +287,7 @@ def chains(ride: Ride) -> dict[str, float]:
         ("paper", SYNC_S["half a frame, 30 Hz"], plain, held),
         ("lines", SYNC_S["event pattern, 30 Hz"], plain, linear),
         ("today", SYNC_S["event pattern, 30 Hz"], track, linear),
+        ("pictures", SYNC_S["pictures, 30 Hz"], track, linear),
     ):
         found[name] = _sent(ride, one, media_s + late_s, between)
     camera = Board(sensor=replace(CAMERA, averaged_to_hz=None))
