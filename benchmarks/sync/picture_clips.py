@@ -31,7 +31,7 @@ from hapticplayer.simulation.rides.board import PAPER, record
 from hapticplayer.simulation.rides.catalogue import RIDES
 from hapticplayer.simulation.rides.scenes import Scene
 
-SCENES = ("bike", "horse", "car-turning", "car-braking", "stairs", "walk")
+SCENES = ("bike", "horse", "car-turning", "car-braking", "stairs", "stroll")
 RATES_HZ = (200, 30)
 FRAME_RATE_HZ = 30
 CLIP_S = 28.0  # the standstill with the pats and 22 s of the ride

@@ -61,7 +61,7 @@ Follow = Callable[[Path], FrameRotation]
 
 BUILT_ON = range(101, 111)
 LEAST_RMS_DEGPS = 1.0
-SPOILT_FILMS = ("horse", "walk")
+SPOILT_FILMS = ("horse", "stroll")
 # name, whether its frames can be trusted
 REAL = (("karma.mp4", True), ("max-heromode.mp4", False))
 

@@ -265,7 +265,7 @@ def _stairs(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridde
     return _Ridden(trajectory, path, _steps(trajectory), stairs_m=risers)
 
 
-def _walk(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+def _stroll(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
     """A walk on a path with bends, the camera on the chest."""
     drive = Drive(edge_s=0.6)
     drive.stand(start_s, engine_off=True)
@@ -295,7 +295,7 @@ _RIDES = (
     Ride("still", "Camera on a tripod", 20.0, "tripod", _still),
     Ride("free-fall", "Camera dropped three times", 22.0, "tripod", _free_fall),
     Ride("stairs", "Up a flight of stairs", 25.0, "foot", _stairs),
-    Ride("walk", "Walking, camera on the chest", 40.0, "foot", _walk),
+    Ride("stroll", "Walking, camera on the chest", 40.0, "foot", _stroll),
 )
 
 RIDES: dict[str, Ride] = {ride.name: ride for ride in _RIDES}

@@ -15,6 +15,7 @@ from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 from hapticplayer.simulation.rides.board import PAPER, Board, record
 from hapticplayer.simulation.rides.catalogue import RIDES
+from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES
 from hapticplayer.simulation.rides.recording import (
     SimulatedRecording,
     simulate,
@@ -270,3 +271,7 @@ def test_log_and_gopro_clip_are_read_by_the_importers(tmp_path: Path) -> None:
         error = camera.imu.specific_force_mps2[:, axis] - meant
         assert np.median(np.abs(error)) < 0.002
         assert np.abs(error).max() < 0.05
+
+
+def test_no_ride_takes_the_name_of_a_log_without_a_clip() -> None:
+    assert not RIDES.keys() & MOTION_SCENES.keys()
