@@ -9132,6 +9132,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{note} (zuerst in Zeile {line})</translation>
     </message>
     <message>
+        <source>{one}; {other}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{option} {word!r} is not understood; give KEY=VALUE with one of {known}</source>
         <translation>{option} {word!r} wird nicht verstanden; geben Sie KEY=VALUE mit einem von {known} an</translation>
     </message>

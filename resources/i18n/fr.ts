@@ -9132,6 +9132,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{note} (d’abord à la ligne {line})</translation>
     </message>
     <message>
+        <source>{one}; {other}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{option} {word!r} is not understood; give KEY=VALUE with one of {known}</source>
         <translation>{option} {word!r} n’est pas compris&#xa0;; donnez KEY=VALUE avec l’un de {known}</translation>
     </message>
