@@ -13,6 +13,7 @@ import pytest
 
 from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import ManualClock
+from hapticplayer.haptics.messages import signal_alarm
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
@@ -53,6 +54,14 @@ def pytest_terminal_summary(terminalreporter) -> None:
                 f"   {count} x {reason.removeprefix('Skipped: ')}\n"
                 for reason, count in reasons.items()
             )
+
+
+def pytest_unconfigure() -> None:
+    """Close the sockets of the alarm, which a program keeps until it ends."""
+    if signal_alarm.cache_info().currsize:
+        alarm = signal_alarm()
+        alarm.write_end.close()
+        alarm.read_end.close()
 
 
 @pytest.fixture(scope="session")
