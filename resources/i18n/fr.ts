@@ -9133,7 +9133,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{one}; {other}</source>
-        <translation type="unfinished"></translation>
+        <translation>{one}&#xa0;; {other}</translation>
     </message>
     <message>
         <source>{option} {word!r} is not understood; give KEY=VALUE with one of {known}</source>
