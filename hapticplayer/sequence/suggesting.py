@@ -41,9 +41,9 @@ def suggested(
     """
     if log is not None or read_telemetry_packets(clip.path):
         raise UsageError(
-            "its motion was recorded, which is better than an estimate from the picture",
-            where=clip.path.name,
-            remedy="import it without --suggest-motion",
+            "the motion of {name} was recorded, which is better than an estimate from the "
+            "picture; import it without --suggest-motion",
+            name=clip.path.name,
         )
     if mapping.moves_point:
         raise UsageError("a lever arm needs the angular rate of the recording")

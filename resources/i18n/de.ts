@@ -6848,10 +6848,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>mit seiner Bewegung importieren, oder eine gepackte Datei anbieten</translation>
     </message>
     <message>
-        <source>import it without --suggest-motion</source>
-        <translation>importieren Sie es ohne --suggest-motion</translation>
-    </message>
-    <message>
         <source>in test, or being set up</source>
         <translation>wird getestet oder eingerichtet</translation>
     </message>
@@ -6966,10 +6962,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>its headers are too large</source>
         <translation>seine Kopfzeilen sind zu groß</translation>
-    </message>
-    <message>
-        <source>its motion was recorded, which is better than an estimate from the picture</source>
-        <translation>seine Bewegung wurde aufgezeichnet, und das ist besser als eine Schätzung aus dem Bild</translation>
     </message>
     <message>
         <source>its streams cannot be copied into {kind}</source>
@@ -8794,6 +8786,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
         <translation>der persönliche Ordner ist unbekannt; {variable} auf den Pfad der Firmware setzen</translation>
+    </message>
+    <message>
+        <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
+        <translation>die Bewegung von {name} wurde aufgezeichnet, und das ist besser als eine Schätzung aus dem Bild; importieren Sie es ohne --suggest-motion</translation>
     </message>
     <message>
         <source>the sequence {key!r}: {reason}</source>

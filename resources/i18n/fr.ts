@@ -6848,10 +6848,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>importez-le avec son mouvement, ou servez un fichier partagé</translation>
     </message>
     <message>
-        <source>import it without --suggest-motion</source>
-        <translation>importez-la sans --suggest-motion</translation>
-    </message>
-    <message>
         <source>in test, or being set up</source>
         <translation>en test ou en configuration</translation>
     </message>
@@ -6966,10 +6962,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>its headers are too large</source>
         <translation>ses en-têtes sont trop grands</translation>
-    </message>
-    <message>
-        <source>its motion was recorded, which is better than an estimate from the picture</source>
-        <translation>son mouvement a été enregistré, ce qui vaut mieux qu’une estimation d’après l’image</translation>
     </message>
     <message>
         <source>its streams cannot be copied into {kind}</source>
@@ -8794,6 +8786,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
         <translation>le dossier personnel est inconnu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
+    </message>
+    <message>
+        <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
+        <translation>le mouvement de {name} a été enregistré, ce qui vaut mieux qu’une estimation d’après l’image&#xa0;; importez-la sans --suggest-motion</translation>
     </message>
     <message>
         <source>the sequence {key!r}: {reason}</source>

@@ -173,7 +173,9 @@ def test_what_was_recorded_is_not_estimated(suggest, tiny_clip, tmp_path, capsys
     log.write_text("")
     more = ("--suggest-motion", "--imu", str(log))
     assert run(tiny_clip, tmp_path / "ride", *more) == 2
-    assert "better than an estimate" in capsys.readouterr().err
+    words = capsys.readouterr().err
+    assert "the motion of ride.mp4 was recorded" in words
+    assert "import it without --suggest-motion" in words
     assert run(tiny_clip, tmp_path / "ride", "--suggest-gain", "2") == 2
     assert "belongs to --suggest-motion" in capsys.readouterr().err
 
