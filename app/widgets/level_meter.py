@@ -56,7 +56,7 @@ class LevelMeter(QWidget):
         return self._size(_NARROWEST_PX if self._is_narrow else _WIDEST_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the room in which bars can still be told apart."""
+        """Return the room in which bars can still be distinguished."""
         return self._size(_NARROWEST_PX)
 
     def _size(self, bar_px: float) -> QSize:

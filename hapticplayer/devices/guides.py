@@ -1,4 +1,4 @@
-"""What a person is told about each kind of device, and what it needs: its set-up page.
+"""The set-up page of each kind of device: what it is and what it needs.
 
 An entry of the registry names its `Guide`; one without gets a page from its capability
 record. Nothing of this is loaded by the haptics process.

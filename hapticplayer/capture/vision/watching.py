@@ -42,7 +42,7 @@ TO_FRAME_A = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 """From the axes of `egomotion`: x right, y down, z ahead."""
 
 FEWEST = 12
-"""Matches from which a rotation is told."""
+"""Fewest matches that give a rotation."""
 
 _MANY_SHARE = 0.3  # of the cells, from which on quality does not suffer
 _LEAST_AGREEMENT = 0.3

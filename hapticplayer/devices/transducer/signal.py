@@ -74,7 +74,7 @@ class ShakerSignal:
     def __init__(self, settings: ShakerSettings) -> None:
         self._settings = settings
         self._splits = _splits(settings)
-        self._told: deque[tuple[float, ...]] = deque(maxlen=round(1000 * KEPT_S))
+        self._sent: deque[tuple[float, ...]] = deque(maxlen=round(1000 * KEPT_S))
         self._last_s: float | None = None
         self.meter = LevelMeter(settings.channels)
 
@@ -91,21 +91,21 @@ class ShakerSignal:
         along = self._settings.gain * share * force_n[self._settings.axis] / FULL_N
         size *= self._settings.gain
         parts = [split.parts(size, along, elapsed_s) for split in self._splits]
-        self._told.append((now_s, *(number for pair in parts for number in pair)))
+        self._sent.append((now_s, *(number for pair in parts for number in pair)))
 
     def forget(self) -> None:
         """Drop the forces that have not sounded yet: they were stopped."""
-        self._told.clear()
+        self._sent.clear()
         self._splits = _splits(self._settings)
 
     def samples(self, at_s: float, count: int) -> Floats:
         """Return (count, width) samples of -1 to 1; the first sounds at `at_s`."""
         settings = self._settings
         found = np.zeros((count, settings.width))
-        told = list(self._told)  # one call: the writer may go on
-        if not told:
+        sent = list(self._sent)  # one call: the writer may go on
+        if not sent:
             return found
-        rows = np.array(told)
+        rows = np.array(sent)
         times = at_s - settings.latency_s + np.arange(count) / SAMPLE_HZ
         # a loop that stands still is heard no longer than its last force
         over_s = np.maximum(times - rows[-1, 0] - STALE_S, rows[0, 0] - times)

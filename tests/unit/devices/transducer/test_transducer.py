@@ -141,8 +141,8 @@ def test_a_loop_that_stands_still_fades_in_the_streams_own_time():
 )
 def test_whatever_it_is_told_samples_stay_within_one(forces):
     bench = Bench("gain=4")
-    told = iter(forces)
-    bench.play(lambda _t: next(told), len(forces) / 1000.0)
+    planned = iter(forces)
+    bench.play(lambda _t: next(planned), len(forces) / 1000.0)
     bench.play(steady, 0.15)
     heard = bench.card.heard(1.0)
     assert np.isfinite(heard).all()
