@@ -31,11 +31,12 @@ _PARTS, _PART_S = 4, 30.0
 _LEAST_S = 5.0
 
 # thresholds at which the confidence is a half; see benchmarks.sync pictures
-_MARGIN = 1.5
+_MARGIN = 2.3  # logs of other clips reach 2.0, right ones 2.7 or more
 _EXPLAINED = 0.6
 _TELLING_SHARE = 0.4
 _TELLING_S = 0.006
 _SPREAD_S = 0.006
+_DRIFT = 200e-6  # two quartzes differ by less; a frame rate that is wrong by 1000e-6
 
 _READ_OUT_S, _READ_OUT_SD_S = 0.012, 0.010  # of rolling shutters, global ones included
 _READ_OUT_ERROR_S = 0.005  # of what frames tell of it
@@ -44,7 +45,6 @@ _FLOOR_S = 0.003  # what simulated rides are wrong by beyond the fit
 # an encoder chooses its vectors to save bits: only those of x264 and a HERO5 were seen
 _COARSE_FLOOR_S = 0.006
 _COARSE_CONFIDENCE = 0.8
-_COARSE_MARGIN = 2.0  # of another ride of the same bicycle: 1.7
 
 
 def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:
@@ -129,7 +129,7 @@ def finding(fits: list[Fit], line: Line, kind: FeatureKind) -> Synchronisation:
     floor_s = _COARSE_FLOOR_S if evidence.is_coarse else _FLOOR_S
     sigma_s = math.hypot(line.shift_sigma_s, line.row * read_out_sd_s, floor_s)
     return Synchronisation(
-        line.clock_map(shift_s, _confidence(evidence)),
+        line.clock_map(shift_s, _confidence(evidence, line.least_drift)),
         "pictures",
         margin=evidence.margin,
         rivals=tuple(Rival(-one.shift_s, 1.0 - one.unexplained) for one in fits[1:]),
@@ -165,17 +165,17 @@ def _evidence(
     )
 
 
-def _confidence(evidence: PictureEvidence) -> float:
+def _confidence(evidence: PictureEvidence, drift: float) -> float:
     """Return 0 to 1: a half where the weakest sign is at its threshold.
 
     Less where the features are coarse.
     """
-    margin = _COARSE_MARGIN if evidence.is_coarse else _MARGIN
     weakest = min(
-        math.log2(evidence.margin / margin),
+        math.log2(evidence.margin / _MARGIN),
         (evidence.explained - _EXPLAINED) / 0.1,
         (evidence.telling_share - _TELLING_SHARE) / 0.2,
         math.log2(_SPREAD_S / max(evidence.spread_s, 1e-6)),
+        math.log2(_DRIFT / max(drift, 1e-9)),
     )
     most = _COARSE_CONFIDENCE if evidence.is_coarse else 1.0
     return most / (1.0 + math.exp(-3.0 * min(max(weakest, -10.0), 10.0)))

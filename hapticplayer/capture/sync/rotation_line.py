@@ -18,6 +18,7 @@ DRIFT_PRIOR = 60e-6
 _WINDOW_FLOOR_S = 0.0015  # what a window is wrong by beyond its noise
 _OUTLIER = 12.0  # squares of a sigma at which weights fall to a quarter
 _CORRELATED = 1.5  # errors of neighbouring intervals are not independent
+_FEWEST_WINDOWS = 3  # that show a drift
 _ROUNDS = 6
 _MOST_STEP_S = 0.02
 
@@ -60,6 +61,17 @@ class Line(NamedTuple):
         rate = 1.0 / (1.0 + self.drift)
         offset_s = -(shift_s - self.drift * self.middle_s) * rate
         return ClockMap(offset_s, rate, self.spread_s, confidence)
+
+    @property
+    def least_drift(self) -> float:
+        """Return the size of the drift that the windows alone show, less 2 sigmas."""
+        weight = 1.0 / (self.window_sigma_s**2 + _WINDOW_FLOOR_S**2)
+        if len(weight) < _FEWEST_WINDOWS:
+            return abs(self.drift)
+        since_s = self.window_at_s - np.average(self.window_at_s, weights=weight)
+        size = float(weight @ since_s**2)
+        slope = float(weight @ (since_s * self.window_error_s)) / size
+        return max(0.0, abs(self.drift + slope) - 2.0 / float(np.sqrt(size)))
 
     @property
     def spread_s(self) -> float:
