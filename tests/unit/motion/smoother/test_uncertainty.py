@@ -175,8 +175,10 @@ def test_the_deviation_grows_with_what_is_not_known():
     assert (longer > steady).all()
 
 
-@pytest.mark.parametrize("sensor", ["camera", "paper-board"])
-@pytest.mark.parametrize("cars", [True, False])
+@pytest.mark.parametrize(
+    ("cars", "sensor"),
+    [(True, "camera"), (True, "paper-board"), (False, "paper-board")],
+)
 def test_of_simulated_rides_sigma_tells_the_error(cars, sensor):
     """The seeds are not those that the shares were looked at with."""
     errors, sigmas = [], []
