@@ -1,7 +1,6 @@
 """Reads and checks `study.json`."""
 
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
@@ -30,21 +29,11 @@ from hapticplayer.study.json_files import refuse, refuse_missing, refuse_unknown
 DEFINITION = "study.json"
 
 
-def read_definition(folder: Path) -> Definition:
-    """Return the definition of the study in a folder.
-
-    Raises:
-        StudyError: names the wrong entry and what is allowed there.
-    """
-    path = folder / DEFINITION
-    return parse_definition(json_files.read_file(path), str(path))
-
-
 def parse_definition(content: bytes, path: str) -> Definition:
     """Return the definition in a JSON text; `path` is for messages.
 
     Raises:
-        StudyError: see `read_definition`.
+        StudyError: names the wrong entry and what is allowed there.
     """
     value = json_files.parse(content, path)
     if not isinstance(value, dict) or value.get("schema") != SCHEMA:

@@ -32,9 +32,6 @@ _PADDING = 20  # intervals, where a filter begins
 _SCALE = 2.0  # of the robust loss, in RMS of the rotation
 _FOCAL_GAINS = (0.35, 2.5)
 
-TURNED_Y = np.array([0, 1, 0], dtype=bool)
-"""Rotation about the optical axis does not depend on the focal length."""
-
 
 class Gyro:
     """The integral of a log's angular rate, at any time of its own clock."""

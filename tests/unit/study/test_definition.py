@@ -7,7 +7,7 @@ import pytest
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.study.creation import create_study, template_names
 from hapticplayer.study.definition import QuestionKind
-from hapticplayer.study.definition_reader import parse_definition, read_definition
+from hapticplayer.study.definition_reader import parse_definition
 
 
 def parse(content):
@@ -169,8 +169,3 @@ def test_unknown_templates_and_sequences_are_wrong_usage(tmp_path):
     with pytest.raises(UsageError, match="bike"):
         create_study(tmp_path / "s", folders={"boat": tmp_path})
     assert not (tmp_path / "s").exists()
-
-
-def test_a_missing_folder_is_one_sentence(tmp_path):
-    with pytest.raises(StudyError, match="no such file; give the folder of a study"):
-        read_definition(tmp_path / "nowhere")
