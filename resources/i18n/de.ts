@@ -4123,7 +4123,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>S&amp;ound delay</source>
-        <translation>&amp;Tonverzögerung</translation>
+        <translation>Tonverzöge&amp;rung</translation>
     </message>
     <message>
         <source>{recorder} records its motion on the clip&apos;s clock; no synchronisation is needed.</source>
@@ -4183,7 +4183,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Drag the log&apos;s curves until they line up with the clip&apos;s; the arrow keys move them by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
-        <translation>Die Kurven der Aufzeichnung ziehen, bis sie zu denen des Clips passen; die Pfeiltasten verschieben sie um 1 ms, mit Umschalt 10 ms, mit Strg 100 ms. Das Mausrad zoomt. Gezeigt wird das Bild am Cursor; Komma und Punkt verschieben ihn.</translation>
+        <translation>Ziehen Sie die Kurven des Protokolls unter die des Clips; die Pfeiltasten verschieben sie um 1 ms, mit Umschalt 10 ms, mit Strg 100 ms. Das Rad zoomt. Gezeigt wird das Bild am Cursor; Komma und Punkt bewegen ihn.</translation>
     </message>
     <message>
         <source>sound</source>
@@ -4207,19 +4207,19 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
-        <translation>Die Drehung in den Bildern passt nirgends zur Aufzeichnung. Gehört sie zu diesem Clip, und ist das Video nicht stabilisiert? Von Hand ziehen.</translation>
+        <translation>Die Drehung in den Bildern passt nirgends zum Protokoll. Gehört es zu diesem Clip, und ist das Video nicht stabilisiert? Ziehen Sie von Hand.</translation>
     </message>
     <message>
         <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation. Check that both line up, and drag if not.</source>
-        <translation>Die Bilder sind unsicher (Konfidenz {confidence}): Das Gyroskop erklärt {share} % der Drehung. Prüfen, ob beide zueinander passen, sonst ziehen.</translation>
+        <translation>Die Bilder sind unsicher (Sicherheit {confidence}): Das Gyroskop erklärt {share} % der Drehung. Prüfen Sie, ob beide untereinander liegen, und ziehen Sie sonst.</translation>
     </message>
     <message>
         <source>Frames and tap marks agree, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
-        <translation>Bilder und Klopfzeichen stimmen überein, auf ±{ms} ms (Konfidenz {confidence}); das Gyroskop erklärt {share} % der Drehung in den Bildern.</translation>
+        <translation>Bilder und Klopfzeichen stimmen überein, auf ±{ms} ms (Sicherheit {confidence}); das Gyroskop erklärt {share} % der Drehung in den Bildern.</translation>
     </message>
     <message>
         <source>Frames and gyro fit, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
-        <translation>Bilder und Gyroskop passen zusammen, auf ±{ms} ms (Konfidenz {confidence}); das Gyroskop erklärt {share} % der Drehung in den Bildern.</translation>
+        <translation>Bilder und Gyroskop passen zusammen, auf ±{ms} ms (Sicherheit {confidence}); das Gyroskop erklärt {share} % der Drehung in den Bildern.</translation>
     </message>
 </context>
 <context>
@@ -4245,7 +4245,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <name>SyncStrip</name>
     <message>
         <source>Clip and log over time</source>
-        <translation>Clip und Aufzeichnung über der Zeit</translation>
+        <translation>Clip und Protokoll über der Zeit</translation>
     </message>
     <message>
         <source>{time} s</source>
@@ -5353,7 +5353,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>gyro</source>
-        <translation>gyro</translation>
+        <translation>Gyroskop</translation>
     </message>
     <message>
         <source>has a damaged header: no line t,gx,gy,gz,ax,ay,az</source>

@@ -5353,7 +5353,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>gyro</source>
-        <translation>gyro</translation>
+        <translation>gyroscope</translation>
     </message>
     <message>
         <source>has a damaged header: no line t,gx,gy,gz,ax,ay,az</source>
