@@ -2,7 +2,9 @@
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+
+import numpy as np
 
 from hapticplayer.capture.mounting import all_mountings, axes_matrix
 from hapticplayer.capture.sync.result import (
@@ -29,6 +31,7 @@ LONG_S = 120.0
 
 _PARTS, _PART_S = 4, 30.0
 _LEAST_S = 5.0
+_CHECKED_S = 6.0  # parts of this length are compared by themselves
 
 # thresholds at which the confidence is a half; see benchmarks.sync pictures
 _MARGIN = 2.3  # logs of other clips reach 2.0, right ones 2.7 or more
@@ -74,8 +77,41 @@ def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
     found = finding(fits, line, frames.kind)
     if not found.is_confident:
         return found
+    if _is_cut(frames, gyro, line):
+        doubted = dataclasses.replace(found.clock_map, confidence=0.0)
+        return dataclasses.replace(found, clock_map=doubted)
     mounting = _mounting(watched, gyro, line.at(watched.begin_s))
     return dataclasses.replace(found, mounting=mounting)
+
+
+def _is_cut(frames: FrameRotation, gyro: Gyro, line: Line) -> bool:
+    """Whether a part of the clip fits elsewhere, where it would be accepted by itself.
+
+    Only parts that fit worse than others are searched for.
+    """
+    parts = [Watched.of(part) for part in _parts(frames)]
+    here = [fit_at(part, gyro, line.at(part.begin_s)).unexplained for part in parts]
+    usual = float(np.median(here)) if here else 1.0
+    for part, unexplained in zip(parts, here, strict=True):
+        if unexplained < _MARGIN * usual:
+            continue
+        fits = candidates(part, gyro)
+        best = min((fit.unexplained for fit in fits), default=1.0)
+        if best <= 1.0 - _EXPLAINED and unexplained >= _MARGIN * best:
+            return True
+    return False
+
+
+def _parts(frames: FrameRotation) -> Iterator[FrameRotation]:
+    """Yield what is seen in each 6 s, every 3 s, where that is enough."""
+    first_s, last_s = float(frames.begin_s[0]), float(frames.end_s[-1]) - _CHECKED_S
+    seen_s = (frames.end_s - frames.begin_s) * (frames.quality > 0.0)
+    count = max(1, math.ceil((last_s - first_s) / (0.5 * _CHECKED_S)) + 1)
+    for begin_s in np.linspace(first_s, max(first_s, last_s), count):
+        end_s = begin_s + _CHECKED_S + 1e-6
+        inside = (frames.begin_s >= begin_s - 1e-6) & (frames.end_s <= end_s)
+        if float(seen_s[inside].sum()) >= _LEAST_S:
+            yield frames.select(inside)
 
 
 def find_mounting(imu: ImuLog, frames: FrameRotation, clock: ClockMap) -> FoundMounting:
