@@ -31,6 +31,9 @@ class ForcePlayer:
 
     def __init__(self, clock: Clock, device: str, track: ForceTrack | RigTrack) -> None:
         capabilities = find_device(device).capabilities
+        self._track = (
+            adapted(track, capabilities) if isinstance(track, ForceTrack) else track
+        )
         self._processes = HapticsProcesses(clock, device)
         self.media_s = 0.0
         self.mode, self.cause = Mode.IDLE, Cause.NONE
@@ -39,9 +42,6 @@ class ForcePlayer:
         self._clock = clock
         self._begin_s: float | None = None
         self._epoch = 1
-        self._track = (
-            adapted(track, capabilities) if isinstance(track, ForceTrack) else track
-        )
         self._is_loaded = False
 
     @property

@@ -3,6 +3,7 @@
 import gc
 import sys
 import threading
+import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -56,7 +57,10 @@ def pytest_runtest_protocol() -> Iterator[bool]:
         if isinstance(widget, PlayerWindow):
             widget.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    gc.collect()
+    with warnings.catch_warnings():
+        # processes that another test let go of would fail the next one, whatever it is
+        warnings.simplefilter("ignore", ResourceWarning)
+        gc.collect()
     if len(gc.get_objects()) > MOST_OBJECTS:  # modules that were loaded
         gc.freeze()
     gc.enable()
