@@ -39,7 +39,7 @@ _EXPLAINED = 0.6
 _TELLING_SHARE = 0.4
 _TELLING_S = 0.006
 _SPREAD_S = 0.006
-_DRIFT = 200e-6  # two quartzes differ by less; a frame rate that is wrong by 1000e-6
+_DRIFT = 150e-6  # two quartzes differ by less; a frame rate that is wrong by 1000e-6
 
 _READ_OUT_S, _READ_OUT_SD_S = 0.012, 0.010  # of rolling shutters, global ones included
 _READ_OUT_ERROR_S = 0.005  # of what frames tell of it

@@ -64,14 +64,14 @@ class Line(NamedTuple):
 
     @property
     def least_drift(self) -> float:
-        """Return the size of the drift that the windows alone show, less 2 sigmas."""
+        """Return the size of the drift that the windows alone show, less 1.5 sigmas."""
         weight = 1.0 / (self.window_sigma_s**2 + _WINDOW_FLOOR_S**2)
         if len(weight) < _FEWEST_WINDOWS:
             return abs(self.drift)
         since_s = self.window_at_s - np.average(self.window_at_s, weights=weight)
         size = float(weight @ since_s**2)
         slope = float(weight @ (since_s * self.window_error_s)) / size
-        return max(0.0, abs(self.drift + slope) - 2.0 / float(np.sqrt(size)))
+        return max(0.0, abs(self.drift + slope) - 1.5 / float(np.sqrt(size)))
 
     @property
     def spread_s(self) -> float:
