@@ -6,6 +6,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QDialog, QLabel, QWidget
 
 from app.bridge.languages import translated
+from app.plots.rig_platform import Follower, reached
 from app.plots.rig_view import RigView
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -19,7 +20,7 @@ from app.widgets.layout import (
 from hapticplayer.clock import Clock
 from hapticplayer.devices.rig.packets import FORMATS
 from hapticplayer.errors import InputError, message_of
-from hapticplayer.simulation.rig.platform import Follower, reached
+from hapticplayer.model.rig import RigMotion
 from hapticplayer.simulation.rig.receiver import Ears
 
 POLL_MS = 33
@@ -67,7 +68,9 @@ class RigPanel(QDialog):
         newest = None
         for port, at_s, heard in self.ears.listen(0.0):
             follower = self._followers.setdefault(port, Follower())
-            newest = heard.format, follower.pose(heard, at_s)
+            angles = heard.pitch_rad, heard.roll_rad, heard.heading_rad
+            motion = RigMotion(*heard.acceleration_mps2, *angles)
+            newest = heard.format, follower.pose(motion, at_s)
         if newest is not None:
             name, asked = newest
             pose, share = reached(asked)

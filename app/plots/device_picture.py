@@ -22,14 +22,13 @@ from app.plots.grip_scene import (
     trail_of,
 )
 from app.plots.grip_view import GripView
+from app.plots.rig_platform import Follower, PlatformPose, reached
 from app.plots.rig_view import RigView
 from app.widgets import theme
 from app.widgets.level_meter import LEAST_DB
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.model.device import ChannelLevel, DeviceCapabilities, Signal
 from hapticplayer.model.rig import RigMotion
-from hapticplayer.simulation.rig.decode import Heard
-from hapticplayer.simulation.rig.platform import Follower, PlatformPose, reached
 
 translate = QCoreApplication.translate
 
@@ -121,10 +120,8 @@ class RigPicture(RigView):
             return
         last = ticks[-1]
         sent = RigMotion(*np.concatenate([last[name] for name in _MOTION]).tolist())
-        right, front, up, pitch, roll, heading = (ENLARGED * x for x in sent[:6])
-        still = (0.0, 0.0, 0.0)
-        heard = Heard("", None, (right, front, up), pitch, roll, heading, still)
-        asked = self._follower.pose(heard, float(last["monotonic_s"]))
+        shown = RigMotion(*(ENLARGED * value for value in sent[:6]))
+        asked = self._follower.pose(shown, float(last["monotonic_s"]))
         pose, share = reached(asked)
         self.show_pose(pose, is_clamped=share < 1.0)
 

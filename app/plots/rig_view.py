@@ -6,9 +6,7 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.widgets import theme
-from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.rig.platform import (
+from app.plots.rig_platform import (
     BASE_RADIUS_M,
     HOME_M,
     LONGEST_M,
@@ -18,6 +16,8 @@ from hapticplayer.simulation.rig.platform import (
     legs_m,
     platform_m,
 )
+from app.widgets import theme
+from hapticplayer.model.arrays import Floats
 
 LEAST_PX, WANTED_PX = QSize(180, 140), QSize(420, 300)
 _FROM_RAD, _ABOVE_RAD = math.radians(-35.0), math.radians(22.0)

@@ -5,11 +5,11 @@ import socket
 import pytest
 
 from app.player.rig_panel import RigPanel
+from app.plots.rig_platform import PlatformPose
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.rig.packets import outsim
 from hapticplayer.devices.rig.settings import RigSettings
 from hapticplayer.model.rig import RigMotion
-from hapticplayer.simulation.rig.platform import PlatformPose
 
 
 @pytest.fixture

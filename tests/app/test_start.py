@@ -31,12 +31,15 @@ def test_playing_loads_no_dialog_no_pipeline_and_no_driver() -> None:
         "hapticplayer.study",
         "hapticplayer.devices.falcon.driver",
         "hapticplayer.devices.gamepad.driver",
+        "hapticplayer.simulation",
         *heavy,
     }
     assert {"app.player.session", "app.player.window"} <= modules
     assert not unwanted & modules
 
 
-def test_what_is_loaded_later_is_there() -> None:
-    dialogs.load()
-    assert set(dialogs.LATER) <= set(sys.modules)
+def test_dialogs_load_what_they_need_and_no_simulation() -> None:
+    code = "from app.player import dialogs; dialogs.load()"
+    modules = loaded(code, "app", "hapticplayer")
+    assert set(dialogs.LATER) <= modules
+    assert "hapticplayer.simulation" not in modules

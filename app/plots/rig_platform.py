@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.rig.decode import Heard
+from hapticplayer.model.rig import RigMotion
 
 BASE_RADIUS_M, PLATFORM_RADIUS_M, HOME_M = 0.65, 0.45, 0.80
 SHORTEST_M, LONGEST_M = 0.72, 1.05
@@ -91,23 +91,23 @@ def reached(pose: PlatformPose) -> tuple[PlatformPose, float]:
 
 
 class Follower:
-    """From packets to the pose that is asked for; headings that turn on come back."""
+    """From motion to the pose that it asks for; headings that turn on come back."""
 
     def __init__(self) -> None:
         self._heading_rad: float | None = None
         self._yaw_rad = self._last_s = 0.0
 
-    def pose(self, heard: Heard, now_s: float) -> PlatformPose:
-        """Return what a packet that came at a time asks for."""
+    def pose(self, motion: RigMotion, now_s: float) -> PlatformPose:
+        """Return what a motion that came at a time asks for."""
         before = self._heading_rad
         if before is not None:
-            turned = math.remainder(heard.heading_rad - before, math.tau)
+            turned = math.remainder(motion.heading_rad - before, math.tau)
             kept = math.exp(-max(0.0, now_s - self._last_s) / YAW_S)
             self._yaw_rad = kept * self._yaw_rad + turned
-        self._heading_rad, self._last_s = heard.heading_rad, now_s
-        right, front, up = (SHIFT_M_PER_MPS2 * a for a in heard.acceleration_mps2)
+        self._heading_rad, self._last_s = motion.heading_rad, now_s
+        right, front, up = (SHIFT_M_PER_MPS2 * a for a in motion[:3])
         return PlatformPose(
-            right, front, up, heard.roll_rad, heard.pitch_rad, self._yaw_rad
+            right, front, up, motion.roll_rad, motion.pitch_rad, self._yaw_rad
         )
 
 

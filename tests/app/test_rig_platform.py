@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from hapticplayer.simulation.rig.decode import Heard
-from hapticplayer.simulation.rig.platform import (
+from app.plots.rig_platform import (
     LONGEST_M,
     SHORTEST_M,
     YAW_S,
@@ -20,11 +19,11 @@ from hapticplayer.simulation.rig.platform import (
     platform_m,
     reached,
 )
+from hapticplayer.model.rig import RigMotion
 
 SHIFTS = st.floats(-2.0, 2.0)
 ANGLES = st.floats(-1.5, 1.5)
 POSES = st.builds(PlatformPose, SHIFTS, SHIFTS, SHIFTS, ANGLES, ANGLES, ANGLES)
-STILL = Heard("outsim", 0.0, (0.0, 0.0, 0.0), 0.0, 0.0, 0.0, (0.0, 0.0, 0.0))
 
 
 @given(POSES)
@@ -76,9 +75,9 @@ def test_a_heading_that_turns_on_comes_back():
     for _ in range(3000):  # 1 rad/s for 30 s: far round
         heading = math.remainder(heading + 0.01, math.tau)
         now_s += 0.01
-        pose = follower.pose(STILL._replace(heading_rad=heading), now_s)
+        pose = follower.pose(RigMotion(heading_rad=heading), now_s)
     assert pose.yaw_rad == pytest.approx(YAW_S, rel=0.05)
     for _ in range(1000):
         now_s += 0.01
-        pose = follower.pose(STILL._replace(heading_rad=heading), now_s)
+        pose = follower.pose(RigMotion(heading_rad=heading), now_s)
     assert abs(pose.yaw_rad) < 0.01
