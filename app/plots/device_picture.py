@@ -23,7 +23,7 @@ from app.plots.grip_scene import (
 )
 from app.plots.grip_view import GripView
 from app.plots.rig_platform import Follower, PlatformPose, reached
-from app.plots.rig_view import RigView
+from app.plots.rig_view import RigView, floor_painter
 from app.widgets import theme
 from app.widgets.level_meter import LEAST_DB
 from hapticplayer.haptics.contract import Mode
@@ -178,9 +178,7 @@ class WheelPicture(_Drawn):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the wheel and the bar."""
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), QColor(theme.FLOOR))
+        painter = floor_painter(self)
         wide, high = float(self.width()), float(self.height())
         bar_px, radius = 0.07 * high, 0.33 * min(0.9 * wide, high)
         self._paint_wheel(painter, QPointF(0.5 * wide, 0.42 * high), radius)
@@ -229,9 +227,7 @@ class BarsPicture(_Drawn):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the bars side by side, and their labels below."""
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), QColor(theme.FLOOR))
+        painter = floor_painter(self)
         wide, high = float(self.width()), float(self.height())
         words = self.fontMetrics().height() + 8.0
         each = 0.8 * wide / max(3, len(self.bars))

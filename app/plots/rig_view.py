@@ -25,6 +25,14 @@ _SHOWN_M = 2.6 * BASE_RADIUS_M
 _NEAR_AN_END = 0.08
 
 
+def floor_painter(widget: QWidget) -> QPainter:
+    """Return a smooth painter for a picture, its background painted."""
+    painter = QPainter(widget)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.fillRect(widget.rect(), QColor(theme.FLOOR))
+    return painter
+
+
 class RigView(QWidget):
     """Draws a pose; the front of the platform has a mark, legs near an end warn."""
 
@@ -46,9 +54,7 @@ class RigView(QWidget):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw floor, legs and platform."""
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), QColor(theme.FLOOR))
+        painter = floor_painter(self)
         floor, top = base_m(), platform_m(self.pose)
         self._polygon(painter, floor, theme.GRID)
         for below, above, length_m in zip(floor, top, legs_m(self.pose), strict=True):
