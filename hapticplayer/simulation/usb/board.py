@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from hapticplayer.devices.falcon.firmware import (
     KNOWN_IMAGES,
-    Block,
     FirmwareImage,
+    MemoryBlock,
     build_image,
     parse_image,
 )
@@ -168,5 +168,5 @@ def _fits(baud: float, expected: float) -> bool:
 
 def synthetic_image(words: int = 4000) -> FirmwareImage:
     """Return an image of the size of a real one that no processor could run."""
-    block = Block(0x3F8002, tuple(range(1, words + 1)))
+    block = MemoryBlock(0x3F8002, tuple(range(1, words + 1)))
     return parse_image(build_image(block.address, (block,)))

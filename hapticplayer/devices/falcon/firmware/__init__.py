@@ -5,8 +5,8 @@ It belongs to Novint and is neither part of this program nor fetched by it.
 
 from hapticplayer.devices.falcon.firmware.image import (
     KNOWN_IMAGES,
-    Block,
     FirmwareImage,
+    MemoryBlock,
     build_image,
     parse_image,
 )
@@ -35,9 +35,9 @@ __all__ = [
     "LICENCE_NOTE",
     "OVERRIDE",
     "PATIENCE",
-    "Block",
     "FirmwareImage",
     "FirmwareMissingError",
+    "MemoryBlock",
     "Patience",
     "Progress",
     "UnknownFirmwareError",

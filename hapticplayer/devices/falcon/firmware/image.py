@@ -33,7 +33,7 @@ KNOWN_IMAGES = {
 
 
 @dataclass(frozen=True, slots=True)
-class Block:
+class MemoryBlock:
     """Words for consecutive addresses of the processor."""
 
     address: int
@@ -46,7 +46,7 @@ class FirmwareImage:
 
     data: bytes
     entry: int
-    blocks: tuple[Block, ...]
+    blocks: tuple[MemoryBlock, ...]
     sha256: str
 
     @property
@@ -86,7 +86,7 @@ def parse_image(data: bytes) -> FirmwareImage:
     return FirmwareImage(data, entry, tuple(blocks), hashlib.sha256(data).hexdigest())
 
 
-def build_image(entry: int, blocks: tuple[Block, ...]) -> bytes:
+def build_image(entry: int, blocks: tuple[MemoryBlock, ...]) -> bytes:
     """Return the boot stream of a program; for simulators and tests."""
     words = [KEY, *[0] * 8, entry >> 16, entry & 0xFFFF]
     for block in blocks:
@@ -95,9 +95,9 @@ def build_image(entry: int, blocks: tuple[Block, ...]) -> bytes:
     return struct.pack(f"<{len(words) + 1}H", *words, 0)
 
 
-def _blocks(words: tuple[int, ...]) -> tuple[list[Block], int]:
+def _blocks(words: tuple[int, ...]) -> tuple[list[MemoryBlock], int]:
     """Return the blocks and the place after the count that ends them."""
-    blocks: list[Block] = []
+    blocks: list[MemoryBlock] = []
     at, total = _HEADER_WORDS, 0
     while at < len(words):
         count = words[at]
@@ -116,12 +116,12 @@ def _blocks(words: tuple[int, ...]) -> tuple[list[Block], int]:
                     address=address,
                 )
             )
-        blocks.append(Block(address, words[first : first + count]))
+        blocks.append(MemoryBlock(address, words[first : first + count]))
         at = first + count
     raise _no_image(Message("it is cut off"))
 
 
-def _holds(block: Block, address: int) -> bool:
+def _holds(block: MemoryBlock, address: int) -> bool:
     return block.address <= address < block.address + len(block.words)
 
 

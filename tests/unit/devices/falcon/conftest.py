@@ -8,7 +8,7 @@ import pytest
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices.falcon.driver import FalconDriver, Options
-from hapticplayer.devices.falcon.firmware import Block, build_image, parse_image
+from hapticplayer.devices.falcon.firmware import MemoryBlock, build_image, parse_image
 from hapticplayer.devices.falcon.ftdi import Ftdi
 from hapticplayer.devices.falcon.link import DirectLink
 from hapticplayer.devices.falcon.transport import open_falcon
@@ -30,7 +30,9 @@ def image():
     random_words = random.Random(1)
     words = tuple(random_words.randrange(0x10000) for _ in range(400))
     return parse_image(
-        build_image(0x3F8002, (Block(0x3F8002, words), Block(0x93A2, (1, 0, 0, 2))))
+        build_image(
+            0x3F8002, (MemoryBlock(0x3F8002, words), MemoryBlock(0x93A2, (1, 0, 0, 2)))
+        )
     )
 
 

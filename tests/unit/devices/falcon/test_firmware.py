@@ -9,7 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hapticplayer.devices.falcon import firmware
-from hapticplayer.devices.falcon.firmware import Block, build_image, loader, parse_image
+from hapticplayer.devices.falcon.firmware import (
+    MemoryBlock,
+    build_image,
+    loader,
+    parse_image,
+)
 from hapticplayer.devices.falcon.firmware import image as image_module
 from hapticplayer.errors import Cancelled, DeviceError, UsageError
 from hapticplayer.simulation.usb.board import Stage
@@ -29,8 +34,8 @@ def test_an_image_is_read_as_the_boot_rom_reads_it():
     image = parse_image(data)
     assert image.entry == 0x3F8002
     assert image.blocks == (
-        Block(0x3F8002, (0x1111, 0x2222)),
-        Block(0x93A2, (0x3333,)),
+        MemoryBlock(0x3F8002, (0x1111, 0x2222)),
+        MemoryBlock(0x93A2, (0x3333,)),
     )
     assert image.sha256 == hashlib.sha256(data).hexdigest()
     assert image.known_name == ""
@@ -55,8 +60,8 @@ def test_every_broken_image_is_refused(image):
         (b"\xab" + data[1:], "key 08AA"),
         (build_image(0x3F8002, ()), "nothing in it"),
         (build_image(0x100, image.blocks), "entry point 000100"),
-        (build_image(0x3FFFFF, (Block(0x3FFFFF, (1, 2)),)), "fits nowhere"),
-        (build_image(0, (Block(0, (1,) * 30_000),)), "fits nowhere"),
+        (build_image(0x3FFFFF, (MemoryBlock(0x3FFFFF, (1, 2)),)), "fits nowhere"),
+        (build_image(0, (MemoryBlock(0, (1,) * 30_000),)), "fits nowhere"),
         (b"\x00" * (2 << 20), "too many"),
     ):
         with pytest.raises(DeviceError, match=why):
