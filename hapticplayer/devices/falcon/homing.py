@@ -44,7 +44,7 @@ class Guidance(NamedTuple):
     legs: tuple[int, int, int] = (0, 0, 0)  # the same for each encoder
 
 
-class Guide:
+class HomingGuide:
     """Looks at replies, every 10 ms, and knows what to say."""
 
     def __init__(self) -> None:
@@ -86,7 +86,7 @@ def home(driver: FalconDriver, clock: Clock, limit_s: float) -> Iterator[Guidanc
     Raises:
         DeviceError: when it is gone, or not homed after `limit_s`.
     """
-    guide, end_s = Guide(), clock.now_s() + limit_s
+    guide, end_s = HomingGuide(), clock.now_s() + limit_s
     while clock.now_s() < end_s:
         driver.exchange(_ZERO, clock.now_s())
         if driver.reply is not None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import pytest
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.devices.falcon.homing import Advice, Guide
+from hapticplayer.devices.falcon.homing import Advice, HomingGuide
 from hapticplayer.devices.falcon.protocol import Reply
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.setting_up import Step, set_up
@@ -20,7 +20,7 @@ from hapticplayer.simulation.usb.mechanics import Homing
 
 def guidance(*ways, homed_at_end=False):
     """Return what is said along ways of the grip: (counts, looks) from 0 on."""
-    guide, at, said = Guide(), 0.0, []
+    guide, at, said = HomingGuide(), 0.0, []
     for to, looks in ways:
         for share in range(1, looks + 1):
             mean = round(at + (to - at) * share / looks)
@@ -68,7 +68,7 @@ def test_who_pushes_in_vain_is_asked_to_pull_once_more():
 
 
 def test_the_ways_of_the_legs_are_told_from_where_they_began():
-    guide = Guide()
+    guide = HomingGuide()
     guide.look(Reply((100, -50, 7), 0, 0))
     found = guide.look(Reply((130, -50, 0), 0, 0b101))
     assert found.legs == (30, 0, -7)
