@@ -18,14 +18,14 @@ _READ = 16 * effects.EVENT_SIZE
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class InputDevice:
     """A device with force feedback: its name under /dev/input, and for people."""
 
     node: str
     title: str
 
 
-def list_devices(effect: int, folder: Path = CLASS) -> list[Found]:
+def list_devices(effect: int, folder: Path = CLASS) -> list[InputDevice]:
     """Return the devices that know a kind of effect, in the order of their numbers."""
     found = []
     nodes = folder.glob("event*") if folder.is_dir() else ()
@@ -33,7 +33,7 @@ def list_devices(effect: int, folder: Path = CLASS) -> list[Found]:
         with contextlib.suppress(OSError, ValueError):  # it was unplugged just now
             if _has_bit((node / "device/capabilities/ff").read_text(), effect):
                 title = (node / "device/name").read_text().strip()
-                found.append(Found(node.name, title))
+                found.append(InputDevice(node.name, title))
     return found
 
 

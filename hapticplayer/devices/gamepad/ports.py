@@ -20,7 +20,7 @@ _INPUT_BYTES = 64
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class ConnectedPad:
     """A pad that is plugged in."""
 
     layout: Layout
@@ -33,7 +33,7 @@ class HidPort:
 
     is_quiet = False
 
-    def __init__(self, found: Found) -> None:
+    def __init__(self, found: ConnectedPad) -> None:
         self.layout = found.layout
         self.translator = PadRumble(found.layout)
         self._device = _hidapi().device()
@@ -75,14 +75,14 @@ class HidPort:
         )
 
 
-def list_pads() -> list[Found]:
+def list_pads() -> list[ConnectedPad]:
     """Return the pads on USB that can be driven; raises DeviceError without hidapi."""
     found = []
     for info in _hidapi().enumerate(VENDOR_ID, 0):
         layout = layout_of(info["product_id"])
         if layout is not None and info.get("bus_type") != _BLUETOOTH:
             serial = str(info.get("serial_number") or "")
-            found.append(Found(layout, bytes(info["path"]), serial))
+            found.append(ConnectedPad(layout, bytes(info["path"]), serial))
     return found
 
 

@@ -3,7 +3,7 @@
 import contextlib
 from collections.abc import Callable, Iterable
 
-from hapticplayer.devices.gamepad.ports import Found, HidPort, list_pads
+from hapticplayer.devices.gamepad.ports import ConnectedPad, HidPort, list_pads
 from hapticplayer.devices.gamepad.reports import DUALSENSE, audio_report
 from hapticplayer.devices.paced import Port
 from hapticplayer.devices.transducer.settings import ShakerSettings
@@ -18,8 +18,8 @@ _SERVERS = ("", "default", "pipewire", "pulse")
 
 def give_coils_to_sound(
     settings: ShakerSettings,
-    find: Callable[[], Iterable[Found]] = list_pads,
-    open_found: Callable[[Found], Port] = HidPort,
+    find: Callable[[], Iterable[ConnectedPad]] = list_pads,
+    open_found: Callable[[ConnectedPad], Port] = HidPort,
 ) -> None:
     """Let the DualSenses that are plugged in play their sound, if it may be theirs.
 

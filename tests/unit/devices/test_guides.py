@@ -8,7 +8,7 @@ import pytest
 
 from hapticplayer.devices import DEVICES, OUTLETS, find_device, guides
 from hapticplayer.devices.checks import Check, receiver, service, until_unmet, usable
-from hapticplayer.devices.evdev.ports import Found
+from hapticplayer.devices.evdev.ports import InputDevice
 from hapticplayer.devices.falcon.transport import FalconAddress, FalconForbiddenError
 from hapticplayer.devices.guides import checks_of, guide_of, hold_text
 from hapticplayer.devices.transducer import cards
@@ -76,7 +76,7 @@ def test_a_wheel_needs_its_driver_and_the_group(monkeypatch):
     found = []
     monkeypatch.setattr(guides, "list_devices", lambda _effect: found)
     assert states("wheel") == {"Wheel or joystick with a motor": False}
-    found.append(Found("event7", "G29"))
+    found.append(InputDevice("event7", "G29"))
     monkeypatch.setattr(os, "access", lambda *_: False)
     assert states("wheel:event7,axis=y") == {
         "G29": True,

@@ -85,7 +85,9 @@ class FakeInput:
         monkeypatch.setattr(ports, "os", self)
         monkeypatch.setattr(ports, "fcntl", self)
         monkeypatch.setattr(
-            ports, "list_devices", lambda _kind: [ports.Found("event3", self.title)]
+            ports,
+            "list_devices",
+            lambda _kind: [ports.InputDevice("event3", self.title)],
         )
 
     def open(self, path, flags):

@@ -2,13 +2,13 @@
 
 import pytest
 
-from hapticplayer.devices.gamepad.ports import Found
+from hapticplayer.devices.gamepad.ports import ConnectedPad
 from hapticplayer.devices.gamepad.reports import DUALSENSE, DUALSHOCK4, motors_report
 from hapticplayer.devices.transducer.coils import give_coils_to_sound
 from hapticplayer.devices.transducer.settings import shaker_settings
 from hapticplayer.errors import DeviceError
 
-PADS = [Found(DUALSHOCK4, b"a", "1"), Found(DUALSENSE, b"b", "2")]
+PADS = [ConnectedPad(DUALSHOCK4, b"a", "1"), ConnectedPad(DUALSENSE, b"b", "2")]
 
 
 class Pad:
