@@ -64,7 +64,7 @@ class SyncPage(QWidget):
         self.method = QComboBox()
         self.method.setAccessibleName(self.tr("Method"))
         for one in methods.SYNC_METHODS:
-            self.method.addItem(translated(one.title or one.name), one.name)
+            self.method.addItem(translated(methods.title_of(one.name)), one.name)
         self.method_text = paragraph(colour=theme.DIM)
         self.method.currentIndexChanged.connect(self._show_method)
         self._show_method(self.method.currentIndex())
@@ -292,29 +292,30 @@ class SyncPage(QWidget):
 
     def _verdict_of(self, sync: Synchronisation) -> tuple[str, str]:
         confidence = local(f"{sync.clock_map.confidence:.2f}")
+        method = translated(methods.title_of(sync.method))
         if (
             sync.second is not None
             and sync.second.is_confident
             and not sync.is_confident
         ):
             text = self.tr(
-                "The tap marks and the frames disagree: {offset} s by {method}, "
-                "{other_offset} s by {other}. Check which is right."
+                "The tap marks and the frames disagree ({method}: {offset} s, {other}: "
+                "{other_offset} s). Check which is right."
             )
             offsets = [f"{one.clock_map.offset_s:.3f}" for one in (sync, sync.second)]
             return text.format(
                 offset=local(offsets[0]),
-                method=sync.method,
+                method=method,
                 other_offset=local(offsets[1]),
-                other=sync.second.method,
+                other=translated(methods.title_of(sync.second.method)),
             ), theme.WARN
         if sync.method == "pictures":
             return self._verdict_of_frames(sync)
         if sync.method != "pats":
-            text = self.tr("Synchronised by {method} (confidence {confidence}).")
+            text = self.tr("Synchronised: {method} (confidence {confidence}).")
             is_good = sync.is_measured and sync.is_confident
             colour = theme.GOOD if is_good else theme.WARN
-            return text.format(method=sync.method, confidence=confidence), colour
+            return text.format(method=method, confidence=confidence), colour
         if sync.is_confident:
             text = self.tr(
                 "Tap marks found (confidence {confidence}, residual {ms} ms)."

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QTextBrowser
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.texts import local
+from hapticplayer.capture.sync.methods import title_of
 from hapticplayer.sequence.report import Finding, Mark, worst
 
 translate = QCoreApplication.translate
@@ -123,7 +124,7 @@ def value_of(one: Finding) -> str:
         return text.format(
             ms=f"{1e3 * value:.1f}",
             confidence=f"{more['confidence']:.2f}",
-            how=_method(str(more["method"])),
+            how=translated(title_of(str(more["method"]))),
         ).removesuffix(" ()")  # a simulated camera has nothing to find
     if one.name == "estimate":
         text = translate(
@@ -153,16 +154,6 @@ def value_of(one: Finding) -> str:
         ),
     }
     return units.get(one.name, percent)
-
-
-def _method(name: str) -> str:
-    return {
-        "pats": translate("Quality", "tap marks"),
-        "pictures": translate("Quality", "frames"),
-        "variance": translate("Quality", "variance"),
-        "embedded": translate("Quality", "same clock"),
-        "offset": translate("Quality", "manual"),
-    }.get(name, name)
 
 
 def _hand(name: str) -> str:

@@ -2750,22 +2750,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>aus dem Bild geschätzt, nichts hat sie gemessen: Schwanken in {sway}, Auf und Ab in {bounce} des Clips; Verstärkung {gain}</translation>
     </message>
     <message>
-        <source>tap marks</source>
-        <translation>Klopfzeichen</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>same clock</source>
-        <translation>gleiche Uhr</translation>
-    </message>
-    <message>
-        <source>manual</source>
-        <translation>von Hand</translation>
-    </message>
-    <message>
         <source>The force would be stopped; lower the gain</source>
         <translation>Die Kraft würde abgeschaltet; verringern Sie die Verstärkung</translation>
     </message>
@@ -2816,10 +2800,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{share} of the samples; the peak is {n} N</source>
         <translation>{share} der Werte; die Spitze ist {n}&#xa0;N</translation>
-    </message>
-    <message>
-        <source>variance</source>
-        <translation>Varianz</translation>
     </message>
     <message>
         <source>relaxed hand</source>
@@ -4138,8 +4118,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Der Versatz wurde von Hand gesetzt.</translation>
     </message>
     <message>
-        <source>The tap marks and the frames disagree: {offset} s by {method}, {other_offset} s by {other}. Check which is right.</source>
-        <translation>Klopfer und Bilder widersprechen sich: {offset} s nach {method}, {other_offset} s nach {other}. Prüfen Sie, was stimmt.</translation>
+        <source>The tap marks and the frames disagree ({method}: {offset} s, {other}: {other_offset} s). Check which is right.</source>
+        <translation>Klopfzeichen und Bilder widersprechen sich ({method}: {offset} s, {other}: {other_offset} s). Prüfen Sie, was stimmt.</translation>
+    </message>
+    <message>
+        <source>Synchronised: {method} (confidence {confidence}).</source>
+        <translation>Synchronisiert: {method} (Sicherheit {confidence}).</translation>
     </message>
     <message>
         <source>Tap marks found (confidence {confidence}, residual {ms} ms).</source>
@@ -4200,10 +4184,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>gyro</source>
         <translation>Gyroskop</translation>
-    </message>
-    <message>
-        <source>Synchronised by {method} (confidence {confidence}).</source>
-        <translation>Synchronisiert mit {method} (Sicherheit {confidence}).</translation>
     </message>
     <message>
         <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
@@ -4556,6 +4536,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Datei ist zu groß</translation>
     </message>
     <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
         <source>GPMF track</source>
         <translation>GPMF-Spur</translation>
     </message>
@@ -4650,6 +4634,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Simulated</source>
         <translation>Simuliert</translation>
+    </message>
+    <message>
+        <source>Tap marks</source>
+        <translation>Klopfzeichen</translation>
     </message>
     <message>
         <source>The compass is ignored: the file does not declare its axes.</source>
@@ -6292,10 +6280,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Eigene Uhr</translation>
     </message>
     <message>
-        <source>Pictures</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
         <source>Pulse</source>
         <translation>Puls</translation>
     </message>
@@ -6418,10 +6402,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>This camera does not timestamp its samples: they may be 10 to 30 ms off, and the frames could not tell by how much: {why}.</source>
         <translation>Diese Kamera stempelt ihre Messwerte nicht: Sie können um 10 bis 30 ms abweichen, und die Bilder zeigen nicht, um wie viel: {why}.</translation>
-    </message>
-    <message>
-        <source>Three pats</source>
-        <translation>Drei Klopfer</translation>
     </message>
     <message>
         <source>Toys through Intiface: their vibration follows the strength of the force, not its direction.</source>

@@ -2750,22 +2750,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>estimé d’après l’image, rien ne l’a mesuré&#xa0;: balancement dans {sway}, rebond dans {bounce} du clip&#xa0;; gain {gain}</translation>
     </message>
     <message>
-        <source>tap marks</source>
-        <translation>tapes</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>images</translation>
-    </message>
-    <message>
-        <source>same clock</source>
-        <translation>même horloge</translation>
-    </message>
-    <message>
-        <source>manual</source>
-        <translation>manuel</translation>
-    </message>
-    <message>
         <source>The force would be stopped; lower the gain</source>
         <translation>La force serait coupée&#xa0;; réduisez le gain</translation>
     </message>
@@ -2816,10 +2800,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{share} of the samples; the peak is {n} N</source>
         <translation>{share} des valeurs&#xa0;; la crête est de {n}&#xa0;N</translation>
-    </message>
-    <message>
-        <source>variance</source>
-        <translation>variance</translation>
     </message>
     <message>
         <source>relaxed hand</source>
@@ -4138,8 +4118,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Le décalage a été réglé à la main.</translation>
     </message>
     <message>
-        <source>The tap marks and the frames disagree: {offset} s by {method}, {other_offset} s by {other}. Check which is right.</source>
-        <translation>Les tapes et les images se contredisent&#xa0;: {offset} s selon {method}, {other_offset} s selon {other}. Vérifiez ce qui est juste.</translation>
+        <source>The tap marks and the frames disagree ({method}: {offset} s, {other}: {other_offset} s). Check which is right.</source>
+        <translation>Les tapes et les images se contredisent ({method}&#xa0;: {offset} s, {other}&#xa0;: {other_offset} s). Vérifiez ce qui est juste.</translation>
+    </message>
+    <message>
+        <source>Synchronised: {method} (confidence {confidence}).</source>
+        <translation>Synchronisé&#xa0;: {method} (confiance {confidence}).</translation>
     </message>
     <message>
         <source>Tap marks found (confidence {confidence}, residual {ms} ms).</source>
@@ -4200,10 +4184,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>gyro</source>
         <translation>gyroscope</translation>
-    </message>
-    <message>
-        <source>Synchronised by {method} (confidence {confidence}).</source>
-        <translation>Synchronisé par {method} (confiance {confidence}).</translation>
     </message>
     <message>
         <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
@@ -4556,6 +4536,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le fichier est trop grand</translation>
     </message>
     <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
         <source>GPMF track</source>
         <translation>piste GPMF</translation>
     </message>
@@ -4650,6 +4634,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Simulated</source>
         <translation>Simulé</translation>
+    </message>
+    <message>
+        <source>Tap marks</source>
+        <translation>Tapes</translation>
     </message>
     <message>
         <source>The compass is ignored: the file does not declare its axes.</source>
@@ -6292,10 +6280,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Horloge propre</translation>
     </message>
     <message>
-        <source>Pictures</source>
-        <translation>Images</translation>
-    </message>
-    <message>
         <source>Pulse</source>
         <translation>Impulsion</translation>
     </message>
@@ -6418,10 +6402,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>This camera does not timestamp its samples: they may be 10 to 30 ms off, and the frames could not tell by how much: {why}.</source>
         <translation>Cette caméra n&apos;horodate pas ses mesures&#xa0;: elles peuvent s&apos;écarter de 10 à 30 ms, et les images ne montrent pas de combien&#xa0;: {why}.</translation>
-    </message>
-    <message>
-        <source>Three pats</source>
-        <translation>Trois tapes</translation>
     </message>
     <message>
         <source>Toys through Intiface: their vibration follows the strength of the force, not its direction.</source>

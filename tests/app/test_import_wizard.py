@@ -569,7 +569,7 @@ def test_another_method_and_format_can_be_chosen(wizard, ride, wait_for):
     wizard.next.click()
     wizard.sync.method.setCurrentIndex(wizard.sync.method.findData("variance"))
     wizard.sync.method.activated.emit(wizard.sync.method.currentIndex())
-    wait_for(lambda: "variance" in wizard.sync.verdict.text())
+    wait_for(lambda: "First sudden rise" in wizard.sync.verdict.text())
     assert wizard.sync.offset.value() == pytest.approx(true_offset_s(made), abs=0.05)
 
 

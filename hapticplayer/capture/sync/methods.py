@@ -40,8 +40,8 @@ AUTO = "auto"
 _HERE = "hapticplayer.capture.sync.synchronize"
 SYNC_METHODS: tuple[SyncMethod, ...] = (
     SyncMethod(AUTO, Message("the offset if given, the recording's own clock if it is the clip's, else pats and pictures, as far as there are any"), f"{_HERE}:automatic", Message("Automatic")),
-    SyncMethod("pats", Message("three pats on the camera, heard and felt"), f"{_HERE}:by_pats", Message("Three pats")),
-    SyncMethod("pictures", Message("the camera's rotation in its frames against the gyro; coarse without the extra vision"), f"{_HERE}:by_pictures", Message("Pictures")),
+    SyncMethod("pats", Message("three pats on the camera, heard and felt"), f"{_HERE}:by_pats", Message("Tap marks")),
+    SyncMethod("pictures", Message("the camera's rotation in its frames against the gyro; coarse without the extra vision"), f"{_HERE}:by_pictures", Message("Frames")),
     SyncMethod("variance", Message("the first sudden rise of sound and motion, as in the paper"), f"{_HERE}:by_variance", Message("First sudden rise")),
     SyncMethod("embedded", Message("the recording's own clock"), f"{_HERE}:by_own_clock", Message("Own clock")),
     SyncMethod("offset", Message("the offset that is given"), f"{_HERE}:by_given_offset", Message("Given offset")),
@@ -55,3 +55,8 @@ def sync_method(name: str) -> SyncMethod:
         UsageError: naming the methods there are.
     """
     return entry_named({one.name: one for one in SYNC_METHODS}, name, Message("method"))
+
+
+def title_of(name: str) -> Message | str:
+    """Return what people call a method; one of a later version is called by its name."""
+    return next((one.title or name for one in SYNC_METHODS if one.name == name), name)
