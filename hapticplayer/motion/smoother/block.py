@@ -132,7 +132,7 @@ def smooth(
     """
     count = len(samples)
     factor = stationary.decimation_of(bins, count, samples.interval_s)
-    if bins is None or factor == 1 or not p.shortcuts:
+    if bins is None or factor == 1:
         return _smoothed(samples, bins, p, with_sigma=with_sigma)
     sparse = replace(p, node_samples=1, node_s=STATIONARY_NODE_SPACING_RATIO * p.node_s)
     done = _smoothed(
@@ -269,7 +269,7 @@ def _next(block: Block, state: BlockState) -> BlockState | None:
         weight = zero_velocity_weight(block, state, start.integration)
     else:
         start = Start(integration, state.vertical, bound_mps)
-    columns = columns_to_solve(start.integration, p)
+    columns = columns_to_solve(start.integration)
     known = replace(
         known,
         bound_mps=start.bound_mps,

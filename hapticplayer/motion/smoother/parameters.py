@@ -71,8 +71,6 @@ class SmootherParameters:
         margin_s: blocks overlap by twice as much.
         calibration: of the sensor, from other recordings; narrows the priors of bias and
             scale and moves them.
-        shortcuts: whether to skip the gyro's matrix where little turns, and the full
-            rate and half of the nodes of stationary recordings.
     """
 
     window_hz: float = 16.0
@@ -108,7 +106,6 @@ class SmootherParameters:
     block_s: float = 600.0
     margin_s: float = 40.0
     calibration: SensorCalibration | None = None
-    shortcuts: bool = True
 
     def __post_init__(self) -> None:
         for field in fields(self):

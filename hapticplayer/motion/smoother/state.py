@@ -276,13 +276,13 @@ def reintegrate(
     return Start(integration, vertical, nd.refined(bound_mps, last + 1))
 
 
-def columns_to_solve(integration: Integration, p: SmootherParameters) -> int:
+def columns_to_solve(integration: Integration) -> int:
     """Return how many columns of the calibration to solve for.
 
     Where little turns, the gyro's scale and alignment move nothing; coarse windows
     do not show them.
     """
-    turns_little = p.shortcuts and integration.turn_radps < MIN_MATRIX_RATE_RADPS
+    turns_little = integration.turn_radps < MIN_MATRIX_RATE_RADPS
     return BIAS_COLUMNS if turns_little or not integration.is_fine else ALL_COLUMNS
 
 

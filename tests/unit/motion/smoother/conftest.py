@@ -1,15 +1,18 @@
 """Motions with closed-form attitude, and samples of ideal sensors that made them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack, Sampling
 from hapticplayer.motion import remove_gravity
 from hapticplayer.motion import rotations as rot
+from hapticplayer.motion.smoother import state, stationary
 from hapticplayer.motion.smoother.samples import InertialSamples
 from hapticplayer.motion.smoother.strapdown import Windows
 
@@ -146,3 +149,12 @@ def miss(log: ImuLog, up, method="smoother", parameters=None) -> Floats:
     if method == "smoother":
         assert_sound(track)
     return track.gravity_mps2 - STANDARD_GRAVITY_MPS2 * up
+
+
+@contextmanager
+def nothing_skipped() -> Iterator[None]:
+    """Leave out no work: neither samples, nor nodes, nor the matrix of the gyro."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(stationary, "decimation_of", lambda *_: 1)
+        patch.setattr(state, "MIN_MATRIX_RATE_RADPS", 0.0)
+        yield

@@ -8,15 +8,14 @@ from scipy.spatial.transform import Rotation
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog, Sampling
-from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
+from hapticplayer.motion import analyse, remove_gravity
 from hapticplayer.motion.smoother import state, stationary, strapdown
 from hapticplayer.motion.smoother.stationary import (
     StillBins,
     apparent_acceleration,
 )
-from tests.unit.motion.smoother.conftest import assert_sound, rms
+from tests.unit.motion.smoother.conftest import assert_sound, nothing_skipped, rms
 
-FULL = SmootherParameters(shortcuts=False)
 ATTITUDE = Rotation.from_rotvec([0.3, -0.5, 0.2])
 
 
@@ -31,7 +30,7 @@ def on_a_tripod(rng, rate_hz=200.0, seconds=60.0, **more) -> ImuLog:
     )
 
 
-def work(log: ImuLog, monkeypatch, parameters=None) -> int:
+def work(log: ImuLog, monkeypatch) -> int:
     """Return how many samples are integrated."""
     touched = []
     opened = strapdown.integrate
@@ -42,7 +41,7 @@ def work(log: ImuLog, monkeypatch, parameters=None) -> int:
 
     with monkeypatch.context() as patch:
         patch.setattr(strapdown, "integrate", counting)
-        remove_gravity(log, parameters=parameters)
+        remove_gravity(log)
     return sum(touched)
 
 
@@ -56,9 +55,8 @@ def test_the_motion_is_that_of_the_full_rate(rng, rate_hz, sampling):
     log = dataclasses.replace(log, angular_rate_radps=rate)
     done = remove_gravity(log)
     assert_sound(done)
-    change = (
-        done.acceleration_mps2 - remove_gravity(log, parameters=FULL).acceleration_mps2
-    )
+    with nothing_skipped():
+        change = done.acceleration_mps2 - remove_gravity(log).acceleration_mps2
     assert np.linalg.norm(change, axis=1).max() < 0.01
     up = ATTITUDE.inv().apply([0.0, 0.0, G])
     assert rms(done.gravity_mps2 - up) < 0.05
@@ -66,11 +64,13 @@ def test_the_motion_is_that_of_the_full_rate(rng, rate_hz, sampling):
 
 def test_so_little_of_the_work_is_left(rng, monkeypatch):
     log = on_a_tripod(rng)
-    assert work(log, monkeypatch) < 0.2 * work(log, monkeypatch, FULL)
+    short = work(log, monkeypatch)
+    with nothing_skipped():
+        assert short < 0.2 * work(log, monkeypatch)
 
 
 def test_its_nodes_are_twice_as_far_apart(rng, monkeypatch):
-    def nodes(parameters):
+    def nodes():
         counted = []
 
         def noted(nodes, *more):
@@ -79,11 +79,13 @@ def test_its_nodes_are_twice_as_far_apart(rng, monkeypatch):
 
         with monkeypatch.context() as patch:
             patch.setattr(state, "linearised", noted)
-            remove_gravity(log, parameters=parameters)
+            remove_gravity(log)
         return counted[-1]
 
     log, linearised = on_a_tripod(rng), state.linearised
-    assert nodes(None) == pytest.approx(0.5 * nodes(FULL), rel=0.05)
+    short = nodes()
+    with nothing_skipped():
+        assert short == pytest.approx(0.5 * nodes(), rel=0.05)
 
 
 def test_what_moves_for_a_moment_is_looked_at_in_full(rng, monkeypatch):
@@ -96,7 +98,9 @@ def test_what_moves_for_a_moment_is_looked_at_in_full(rng, monkeypatch):
 
 def test_the_summary_is_the_same(rng):
     log = on_a_tripod(rng)
-    short, whole = (analyse(log, parameters=p).summary for p in (None, FULL))
+    short = analyse(log).summary
+    with nothing_skipped():
+        whole = analyse(log).summary
     assert short["leak_at_rest_mps2"] < 0.02
     assert short["still_s"] == whole["still_s"] == pytest.approx(60.0)
     assert short["gravity_sigma_mps2"] == pytest.approx(
