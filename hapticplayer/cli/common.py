@@ -137,14 +137,14 @@ def add_accept_changed(command: argparse.ArgumentParser) -> None:
     )
 
 
-def add_outlets(command: argparse.ArgumentParser, default: str = "simulated") -> None:
+def add_outlets(command: argparse.ArgumentParser) -> None:
     """Add the option that names a device and outlets, once for each of them.
 
     The first device that takes a force is `device`, "none" where only others are named;
     the rest are `outlets`.
     """
     names = [*device_names(), *OUTLETS]
-    command.set_defaults(device=default, outlets=(), named=())
+    command.set_defaults(device="simulated", outlets=(), named=())
     command.add_argument(
         "--device",
         action=_AddOutlet,
@@ -152,7 +152,7 @@ def add_outlets(command: argparse.ArgumentParser, default: str = "simulated") ->
         metavar="NAME[:OPTIONS]",
         help=f"{', '.join(names)}; several play at once, each with its own --device; "
         "falcon:SERIAL for one of several Falcons, rig:FORMAT[,HOST:PORT][,NAME=VALUE] "
-        f"for a motion rig, see docs/devices.md (default: {default})",
+        "for a motion rig, see docs/devices.md (default: simulated)",
     )
 
 

@@ -3,7 +3,6 @@
 import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
@@ -226,14 +225,14 @@ def _doubtful_frames(found: Synchronisation, clip: str) -> str:
     return Message("{look}; {brings}", look=doubt, brings=_EXTRA)
 
 
-def stored_skews(path: Path | None = None) -> dict[str, float]:
+def stored_skews() -> dict[str, float]:
     """Return the stored skew of each camera, in s.
 
     Raises:
         SequenceError: when the file is damaged.
         InputError: when it holds anything but skews.
     """
-    path = path or files.config_home() / SKEWS
+    path = files.config_home() / SKEWS
     if not path.is_file():
         return {}
     content = files.read_json(path)
@@ -243,11 +242,10 @@ def stored_skews(path: Path | None = None) -> dict[str, float]:
     return {str(name): checked_skew(late_s) for name, late_s in held.items()}
 
 
-def store_skew(camera: str, late_s: float, path: Path | None = None) -> None:
+def store_skew(camera: str, late_s: float) -> None:
     """Store the skew of a camera."""
-    path = path or files.config_home() / SKEWS
-    skews = {**stored_skews(path), camera: checked_skew(late_s)}
-    files.replace_json(path, {"sound_late_s": skews})
+    skews = {**stored_skews(), camera: checked_skew(late_s)}
+    files.replace_json(files.config_home() / SKEWS, {"sound_late_s": skews})
 
 
 def checked_skew(late_s: object) -> float:

@@ -121,10 +121,10 @@ def _band_power(audio: NDArray[np.floating], rate_hz: float) -> Floats:
     return np.asarray(sums * CURVE_HZ / band_hz)
 
 
-def sound_events(curve: Floats, start_s: float = 0.0) -> Events:
-    """Return the events of an onset curve that begins at `start_s`."""
+def sound_events(curve: Floats) -> Events:
+    """Return the events of an onset curve."""
     peaks = _peaks(curve, round(_SEPARATION_S * CURVE_HZ))
-    return _ranked(start_s + peaks / CURVE_HZ, curve[peaks], len(curve) / CURVE_HZ)
+    return _ranked(peaks / CURVE_HZ, curve[peaks], len(curve) / CURVE_HZ)
 
 
 def shocks(imu: ImuLog) -> Floats:

@@ -35,6 +35,7 @@ _SOFT = 0.05  # distance from the direction of travel at which it loses meaning
 _FEWEST_POINTS = 10
 _SCALES_PX = (6.0, 4.0, 2.0, 1.0, 1.0, 0.7, 0.7)  # of the robust weight
 _RIDGE = 1e-6
+_SMOOTH_BINS = 2.0  # sigma over bins of the flow that makes the speed
 
 
 class GroundMotion(NamedTuple):
@@ -93,14 +94,13 @@ class Ground:
             is_sunk_known=sunk is not None,
         )
 
-    def speeds(self, memory_bins: float = 2.0) -> tuple[Floats, Floats]:
+    def speeds(self) -> tuple[Floats, Floats]:
         """Return times (K,) and speeds (K,), heights per second, smoothed over seconds."""
         if not self._bins:
             return np.zeros(1), np.zeros(1)
         numbers = sorted(self._bins)
         flow, unit = (
-            _smoothed(np.array([self._bins[n][i] for n in numbers]), memory_bins)
-            for i in (0, 1)
+            _smoothed(np.array([self._bins[n][i] for n in numbers])) for i in (0, 1)
         )
         pairs = zip(flow, unit, strict=True)
         speed = [_speed(flow, unit, _GATHERED) for flow, unit in pairs]
@@ -216,7 +216,7 @@ def _quantile(values: Floats, weight: Floats, share: float) -> float:
     return float(values[order][np.searchsorted(total, share * total[-1])])
 
 
-def _smoothed(rows: Floats, sigma: float) -> Floats:
+def _smoothed(rows: Floats) -> Floats:
     from scipy.ndimage import gaussian_filter1d  # half a second, not for every command
 
-    return np.asarray(gaussian_filter1d(rows, sigma, axis=0, mode="nearest"))
+    return np.asarray(gaussian_filter1d(rows, _SMOOTH_BINS, axis=0, mode="nearest"))

@@ -89,9 +89,7 @@ class Ears:
         InputError: when a port is taken.
     """
 
-    def __init__(
-        self, clock: Clock, ports: Sequence[int], host: str = LOOPBACK
-    ) -> None:
+    def __init__(self, clock: Clock, ports: Sequence[int]) -> None:
         self._clock = clock
         self.rigs: dict[int, SimulatedRig] = {}
         self._ends: dict[int, socket.socket] = {}
@@ -100,7 +98,7 @@ class Ears:
             end.setsockopt(socket.SOL_SOCKET, _TIMESTAMPS, 1)
             end.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, _RECEIVE_BYTES)
             try:
-                end.bind((host, port))
+                end.bind((LOOPBACK, port))
             except OSError as problem:
                 end.close()
                 self.close()
