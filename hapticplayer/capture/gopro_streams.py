@@ -12,10 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.gpmf import Entry, first_number_of, numbers_of, parse, text_of
-from hapticplayer.capture.limits import MAX_PAYLOADS, MAX_SAMPLES
+from hapticplayer.capture.limits import MAX_PAYLOADS
 from hapticplayer.errors import Message, TelemetryError
 from hapticplayer.media.telemetry import TelemetryPacket
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_SAMPLES
 
 RAW_MAGIC = b"DEVC"
 

@@ -16,9 +16,6 @@ MAX_RAW_GPMF_BYTES = 1024**3
 MAX_PAYLOADS = 1_000_000
 """GPMF payloads of one recording; a camera writes one a second."""
 
-MAX_SAMPLES = 100_000_000
-"""Rows of one sensor: 34 h of a 800 Hz sensor."""
-
 MAX_CSV_BYTES = 2 * 1024**3
 """A log as text; 10 h at 100 Hz with 10 columns are about 0.4 GB."""
 
@@ -52,7 +49,8 @@ MAX_ACCELERATION_MPS2 = 500.0
 """No hand-held sensor measures 50 g; GoPro's range is 16 g."""
 
 REST_MPS2 = (8.5, 11.0)
-"""Norm at rest; cheap accelerometers are up to 10 % off."""
+"""Norm where the gyro shows rest, so that only cheap accelerometers widen it, by up to
+10 %; `PLAUSIBLE_NORM_MPS2` of motion is of moving hands too."""
 
 COARSE_REST_MPS2 = (7.0, 13.0)
 """Median norm that separates an accelerometer's file from a gyroscope's."""
@@ -77,14 +75,8 @@ MAX_SI_RATE_RADPS = 40.0
 MAX_USUAL_RATE_RADPS = 35.0
 """Sensors saturate at 2000 deg/s; no hand rotates faster for long."""
 
-GAP_STEPS = 3.0
-"""A step of more than this many samples is a gap."""
-
 MAX_REACH_S = 1.0
 """Longest extrapolation of a slow sensor (compass, gravity)."""
 
 FIRST_FRAME_S = -60.0
 """A video that begins earlier than this before its log does not belong to it."""
-
-MAX_FORCE_N = 1000.0
-"""Beyond any haptic device of this kind; the Falcon has 9 N."""

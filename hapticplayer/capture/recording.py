@@ -12,7 +12,6 @@ from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.foreign import refuse_foreign, unknown, why_unreadable
 from hapticplayer.capture.formats import Confidence, RecordingFormat
-from hapticplayer.capture.limits import GAP_STEPS
 from hapticplayer.capture.source import LogPath, LogSource, open_source
 from hapticplayer.errors import (
     InputError,
@@ -24,6 +23,7 @@ from hapticplayer.errors import (
     joined,
 )
 from hapticplayer.model import ClockMap, ImuLog, Sampling
+from hapticplayer.model.limits import GAP_STEPS
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -35,7 +35,6 @@ from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.limits import (
     MAX_ACCELERATION_MPS2,
     MAX_ANGULAR_RATE_RADPS,
-    MAX_FORCE_N,
     MAX_SI_RATE_RADPS,
 )
 from hapticplayer.capture.recording import Recording, gap_notes
@@ -48,6 +47,7 @@ from hapticplayer.model import (
     Reconstruction,
 )
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_FORCE_N
 
 FORCE_COLUMNS = (TIME, "fx_n", "fy_n", "fz_n")
 

@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.csv_table import Shape, read_table
-from hapticplayer.capture.limits import GAP_STEPS, MAX_REACH_S
+from hapticplayer.capture.limits import MAX_REACH_S
 from hapticplayer.capture.source import LogSource
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats, all_of_rows
+from hapticplayer.model.limits import GAP_STEPS
 
 NANO = 1e-9
 _MOSTLY = 0.5

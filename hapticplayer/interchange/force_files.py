@@ -11,11 +11,9 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack, MotionTrack
+from hapticplayer.model.limits import MAX_FORCE_N
 from hapticplayer.model.ranges import Range
 from hapticplayer.outputs import IsOurs
-
-MAX_FORCE_N = 1000.0
-"""Beyond any haptic device of this kind; files with more are in another unit."""
 
 MAX_SECONDS = 48 * 3600.0
 """Longer than any clip; times beyond it are damage."""

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture.limits import MAX_FORCE_N
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack
+from hapticplayer.model.limits import MAX_FORCE_N
 from hapticplayer.playback.source import Source
 from hapticplayer.untrusted import open_regular
 

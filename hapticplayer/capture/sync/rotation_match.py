@@ -18,6 +18,7 @@ from scipy.signal import butter, sosfiltfilt
 from hapticplayer.capture.vision import FrameRotation
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import GAP_STEPS
 
 HIGH_PASS_HZ = 0.4
 LEAST_OVERLAP_S = 6.0
@@ -27,7 +28,6 @@ _NEIGHBOUR_S = 0.15  # nearer shifts belong to the same peak
 _MOST_CANDIDATES = 8
 _REACHES_S = ((0.024, 0.004), (0.004, 0.001))
 QUIET_RADPS = np.radians(0.05)  # a gyro and frames are never quieter
-_GAP_STEPS = 3.0
 _PADDING = 20  # intervals, where a filter begins
 _SCALE = 2.0  # of the robust loss, in RMS of the rotation
 _FOCAL_GAINS = (0.35, 2.5)
@@ -50,7 +50,7 @@ class Gyro:
         self.begin_s, self.end_s = float(edges_s[0]), float(edges_s[-1])
         self._integral = CubicSpline(edges_s, total)
         self._rate = self._integral.derivative()
-        is_gap = steps_s > _GAP_STEPS * float(np.median(steps_s))
+        is_gap = steps_s > GAP_STEPS * float(np.median(steps_s))
         self._gaps_s = np.stack([time_s[:-1][is_gap], time_s[1:][is_gap]], axis=1)
 
     def rotation(self, begin_s: Floats, end_s: Floats) -> Floats:

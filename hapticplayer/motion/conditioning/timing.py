@@ -7,9 +7,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats
-
-# A step of more than this many median steps is a gap.
-GAP_STEPS = 3.0
+from hapticplayer.model.limits import GAP_STEPS
 
 Mask = NDArray[np.bool_]
 Indices = NDArray[np.intp]

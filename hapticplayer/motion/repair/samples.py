@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats, all_of_rows
+from hapticplayer.model.limits import MAX_SAMPLES
 from hapticplayer.motion.repair.timestamps import (
     Repair,
     RepairKind,
@@ -26,8 +27,6 @@ from hapticplayer.motion.repair.units import check_force_unit, check_rate_unit
 Flags = NDArray[np.bool_]
 
 MIN_SAMPLES = 2
-MAX_SAMPLES = 100_000_000
-"""Rows: 34 h of an 800 Hz sensor."""
 
 MAX_FORCE = 1e5
 MAX_RATE = 1e4
