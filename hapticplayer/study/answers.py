@@ -9,6 +9,7 @@ from typing import Any
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.sequence.files import Progress
+from hapticplayer.structures import convert
 from hapticplayer.study import json_files, private
 from hapticplayer.study.conduct import Conduct, conduct_of
 from hapticplayer.study.definition import (
@@ -342,7 +343,7 @@ def read_reviewed(session_folder: Path) -> set[str]:
         return set()
     try:
         content = json_files.parse(json_files.read_file(path), str(path))
-        return json_files.convert(content, dict[str, set[str]], str(path))["passed"]
+        return convert(content, dict[str, set[str]], str(path), StudyError)["passed"]
     except (StudyError, KeyError):
         return set()  # the safe side: they have to be reviewed again
 

@@ -9,13 +9,14 @@ from msgspec import Meta, Struct
 from hapticplayer.model import ranges
 from hapticplayer.rendering import condition_named
 from hapticplayer.rendering.condition import described
-from hapticplayer.study.json_files import FILLED, KEY, MAX_ITEMS, MAX_TEXT
+from hapticplayer.structures import FILLED, KEY, MAX_TEXT
 
 SCHEMA = "hapticplayer.study"
 VERSION = 1
 LIKERT = (1, 2, 3, 4, 5)
 MAX_CONDITIONS = 400
 MAX_ANSWER = 4000
+MAX_ITEMS = 2_000
 _MAX_NUMBER = 1_000_000
 
 Item = TypeVar("Item")

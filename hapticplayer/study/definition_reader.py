@@ -5,13 +5,14 @@ from typing import Any
 
 from msgspec import Struct
 
-from hapticplayer.errors import Message, UsageError, message_of
+from hapticplayer.errors import Message, StudyError, UsageError, message_of
 from hapticplayer.rendering import (
     FEEDBACKS,
     Parameter,
     ParameterKind,
     condition_named,
 )
+from hapticplayer.structures import convert, missing, unknown
 from hapticplayer.study import json_files
 from hapticplayer.study.definition import (
     MAX_CONDITIONS,
@@ -24,7 +25,7 @@ from hapticplayer.study.definition import (
     Text,
     TrialKind,
 )
-from hapticplayer.study.json_files import refuse, refuse_missing, refuse_unknown
+from hapticplayer.study.json_files import refuse
 
 DEFINITION = "study.json"
 
@@ -46,7 +47,7 @@ def parse_definition(content: bytes, path: str) -> Definition:
             version=VERSION,
         )
         refuse(path, "", what, Message("update hapticplayer"))
-    made = json_files.convert(value, Definition, path)
+    made = convert(value, Definition, path, StudyError)
     _check_texts(made, path)
     _check_keys(made, path)
     _check_feedbacks(made, path)
@@ -60,10 +61,10 @@ def _check_texts(made: Definition, path: str) -> None:
     """Refuse texts that lack a language of the study."""
     known = set(made.languages)
     for field, text in _texts(made):
-        if not field.endswith("published") and (missing := known - text.keys()):
-            refuse_missing(path, field, min(missing))
-        if unknown := text.keys() - known:
-            refuse_unknown(path, field, min(unknown), made.languages)
+        if not field.endswith("published") and (lacking := known - text.keys()):
+            refuse(path, field, *missing(min(lacking)))
+        if foreign := text.keys() - known:
+            refuse(path, field, *unknown(min(foreign), made.languages))
 
 
 def _texts(part: Any, field: str = "") -> Iterator[tuple[str, Text]]:
@@ -109,7 +110,7 @@ def _check_feedbacks(made: Definition, path: str) -> None:
         known_names = [parameter.name for parameter in found.parameters]
         for name, value in one.parameters.items():
             if name not in known_names:
-                refuse_unknown(path, f"{field}.parameters", name, known_names)
+                refuse(path, f"{field}.parameters", *unknown(name, known_names))
             _check_parameter(
                 made, path, f"{field}.parameters.{name}", found.parameter(name), value
             )
@@ -145,9 +146,9 @@ def _check_questions(made: Definition, path: str) -> None:
         )
         refuse(path, "", what)
     if not made.trial_questions:
-        missing = "factors" if made.trial is TrialKind.RATING else "consistency"
+        page = "factors" if made.trial is TrialKind.RATING else "consistency"
         what = Message("has no question after a clip")
-        refuse(path, "", what, Message("add a question to {page!r}", page=missing))
+        refuse(path, "", what, Message("add a question to {page!r}", page=page))
     for number, question in enumerate(made.factors):
         if question.kind is not QuestionKind.LIKERT:
             what = Message("{value!r} is not allowed", value=question.kind.value)

@@ -12,8 +12,9 @@ from typing import Annotated
 from msgspec import Meta
 
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.structures import convert
 from hapticplayer.study.definition import Condition, Definition
-from hapticplayer.study.json_files import convert, read_file, refuse
+from hapticplayer.study.json_files import read_file, refuse
 from hapticplayer.study.orders import first_repeat
 
 ORDERS = "orders.csv"
@@ -39,7 +40,7 @@ def read_orders(path: Path, definition: Definition) -> list[tuple[Condition, ...
     known = {condition.key: condition for condition in definition.conditions}
     for where, cells in _rows(path):
         filled = {name: text for name, text in cells.items() if text}
-        row = convert(filled, OrderRow, where, strict=False)
+        row = convert(filled, OrderRow, where, StudyError, strict=False)
         if row.key not in known:
             what = Message("condition {key} is not in the study", key=row.key)
             refuse(where, "", what)

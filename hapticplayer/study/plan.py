@@ -15,6 +15,7 @@ from msgspec import Meta
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.sequence.files import json_text
+from hapticplayer.structures import convert
 from hapticplayer.study import json_files
 from hapticplayer.study.definition import Condition, JsonObject, Key, OrderMethod, Seed
 from hapticplayer.untrusted import ESCAPED
@@ -100,7 +101,7 @@ def plan_of_record(content: Any, path: str) -> Plan:
     if isinstance(content, dict) and content.get("version") != VERSION:
         what = Message("was written by another version of the program")
         json_files.refuse(path, "", what, Message("update hapticplayer"))
-    return json_files.convert(content, Plan, path)
+    return convert(content, Plan, path, StudyError)
 
 
 def _digest(described: dict[str, Any]) -> str:

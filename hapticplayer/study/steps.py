@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.structures import convert
 from hapticplayer.study.definition import Condition, Definition
 from hapticplayer.study.journal import Records
-from hapticplayer.study.json_files import convert
 
 CONSENT, SHEET, DEMONSTRATION, POST_TEST = (
     "consent",
@@ -119,7 +119,7 @@ def _trial(
     trial = played.get((step, attempt), {})
     position, values = position_of(step), answers.get("values")
     try:
-        condition = convert(answers.get("condition"), Condition, step)
+        condition = convert(answers.get("condition"), Condition, step, StudyError)
     except StudyError:
         return None
     if position is None or not isinstance(values, dict):

@@ -6996,12 +6996,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>muss ein Objekt sein</translation>
     </message>
     <message>
+        <source>must be at least {limit}</source>
+        <translation>muss mindestens {limit} sein</translation>
+    </message>
+    <message>
+        <source>must be at most {limit}</source>
+        <translation>darf höchstens {limit} sein</translation>
+    </message>
+    <message>
         <source>must be {count} numbers</source>
         <translation>muss aus {count} Zahlen bestehen</translation>
     </message>
     <message>
         <source>must be {wanted}</source>
         <translation>muss {wanted} sein</translation>
+    </message>
+    <message>
+        <source>must have at least {limit} characters</source>
+        <translation>muss mindestens {limit} Zeichen haben</translation>
+    </message>
+    <message>
+        <source>must have at least {limit} entries</source>
+        <translation>muss mindestens {limit} Einträge haben</translation>
+    </message>
+    <message>
+        <source>must have at most {limit} characters</source>
+        <translation>darf höchstens {limit} Zeichen haben</translation>
+    </message>
+    <message>
+        <source>must have at most {limit} entries</source>
+        <translation>darf höchstens {limit} Einträge haben</translation>
+    </message>
+    <message>
+        <source>must have {limit} entries</source>
+        <translation>muss {limit} Einträge haben</translation>
     </message>
     <message>
         <source>names a part of {axes}</source>
@@ -8594,10 +8622,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>must be one of the choices</source>
         <translation>hat eine Antwort, die nicht angeboten wurde</translation>
-    </message>
-    <message>
-        <source>must be {kind} {limit}</source>
-        <translation>muss {kind} {limit} sein</translation>
     </message>
     <message>
         <source>must be {wanted}, not {kind}</source>

@@ -6996,12 +6996,40 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>doit être un objet</translation>
     </message>
     <message>
+        <source>must be at least {limit}</source>
+        <translation>doit être au moins {limit}</translation>
+    </message>
+    <message>
+        <source>must be at most {limit}</source>
+        <translation>doit être au plus {limit}</translation>
+    </message>
+    <message>
         <source>must be {count} numbers</source>
         <translation>doit être {count} nombres</translation>
     </message>
     <message>
         <source>must be {wanted}</source>
         <translation>doit être {wanted}</translation>
+    </message>
+    <message>
+        <source>must have at least {limit} characters</source>
+        <translation>doit avoir au moins {limit} caractères</translation>
+    </message>
+    <message>
+        <source>must have at least {limit} entries</source>
+        <translation>doit avoir au moins {limit} entrées</translation>
+    </message>
+    <message>
+        <source>must have at most {limit} characters</source>
+        <translation>doit avoir au plus {limit} caractères</translation>
+    </message>
+    <message>
+        <source>must have at most {limit} entries</source>
+        <translation>doit avoir au plus {limit} entrées</translation>
+    </message>
+    <message>
+        <source>must have {limit} entries</source>
+        <translation>doit avoir {limit} entrées</translation>
     </message>
     <message>
         <source>names a part of {axes}</source>
@@ -8594,10 +8622,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>must be one of the choices</source>
         <translation>a une réponse qui n’était pas proposée</translation>
-    </message>
-    <message>
-        <source>must be {kind} {limit}</source>
-        <translation>doit être {kind} {limit}</translation>
     </message>
     <message>
         <source>must be {wanted}, not {kind}</source>

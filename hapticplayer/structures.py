@@ -1,0 +1,179 @@
+"""Typed structures from the JSON of untrusted files; errors name the field."""
+
+import re
+from collections.abc import Iterable
+from types import UnionType
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+
+import msgspec
+from msgspec import Struct, structs
+
+from hapticplayer.errors import InputError, Message, joined
+
+MAX_TEXT = 20_000
+KEY = "^[a-z0-9_-]{1,40}$"
+FILLED = r"\S"
+_MAX_SHOWN, _MAX_SAID = 40, 200
+
+_KINDS = {
+    "str": Message("a text"),
+    "int": Message("a whole number"),
+    "float": Message("a number"),
+    "bool": Message("true or false"),
+    "array": Message("a list"),
+    "object": Message("an object"),
+}
+_LIMITS = {
+    " >= ": Message("must be at least {limit}"),
+    " <= ": Message("must be at most {limit}"),
+    " of length >= ": Message("must have at least {limit} entries"),
+    " of length <= ": Message("must have at most {limit} entries"),
+    " of length ": Message("must have {limit} entries"),
+    "str of length >= ": Message("must have at least {limit} characters"),
+    "str of length <= ": Message("must have at most {limit} characters"),
+}
+_CORRECT = Message("correct it")
+
+Kind = TypeVar("Kind")
+Refusal = tuple[Message, Message]
+"""What is wrong, and what to do."""
+
+
+def convert(
+    value: Any,
+    kind: type[Kind],
+    where: str,
+    error: type[InputError] = InputError,
+    remedy: str = "",
+    *,
+    strict: bool = True,
+) -> Kind:
+    """Return a value from JSON as a typed structure.
+
+    Args:
+        value: to be checked.
+        kind: of the structure.
+        where: the file, for messages.
+        error: to be raised.
+        remedy: in place of the one that fits the field.
+        strict: do not convert texts to numbers.
+
+    Raises:
+        InputError: `error`; names the wrong field and what is allowed there.
+    """
+    try:
+        return msgspec.convert(value, kind, strict=strict)
+    except (msgspec.ValidationError, OverflowError) as problem:
+        said, _, place = str(problem).rpartition(" - at `$")
+        try:
+            field, found = _entry(value, kind, place if said else "")
+        except (AttributeError, LookupError, StopIteration, TypeError, ValueError):
+            said, field, found = "", "", kind  # the name of an unknown entry, no place
+        what, to_do = _reworded(said or str(problem), found)
+        where = f"{where}, {field}" if field else where
+        raise error(what, where=where, remedy=remedy or to_do) from None
+
+
+def missing(name: str) -> Refusal:
+    """Return how an object is refused that lacks an entry."""
+    return Message("missing entry {name!r}", name=name), Message("add it")
+
+
+def unknown(name: str, known: Iterable[str]) -> Refusal:
+    """Return how an unknown entry is refused, which is mostly a typing error."""
+    return (
+        Message("unknown entry {name!r}", name=name[:_MAX_SHOWN]),
+        Message("allowed: {known}", known=", ".join(known)),
+    )
+
+
+def _reworded(said: str, kind: Any) -> Refusal:
+    """Return an error of msgspec in our words, with the allowed values."""
+    what, *named = re.split("[`'](.*?)[`']", said, flags=re.DOTALL)
+    if what == "Object missing required field ":
+        return missing(named[0])
+    if what == "Object contains unknown field ":
+        return unknown(named[0], [one.encode_name for one in structs.fields(kind)])
+    if what == "Invalid enum value ":
+        is_literal = get_origin(kind) is Literal
+        known = sorted(get_args(kind)) if is_literal else list(kind)
+        return (
+            Message("{value!r} is not allowed", value=named[0][:_MAX_SHOWN]),
+            Message("choose one of {known}", known=", ".join(known)),
+        )
+    if what == "Expected " and KEY in said:
+        remedy = Message("use at most {most} of a-z, 0-9, _ and -", most=40)
+        return Message("is not a valid key"), remedy
+    return _expected(named) if what == "Expected " else Message(
+        said[:_MAX_SAID]
+    ), _CORRECT
+
+
+def _expected(named: list[str]) -> Message:
+    """Return what must be: [float, ", got ", str, ""], or [int, " >= 0"]."""
+    wanted, more = named[:2]
+    if len(named) > 2:
+        found = _kinds(named[2])
+        return Message(
+            "must be {wanted}, not {kind}", kind=found, wanted=_kinds(wanted)
+        )
+    if FILLED in more:
+        return Message("must have 1 to {most} characters", most=MAX_TEXT)
+    limited, limit = re.findall(r"(\D+?)(-?\d[\d.e+-]*)", more)[0]
+    text = _LIMITS.get(wanted + limited) or _LIMITS[limited]
+    return Message(text.template, limit=f"{float(limit):g}")
+
+
+def _kinds(names: str) -> Message:
+    """Return kinds as msgspec names them, such as `str | object`, in words."""
+    words = [_KINDS.get(name, Message(name)) for name in names.split(" | ")]
+    return words[0] if len(words) == 1 else joined(" / ", words)
+
+
+def _entry(value: Any, kind: Any, place: str) -> tuple[str, Any]:
+    """Return field and type of an entry; msgspec does not name the keys of dicts."""
+    field = ""
+    for name, number in re.findall(r"\.(\w+)|\[([\d.]+)\]", place):
+        kind = _meant(kind, value)
+        if name:
+            fields = {one.encode_name: one.type for one in structs.fields(kind)}
+            kind, value = fields[name], value[name]
+            field = f"{field}.{name}" if field else name
+        elif number == "...":
+            kind = get_args(kind)[1]
+            key, value = next(i for i in value.items() if not _fits(i[1], kind))
+            shown = (
+                key if re.fullmatch(r"[\w. -]{1,60}", key) else repr(key[:_MAX_SHOWN])
+            )
+            field = f"{field}.{shown}" if field else shown
+        else:
+            kinds = get_args(kind)
+            is_alike = len(kinds) == 1 or kinds[1] is ...
+            kind, value = kinds[0 if is_alike else int(number)], value[int(number)]
+            field = f"{field}[{number}]"
+    return field, _meant(kind, value)
+
+
+def _fits(value: Any, kind: Any) -> bool:
+    try:
+        msgspec.convert(value, kind)
+    except (msgspec.ValidationError, OverflowError):
+        return False
+    return True
+
+
+def _meant(kind: Any, value: Any) -> Any:
+    """Return the type, of a union the one that a value is to have."""
+    if get_origin(kind) is Annotated:
+        return _meant(get_args(kind)[0], value)
+    if get_origin(kind) not in (Union, UnionType):
+        return kind
+    kinds = [_meant(one, value) for one in get_args(kind)]
+    return next((one for one in kinds if _is_like(one, value)), kinds[0])
+
+
+def _is_like(kind: Any, value: Any) -> bool:
+    made = get_origin(kind) or kind
+    if isinstance(value, dict):
+        return made is dict or (isinstance(made, type) and issubclass(made, Struct))
+    return isinstance(value, list) and made in (tuple, list)
