@@ -31,7 +31,7 @@ _MOST_OWED = 4
 _MOST_READ = 64
 
 
-class Link(Protocol):
+class ServiceConnection(Protocol):
     """An open connection to the service; all methods raise DeviceError."""
 
     def fileno(self) -> int:
@@ -63,11 +63,14 @@ class Inverse3Driver:
     capabilities = INVERSE3
 
     def __init__(
-        self, connect: Callable[[], Link], line: int = -1, clock: Clock | None = None
+        self,
+        connect: Callable[[], ServiceConnection],
+        line: int = -1,
+        clock: Clock | None = None,
     ) -> None:
         self._connect, self._line = connect, line
         self._clock = clock or SystemClock()
-        self._link: Link | None = None
+        self._link: ServiceConnection | None = None
         self._device, self._field = "", FIELDS[0]
         self._owed = 0
         self._reading: DeviceReading | None = None
@@ -114,7 +117,7 @@ class Inverse3Driver:
         finally:
             link.close()
 
-    def _first(self, link: Link) -> Inverse3State:
+    def _first(self, link: ServiceConnection) -> Inverse3State:
         until_s = self._clock.now_s() + OPENING_S
         while (left_s := until_s - self._clock.now_s()) > 0.0:
             text = link.receive(left_s)
@@ -126,7 +129,9 @@ class Inverse3Driver:
             "choose the device again"
         )
 
-    def _listen(self, link: Link, force_n: Vector, now_s: float) -> DeviceReading:
+    def _listen(
+        self, link: ServiceConnection, force_n: Vector, now_s: float
+    ) -> DeviceReading:
         reading = self._reading or DeviceReading(ZERO, 0, False, now_s)
         for _ in range(_MOST_READ):
             text = link.receive()

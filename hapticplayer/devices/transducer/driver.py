@@ -35,7 +35,7 @@ _MIDDLE: Vector = (0.0, 0.0, 0.0)
 Fill = Callable[[Any, float, int], None]
 
 
-class Stream(Protocol):
+class OutputStream(Protocol):
     """A stream that is begun by the loop's own thread."""
 
     def begin(self) -> None:
@@ -159,11 +159,11 @@ class ShakerDriver:
         self,
         settings: ShakerSettings,
         clock: Clock | None = None,
-        make_stream: Callable[[ShakerSettings, Fill, Clock], Stream] = CardStream,
+        make_stream: Callable[[ShakerSettings, Fill, Clock], OutputStream] = CardStream,
     ) -> None:
         self.settings = settings
         self._clock, self._make_stream = clock or SystemClock(), make_stream
-        self._stream: Stream | None = None
+        self._stream: OutputStream | None = None
         self._signal = ShakerSignal(settings)
         self._opened_s, self._has_begun = 0.0, False
         self._asked_s, self._frames = 0.0, 0

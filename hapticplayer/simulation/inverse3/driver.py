@@ -3,7 +3,11 @@
 import os
 import select
 
-from hapticplayer.devices.inverse3.driver import TITLE, Inverse3Driver, Link
+from hapticplayer.devices.inverse3.driver import (
+    TITLE,
+    Inverse3Driver,
+    ServiceConnection,
+)
 from hapticplayer.devices.websocket import Connection
 from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.falcon.packets import Act, Control, pack_control
@@ -24,7 +28,7 @@ class _Connecting:
         self._descriptor = descriptor
         os.set_blocking(descriptor, False)
 
-    def __call__(self) -> Link:
+    def __call__(self) -> ServiceConnection:
         try:
             os.write(self._descriptor, pack_control(Control(Act.HELLO)))
             while select.select([self._descriptor], [], [], PATIENCE_S)[0]:
