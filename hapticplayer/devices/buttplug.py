@@ -39,7 +39,7 @@ class Motor(NamedTuple):
     steps: int
 
 
-class Vibration:
+class ButtplugTranslator:
     """A force as messages for all motors (`paced.Translator`)."""
 
     def __init__(self, motors: list[Motor], version: int) -> None:
@@ -101,7 +101,7 @@ class ButtplugPort:
         except DeviceError:
             self._socket.close()
             raise
-        self.translator = Vibration(motors, self._version)
+        self.translator = ButtplugTranslator(motors, self._version)
         self._pinged_s = self._clock.now_s()
         hand_over(line, self._socket.fileno())
 

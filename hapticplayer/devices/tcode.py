@@ -26,7 +26,7 @@ _MOST_READ = 256
 _SERIAL_BAUD = "B115200"
 
 
-class Vibration:
+class TcodeTranslator:
     """A force as the strength of one channel (`paced.Translator`)."""
 
     def __init__(self, channel: str) -> None:
@@ -51,7 +51,9 @@ class TCodePort:
 
     is_quiet = True
 
-    def __init__(self, descriptor: int, where: str, translator: Vibration) -> None:
+    def __init__(
+        self, descriptor: int, where: str, translator: TcodeTranslator
+    ) -> None:
         self.translator, self._where = translator, where
         self._descriptor: int | None = descriptor
         os.set_blocking(descriptor, False)
@@ -117,7 +119,7 @@ def open_board(text: str) -> TCodePort:
             where=where,
             reason=problem.strerror or str(problem),
         ) from problem
-    return TCodePort(descriptor, where, Vibration(channel))
+    return TCodePort(descriptor, where, TcodeTranslator(channel))
 
 
 def _udp(where: str) -> int:

@@ -123,13 +123,13 @@ def test_a_device_that_is_described_wrongly_is_refused(devices):
 
 @given(st.text() | st.binary())
 def test_whatever_a_server_says_is_no_button(text):
-    heard = buttplug.Vibration([], 4).buttons(text)
+    heard = buttplug.ButtplugTranslator([], 4).buttons(text)
     assert heard in (0, None)
 
 
 @given(st.tuples(*3 * [st.floats(-9.0, 9.0)]))
 def test_a_line_of_tcode_is_what_the_specification_says(force_n):
-    line = tcode.Vibration("V0").command(force_n, 0.0).decode()
+    line = tcode.TcodeTranslator("V0").command(force_n, 0.0).decode()
     size = math.hypot(*force_n)
     if match := re.fullmatch(r"V0(\d{4})I(\d+)\n", line):
         assert int(match[1]) / 1e4 == pytest.approx(min(1.0, size / 4.5), abs=0.003)
