@@ -23,7 +23,7 @@ radius (`benchmarks.haptics centring`: eigenvalues, sweeps and the energy observ
 import math
 from typing import NamedTuple
 
-from hapticplayer.haptics.hand import Hand
+from hapticplayer.haptics.hand import HandState
 from hapticplayer.haptics.limiter import ZERO, Limits
 from hapticplayer.model.device import Vector
 
@@ -53,7 +53,7 @@ def centring_of(limits: Limits) -> Centring:
     return Centring(from_m=_FROM * reach_m, full_m=_FULL * reach_m)
 
 
-def ahead_of(hand: Hand, centring: Centring) -> Vector:
+def ahead_of(hand: HandState, centring: Centring) -> Vector:
     """Return where the grip will be in a moment, m, frame D."""
     (x, y, z), (vx, vy, vz) = hand.position_m, hand.velocity_mps
     ahead_s = centring.ahead_s

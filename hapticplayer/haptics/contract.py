@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from hapticplayer.haptics.centring import Centring
-from hapticplayer.haptics.hand import Hand
+from hapticplayer.haptics.hand import HandState
 from hapticplayer.haptics.limiter import ZERO, Limits, is_finite, outward_n
 from hapticplayer.haptics.track import AnyTrack
 from hapticplayer.model import PlaybackClock
@@ -114,7 +114,7 @@ class State(NamedTuple):
     centring_n: Vector = ZERO  # what keeps the grip inside
     media_s: float = 0.0
     now_s: float = -math.inf  # time of this tick; -inf before the first
-    hand: Hand = Hand()  # the grip as last seen
+    hand: HandState = HandState()  # the grip as last seen
     heat_n2: float = 0.0  # mean square force of the last seconds
     acted_s: float = -math.inf  # last time at which a force was allowed
     track: AnyTrack | None = None  # that was followed
@@ -130,7 +130,7 @@ class Situation(NamedTuple):
     # the track that the clock names, None while it is not loaded
     track: AnyTrack | None
     state: State  # what the last tick returned
-    hand: Hand  # the grip as `observe` has it after the last exchange
+    hand: HandState  # the grip as `observe` has it after the last exchange
     supervision: Supervision
     limits: Limits
     centring: Centring = Centring()

@@ -15,7 +15,7 @@ FARTHEST = 5.0
 SMOOTHING_S = 0.004
 
 
-class Hand(NamedTuple):
+class HandState(NamedTuple):
     """The grip as last seen, frame D from the centre of the workspace."""
 
     position_m: Vector = ZERO
@@ -29,7 +29,9 @@ class Hand(NamedTuple):
     pressed: int = 0  # mask of buttons that went down with this answer
 
 
-def observe(hand: Hand, reading: DeviceReading | None, limits: Limits) -> Hand:
+def observe(
+    hand: HandState, reading: DeviceReading | None, limits: Limits
+) -> HandState:
     """Return what is known after one exchange.
 
     A repeated answer changes nothing; one that jumps, or lies far outside the
@@ -57,7 +59,7 @@ def observe(hand: Hand, reading: DeviceReading | None, limits: Limits) -> Hand:
         velocity = _smoothed(velocity, raw, elapsed_s)
     else:
         velocity = ZERO
-    return Hand(
+    return HandState(
         position_m,
         velocity,
         replied_s,

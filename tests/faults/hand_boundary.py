@@ -6,7 +6,7 @@ import numpy as np
 from hand_cases import SMOOTH
 
 from hapticplayer.haptics.centring import Centring, ahead_of
-from hapticplayer.haptics.hand import SMOOTHING_S, Hand, observe
+from hapticplayer.haptics.hand import SMOOTHING_S, HandState, observe
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.simulation.falcon.kinematics import Kinematics
 from hapticplayer.simulation.falcon.parameters import Electronics, Geometry
@@ -34,7 +34,7 @@ def growth(stiffness_n_per_m, delay_s, ahead_s=0.0, mechanism=SMOOTH, seconds=2.
         None, mechanism=mechanism, electronics=Electronics(delay_s=delay_s)
     )
     simulation.place((_PLUCKED_M, 0.0, 0.0))
-    hand, reading, way = Hand(), None, []
+    hand, reading, way = HandState(), None, []
     centring, limits = Centring(ahead_s=ahead_s), Limits()
     for tick in range(round(seconds / PERIOD_S)):
         now_s = 1.0 + tick * PERIOD_S

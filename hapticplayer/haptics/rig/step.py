@@ -24,7 +24,7 @@ from hapticplayer.haptics.contract import (
     Supervision,
     assess,
 )
-from hapticplayer.haptics.hand import Hand
+from hapticplayer.haptics.hand import HandState
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.track import AnyTrack, LoadedTrack
 from hapticplayer.model import PlaybackClock
@@ -49,7 +49,7 @@ RIG_RULES = tuple(rule for rule in RULES if rule.cause is not Cause.TICK_LATE)
 """A packet that comes 20 ms late is no fault: nothing pushes meanwhile."""
 
 _MOVING = (Mode.ENTERING, Mode.FOLLOWING)
-_LIMITS, _NO_HAND = Limits(), Hand(is_homed=True)
+_LIMITS, _NO_HAND = Limits(), HandState(is_homed=True)
 
 
 class RigSetup(NamedTuple):

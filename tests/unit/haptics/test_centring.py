@@ -11,7 +11,7 @@ from hapticplayer.haptics.centring import (
     centring_force,
     centring_of,
 )
-from hapticplayer.haptics.hand import Hand, observe
+from hapticplayer.haptics.hand import HandState, observe
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
 from hapticplayer.model.device import DeviceReading
 
@@ -22,7 +22,7 @@ STILL = ZERO
 def radial(radius_m, speed_mps=0.0, centring=SPRING):
     """Return the force along a direction with the grip on it; positive is outward."""
     direction = np.array([0.48, -0.6, 0.64])
-    hand = Hand(tuple(radius_m * direction), tuple(speed_mps * direction))
+    hand = HandState(tuple(radius_m * direction), tuple(speed_mps * direction))
     force = np.array(centring_force(ahead_of(hand, centring), centring))
     along = float(force @ direction)
     np.testing.assert_allclose(force, along * direction, atol=1e-12)
@@ -66,7 +66,7 @@ def test_near_the_edge_outward_motion_is_damped_more():
 def test_no_speed_turns_the_pull_outward():
     rng = np.random.default_rng(1)
     for _ in range(2000):
-        hand = Hand(tuple(rng.normal(0, 0.02, 3)), tuple(rng.normal(0, 0.5, 3)))
+        hand = HandState(tuple(rng.normal(0, 0.02, 3)), tuple(rng.normal(0, 0.5, 3)))
         force = centring_force(ahead_of(hand, SPRING), SPRING)
         there = ahead_of(hand, SPRING)
         assert sum(f * p for f, p in zip(force, there, strict=True)) <= 0.0
@@ -83,7 +83,7 @@ def test_another_workspace_has_the_same_pull_at_the_same_share():
 @pytest.mark.parametrize("swing_hz", [0.5, 2.0, 5.0, 8.0])
 def test_a_grip_that_swings_through_the_edge_gets_no_energy(delay_ticks, swing_hz):
     """The motion is prescribed; seen late and in counts, answered later still."""
-    hand, due, taken_j, least_j = Hand(), [], 0.0, 0.0
+    hand, due, taken_j, least_j = HandState(), [], 0.0, 0.0
     count_m, before_m = 45e-6, 0.0
     for tick in range(3000):
         now_s = 1.0 + tick * PERIOD_S
