@@ -7,7 +7,7 @@ import numpy as np
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.loop import Loop
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import MessageSocket, Word
 from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, map_track, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
@@ -32,7 +32,7 @@ class LoopRig:
         descriptor = anonymous_memory("test", BLOCK_BYTES)
         self.block = SharedBlock(descriptor)
         os.close(descriptor)
-        self.player, self.line = Line(ours), Line(theirs)
+        self.player, self.line = MessageSocket(ours), MessageSocket(theirs)
         self.clock, self.device = clock, device
         self.loop = Loop(clock, self.block, self.line, device, *more)
 

@@ -13,7 +13,7 @@ from hapticplayer.haptics.centring import centring_of
 from hapticplayer.haptics.lifeline import hold, map_lifeline
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import MessageSocket, Word
 from hapticplayer.haptics.scheduling import (
     FIFO_PRIORITY,
     OUTLET_PRIORITY,
@@ -44,7 +44,7 @@ def main(argv: list[str] | None = None) -> int:
     outlive_the_player()
     block = LoopBlock(options.block)
     end = socket.socket(fileno=options.line)
-    line = Line(end, options.alarm)
+    line = MessageSocket(end, options.alarm)
     entry = find_device(options.device)
     try:
         device = entry.make(options.handle)
@@ -65,7 +65,10 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _loop(
-    options: argparse.Namespace, block: LoopBlock, line: Line, device: HapticDevice
+    options: argparse.Namespace,
+    block: LoopBlock,
+    line: MessageSocket,
+    device: HapticDevice,
 ) -> Any:
     entry, lifeline = find_device(options.device), map_lifeline(options.lifeline)
     if entry.loop:

@@ -5,7 +5,12 @@ from hapticplayer.errors import Message
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.contract import Request, Supervision
 from hapticplayer.haptics.lifeline import Lifeline
-from hapticplayer.haptics.messages import Line, Received, Word, close_descriptor
+from hapticplayer.haptics.messages import (
+    MessageSocket,
+    Received,
+    Word,
+    close_descriptor,
+)
 from hapticplayer.haptics.track import FORCE_COLUMNS, AnyTrack, map_track
 from hapticplayer.model import PlaybackClock
 
@@ -38,7 +43,7 @@ class TrackFollower:
 
     clock: Clock
     block: LoopBlock
-    line: Line
+    line: MessageSocket
     lifeline: Lifeline | None
     columns = FORCE_COLUMNS
     """Of the tracks that this loop plays."""

@@ -19,7 +19,7 @@ from hapticplayer.haptics.follower import TrackFollower
 from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import MessageSocket, Word
 from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.step import step
 from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector
@@ -39,7 +39,7 @@ class Loop(TrackFollower):
 
     clock: Clock
     block: LoopBlock
-    line: Line
+    line: MessageSocket
     device: HapticDevice
     limits: Limits = field(default_factory=Limits)
     centring: Centring = field(default_factory=Centring)

@@ -44,10 +44,10 @@ class Received(NamedTuple):
     descriptor: int = -1
 
 
-class Line:
+class MessageSocket:
     """One end of the socket pair; never blocks.
 
-    The end is the line's from now on. `alarm` is the descriptor of the reading end of
+    It owns `end` from now on. `alarm` is the descriptor of the reading end of
     an `Alarm`, -1 for none; `is_alarmed` is whether it was on at the last `receive`.
     """
 

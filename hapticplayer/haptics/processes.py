@@ -15,7 +15,7 @@ from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
 from hapticplayer.haptics.filling import DeviceTrack
 from hapticplayer.haptics.lifeline import hold_lifeline
-from hapticplayer.haptics.messages import Line, Word, signal_alarm
+from hapticplayer.haptics.messages import MessageSocket, Word, signal_alarm
 from hapticplayer.haptics.recorder import Recording
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
@@ -82,7 +82,7 @@ class HapticsProcesses:
         self._is_loop_ready = False
         self._processes: dict[str, Process] = {}
         self._recording: Recording | None = None
-        self._line: Line | None = None
+        self._line: MessageSocket | None = None
         self._device_faults: Any = None
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
         with contextlib.ExitStack() as stack:
@@ -126,7 +126,7 @@ class HapticsProcesses:
         if simulator is not None:
             self._processes["device"] = simulator
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self._line = Line(ours)
+        self._line = MessageSocket(ours)
         stack.enter_context(theirs)
         descriptors = {
             "--block": block,

@@ -21,7 +21,7 @@ from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import message_of
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import MessageSocket, Word
 from hapticplayer.haptics.scheduling import Scheduling, grant, lock_memory
 from hapticplayer.playback.sound_memory import CHANNELS, SoundBlock, SoundReader
 
@@ -213,7 +213,7 @@ def main(argv: list[str] | None = None) -> int:
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT):
         signal.signal(number, signal.SIG_IGN)
     _quieten()
-    line = Line(socket.socket(fileno=options.line))
+    line = MessageSocket(socket.socket(fileno=options.line))
     grant(0, Scheduling.SLICE)  # its threads inherit it
     player = threading.Thread(target=_end_with_the_player, args=[line], daemon=True)
     player.start()
@@ -224,14 +224,16 @@ def main(argv: list[str] | None = None) -> int:
     return 0
 
 
-def _end_with_the_player(line: Line) -> None:
+def _end_with_the_player(line: MessageSocket) -> None:
     """End this process whatever it hangs in; the sound server drops what is buffered."""
     while line.is_open:
         line.receive(timeout_ms=-1)
     os._exit(0)
 
 
-def _open(block: SoundBlock, clock: Clock, device: str, line: Line) -> SoundStream:
+def _open(
+    block: SoundBlock, clock: Clock, device: str, line: MessageSocket
+) -> SoundStream:
     """Return the stream as soon as there is a device for it."""
     wait_s = RETRY_S
     while True:

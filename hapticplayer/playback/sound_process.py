@@ -5,7 +5,7 @@ import socket
 import subprocess
 from typing import Protocol
 
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import MessageSocket, Word
 from hapticplayer.haptics.spawn import run_module
 from hapticplayer.playback.sound_ring import AudioRing
 
@@ -53,7 +53,7 @@ class SoundProcess:
             module = "hapticplayer.playback.sound_device"
             options = ["--block", block, "--line", line, f"--device={device}"]
             self._process = run_module(module, options, passed)
-        self._line = Line(ours)
+        self._line = MessageSocket(ours)
 
     @property
     def pid(self) -> int:

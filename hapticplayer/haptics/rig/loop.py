@@ -10,7 +10,7 @@ from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.follower import TrackFollower
 from hapticplayer.haptics.lifeline import Lifeline
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import MessageSocket, Word
 from hapticplayer.haptics.rig.step import RigSetup, RigState, rig_step
 from hapticplayer.model.rig import RigMotion
 
@@ -30,7 +30,7 @@ class RigLoop(TrackFollower):
 
     clock: Clock
     block: LoopBlock
-    line: Line
+    line: MessageSocket
     sender: RigSender
     lifeline: Lifeline | None = None
 

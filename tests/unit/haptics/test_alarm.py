@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO
-from hapticplayer.haptics.messages import Alarm, Line, Word, signal_alarm
+from hapticplayer.haptics.messages import Alarm, MessageSocket, Word, signal_alarm
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.model import ForceTrack
 from tests.unit.haptics.test_loop import CONSTANT, Rig
@@ -29,7 +29,7 @@ def alarm():
 def rig(alarm):
     """A loop that polls it, and has a force on the hand."""
     rig = Rig()
-    rig.loop.line = Line(rig.line._end, alarm.read_end.fileno())
+    rig.loop.line = MessageSocket(rig.line._end, alarm.read_end.fileno())
     rig.give_track(CONSTANT)
     rig.play()
     assert rig.tick(300).force_n == pytest.approx((0.0, 2.0, 0.0))

@@ -5,14 +5,14 @@ import socket
 import pytest
 
 from hapticplayer.errors import Message
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import MessageSocket, Word
 
 
 @pytest.fixture
 def ends():
     """The player's line and the loop's."""
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-    player, loop = Line(ours), Line(theirs)
+    player, loop = MessageSocket(ours), MessageSocket(theirs)
     yield player, loop
     player.close()
     loop.close()

@@ -14,7 +14,7 @@ from hapticplayer.clock import ManualClock
 from hapticplayer.devices.rig.settings import rig_settings
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.messages import Line, Word
+from hapticplayer.haptics.messages import MessageSocket, Word
 from hapticplayer.haptics.rig.guard import RigGuard
 from hapticplayer.haptics.rig.loop import REFUSED, SENT, RigLoop
 from hapticplayer.haptics.rig.step import CAPS, NEUTRAL_S, RAMP_S, TAKE_OVER_S
@@ -54,7 +54,7 @@ class Bench:
         descriptor = anonymous_memory("test", BLOCK_BYTES)
         self.block = SharedBlock(descriptor)
         os.close(descriptor)
-        self.player, self.line = Line(ours), Line(theirs)
+        self.player, self.line = MessageSocket(ours), MessageSocket(theirs)
         self.sender = Sender(self.clock, text)
         self.loop = RigLoop(self.clock, self.block, self.line, self.sender)
         self.epoch, self.rate, self.beats = 1, 1.0, True
