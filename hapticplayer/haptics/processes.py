@@ -16,7 +16,7 @@ from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
 from hapticplayer.haptics.filling import DeviceTrack
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.messages import MessageSocket, Word, signal_alarm
-from hapticplayer.haptics.recorder import Recording
+from hapticplayer.haptics.recorder import LoopRecording
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.spawn import (
@@ -81,7 +81,7 @@ class HapticsProcesses:
         self._track_ids: dict[str, int] = {}
         self._is_loop_ready = False
         self._processes: dict[str, Process] = {}
-        self._recording: Recording | None = None
+        self._recording: LoopRecording | None = None
         self._line: MessageSocket | None = None
         self._device_faults: Any = None
         descriptor = anonymous_memory("hapticplayer-loop", BLOCK_BYTES)
@@ -97,7 +97,7 @@ class HapticsProcesses:
                     device=device,
                 )
             self._patience_s, self._release_s = entry.patience_s, entry.release_s
-            self._recording = Recording(record, descriptor) if record else None
+            self._recording = LoopRecording(record, descriptor) if record else None
             if takes_faults:
                 act, acted_on = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
                 stack.enter_context(acted_on)

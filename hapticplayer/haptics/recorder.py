@@ -3,7 +3,7 @@
 It only reads the ring that the loop writes anyway, so the loop neither waits for it
 nor knows of it. It outlives player and loop by as long as the last ticks take: the
 record holds the end of a player that was killed. Run as
-`python -m hapticplayer.haptics.recorder` by `Recording`.
+`python -m hapticplayer.haptics.recorder` by `LoopRecording`.
 """
 
 import argparse
@@ -36,7 +36,7 @@ _NO_TICKS = np.empty(0, dtype=TICK)
 # --- the player's side ------------------------------------------------------
 
 
-class Recording:
+class LoopRecording:
     """A record of one loop; it never disturbs playing.
 
     The file is created at once, so that a wrong name is reported before anything

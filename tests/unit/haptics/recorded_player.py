@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.haptics.recorder import Recording
+from hapticplayer.haptics.recorder import LoopRecording
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory
 
@@ -22,7 +22,7 @@ def play(path: Path) -> None:
         pass_fds=[block],
         stdout=subprocess.PIPE,
     )
-    Recording(path, block).start(loop.pid, {})
+    LoopRecording(path, block).start(loop.pid, {})
     loop.stdout.readline()
     os.kill(os.getpid(), signal.SIGKILL)
 

@@ -16,8 +16,8 @@ from hapticplayer.errors import InputError
 from hapticplayer.haptics.record_reader import read_record
 from hapticplayer.haptics.recorder import (
     SYNC_PERIOD_S,
+    LoopRecording,
     Recorder,
-    Recording,
     Status,
 )
 from hapticplayer.haptics.records import RecordWriter, open_record
@@ -70,7 +70,7 @@ def start(ring, loop, tmp_path):
 
     def start_one(name="record"):
         path = tmp_path / name
-        recording = Recording(path, ring.descriptor)
+        recording = LoopRecording(path, ring.descriptor)
         started.append(recording)
         recording.start(loop.pid, {"device": "test", "scheduling": "fifo"})
         return recording, path
@@ -283,7 +283,7 @@ def test_a_removed_file_ends_it_with_a_reason(start, ring, capfd):
 
 def test_a_block_of_another_version_is_refused(tmp_path, loop, capfd):
     descriptor = anonymous_memory("test", 4096)
-    recorder = Recording(tmp_path / "record", descriptor)
+    recorder = LoopRecording(tmp_path / "record", descriptor)
     recorder.start(loop.pid, {})
     os.close(descriptor)
     assert recorder.process.wait(PATIENCE_S) == Status.FAILED
@@ -308,7 +308,7 @@ def test_it_imports_nothing_heavy():
 
 def test_a_recording_holds_what_came_before_its_start(ring, loop, tmp_path):
     path = tmp_path / "record"
-    handle = Recording(path, ring.descriptor)
+    handle = LoopRecording(path, ring.descriptor)
     ring.tick(50)
     handle.start(loop.pid, {"device": "test"})
     loop.kill()
@@ -320,7 +320,7 @@ def test_a_recording_holds_what_came_before_its_start(ring, loop, tmp_path):
 
 def test_a_recording_of_a_loop_that_never_was_leaves_no_file(ring, tmp_path):
     path = tmp_path / "record"
-    handle = Recording(path, ring.descriptor)
+    handle = LoopRecording(path, ring.descriptor)
     assert path.exists()
     handle.finish()
     assert not path.exists()
@@ -330,7 +330,7 @@ def test_a_recording_of_a_loop_that_never_was_leaves_no_file(ring, tmp_path):
 
 
 def test_a_recording_that_cannot_start_is_reported(ring, loop, tmp_path, monkeypatch):
-    handle = Recording(tmp_path / "record", ring.descriptor)
+    handle = LoopRecording(tmp_path / "record", ring.descriptor)
 
     def fail(_self, _header):
         raise OSError(28, "No space left on device")
@@ -346,10 +346,10 @@ def test_a_recording_never_replaces_a_file_and_leaks_nothing(ring, tmp_path):
     (tmp_path / "record").write_text("dear")
     before = open_descriptors()
     with pytest.raises(InputError, match="already exists"):
-        Recording(tmp_path / "record", ring.descriptor)
+        LoopRecording(tmp_path / "record", ring.descriptor)
     with pytest.raises(InputError, match="cannot be written"):
-        Recording(tmp_path / "none" / "record", ring.descriptor)
+        LoopRecording(tmp_path / "none" / "record", ring.descriptor)
     assert (tmp_path / "record").read_text() == "dear"
-    handle = Recording(tmp_path / "other", ring.descriptor)
+    handle = LoopRecording(tmp_path / "other", ring.descriptor)
     handle.finish()
     assert open_descriptors() == before
