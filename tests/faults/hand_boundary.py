@@ -8,8 +8,8 @@ from hand_cases import SMOOTH
 from hapticplayer.haptics.centring import Centring, ahead_of
 from hapticplayer.haptics.hand import SMOOTHING_S, HandState, observe
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
-from hapticplayer.simulation.falcon.kinematics import Kinematics
-from hapticplayer.simulation.falcon.parameters import Electronics, Geometry
+from hapticplayer.simulation.falcon.kinematics import PlantKinematics
+from hapticplayer.simulation.falcon.parameters import Electronics, PlantGeometry
 from hapticplayer.simulation.falcon.simulation import Simulation
 
 PIPELINE_S = PERIOD_S  # a command is made of the reading that came a period before
@@ -19,7 +19,7 @@ _AT_REST_M = 0.0003  # six counts of the encoder
 
 def sideways(mechanism=SMOOTH):
     """Return mass, kg, and friction, N s/m, that the free grip has along x."""
-    rows = Kinematics(Geometry()).inverse(ZERO).rates
+    rows = PlantKinematics(PlantGeometry()).inverse(ZERO).rates
     per_m2 = sum(row[0] ** 2 for row in rows)
     mass = mechanism.joint_inertia_kg_m2 * per_m2 + mechanism.grip_mass_kg
     return mass, mechanism.viscous_nm_s * per_m2

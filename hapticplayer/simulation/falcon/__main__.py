@@ -7,7 +7,7 @@ import sys
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.scheduling import outlive_the_player
 from hapticplayer.simulation.falcon.options import device_parser, simulation_of
-from hapticplayer.simulation.falcon.record import Recorder
+from hapticplayer.simulation.falcon.record import PlantRecorder
 from hapticplayer.simulation.falcon.server import Server
 
 
@@ -20,7 +20,7 @@ def main(argv: list[str] | None = None) -> int:
         SystemClock(),
         socket.socket(fileno=options.line),
         simulation,
-        None if options.record is None else Recorder(options.record),
+        None if options.record is None else PlantRecorder(options.record),
         None if options.control is None else socket.socket(fileno=options.control),
     )
     gc.freeze()

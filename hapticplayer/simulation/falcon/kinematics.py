@@ -9,7 +9,7 @@ import math
 from typing import NamedTuple
 
 from hapticplayer.model.device import Vector
-from hapticplayer.simulation.falcon.parameters import Geometry
+from hapticplayer.simulation.falcon.parameters import PlantGeometry
 
 _REFINEMENTS = 4
 _CLOSE_ENOUGH_M = 1e-12
@@ -22,10 +22,10 @@ class PlantPose(NamedTuple):
     rates: tuple[Vector, Vector, Vector]
 
 
-class Kinematics:
+class PlantKinematics:
     """Positions are in frame D, m, from the centre of the usable sphere."""
 
-    def __init__(self, geometry: Geometry) -> None:
+    def __init__(self, geometry: PlantGeometry) -> None:
         self.geometry = geometry
         self._shin2_m2 = geometry.shin_m**2
         self._directions = [(math.cos(p), math.sin(p)) for p in geometry.azimuths_rad]

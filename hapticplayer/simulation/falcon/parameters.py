@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Geometry:
+class PlantGeometry:
     """Delta kinematics with three legs (libnifalcon), m and rad.
 
     Attributes:

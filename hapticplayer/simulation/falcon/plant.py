@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from hapticplayer.devices.dynamics import Hand, Mechanism
 from hapticplayer.devices.falcon.matrix3 import Rows, dot, minus
 from hapticplayer.model.device import Vector
-from hapticplayer.simulation.falcon.kinematics import Kinematics, solve
+from hapticplayer.simulation.falcon.kinematics import PlantKinematics, solve
 
 ZERO: Vector = (0.0, 0.0, 0.0)
 MAX_STEP_S = 0.0005
@@ -48,7 +48,7 @@ class Plant:
 
     def __init__(
         self,
-        kinematics: Kinematics,
+        kinematics: PlantKinematics,
         mechanism: Mechanism,
         hand: Hand | None,
         max_step_s: float = MAX_STEP_S,

@@ -1,4 +1,4 @@
-"""What the simulated device felt, in memory that outlives every process.
+"""State of the simulated Falcon at each tick, in memory that outlives every process.
 
 A ring in a file or memfd: a benchmark that holds the descriptor reads when the zero
 arrived, also when player, loop and device have died meanwhile.
@@ -17,7 +17,7 @@ RING_AT = 64
 RECORD_BYTES = RING_AT + RING_RECORDS * RECORD_FIELDS.size
 
 
-class Recorder:
+class PlantRecorder:
     """Writer of the ring, into a file or memfd that is given its size."""
 
     def __init__(self, descriptor: int) -> None:
@@ -28,7 +28,7 @@ class Recorder:
         self._head[0] = 0
 
     def write(self, now_s: float, simulation: Simulation) -> None:
-        """Append one turn, then publish it."""
+        """Append one tick, then publish it."""
         count = self._head[0]
         at = RING_AT + (count % RING_RECORDS) * RECORD_FIELDS.size
         RECORD_FIELDS.pack_into(

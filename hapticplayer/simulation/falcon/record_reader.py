@@ -1,4 +1,4 @@
-"""Reads what the simulated device felt; see `record`."""
+"""Reads the record of a simulated Falcon; see `record`."""
 
 import os
 from typing import Any

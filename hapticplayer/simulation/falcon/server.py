@@ -13,7 +13,7 @@ from hapticplayer.simulation.falcon.packets import (
     unpack,
 )
 from hapticplayer.simulation.falcon.plant import ZERO
-from hapticplayer.simulation.falcon.record import Recorder
+from hapticplayer.simulation.falcon.record import PlantRecorder
 from hapticplayer.simulation.falcon.simulation import Simulation
 
 COMMAND_AGE_S = 0.020
@@ -32,7 +32,7 @@ class Server:
         clock: Clock,
         line: socket.socket,
         simulation: Simulation,
-        recorder: Recorder | None = None,
+        recorder: PlantRecorder | None = None,
         control: socket.socket | None = None,
     ) -> None:
         self.is_over = self._is_up_to_date = False

@@ -6,9 +6,9 @@ from collections import deque
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.model.device import DeviceReading, Vector
-from hapticplayer.simulation.falcon.kinematics import Kinematics
+from hapticplayer.simulation.falcon.kinematics import PlantKinematics
 from hapticplayer.simulation.falcon.packets import Act, Control
-from hapticplayer.simulation.falcon.parameters import Electronics, Geometry
+from hapticplayer.simulation.falcon.parameters import Electronics, PlantGeometry
 from hapticplayer.simulation.falcon.plant import MAX_STEP_S, ZERO, Energy, Plant
 
 # Of a longer time under one force only so much is computed, which leaves a held grip
@@ -30,7 +30,7 @@ class Simulation:
         *,
         mechanism: Mechanism | None = None,
         electronics: Electronics | None = None,
-        geometry: Geometry | None = None,
+        geometry: PlantGeometry | None = None,
         max_step_s: float = MAX_STEP_S,
     ) -> None:
         self.electronics = electronics or Electronics()
@@ -39,7 +39,7 @@ class Simulation:
         self.buttons = 0
         self.is_homed = True
         self.refused = 0
-        self._kinematics = Kinematics(geometry or Geometry())
+        self._kinematics = PlantKinematics(geometry or PlantGeometry())
         self._plant = Plant(
             self._kinematics, mechanism or Mechanism(), hand, max_step_s
         )

@@ -22,7 +22,7 @@ from hapticplayer.simulation.falcon.packets import (
     unpack,
 )
 from hapticplayer.simulation.falcon.parameters import Electronics
-from hapticplayer.simulation.falcon.record import Recorder
+from hapticplayer.simulation.falcon.record import PlantRecorder
 from hapticplayer.simulation.inverse3.service import Service, simulation_of
 
 _LONGEST_S = 0.005
@@ -32,7 +32,10 @@ class Process:
     """The service behind a WebSocket, and the line to those that started it."""
 
     def __init__(
-        self, service: Service, ends: list[socket.socket], recorder: Recorder | None
+        self,
+        service: Service,
+        ends: list[socket.socket],
+        recorder: PlantRecorder | None,
     ) -> None:
         self._service, self._ends, self._recorder = service, ends, recorder
         self._clock: Clock = SystemClock()
@@ -124,7 +127,7 @@ def main(argv: list[str] | None = None) -> int:
         HANDS[options.hand], Electronics(options.hold_s, options.delay_s)
     )
     numbers = [n for n in (options.line, options.control) if n is not None]
-    recorder = None if options.record is None else Recorder(options.record)
+    recorder = None if options.record is None else PlantRecorder(options.record)
     process = Process(
         Service(simulation), [socket.socket(fileno=n) for n in numbers], recorder
     )

@@ -11,7 +11,7 @@ from typing import Any
 
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.model.device import Vector
-from hapticplayer.simulation.falcon.parameters import Electronics, Geometry
+from hapticplayer.simulation.falcon.parameters import Electronics, PlantGeometry
 from hapticplayer.simulation.falcon.simulation import Simulation
 
 WIDER = 2.5
@@ -25,7 +25,7 @@ def simulation_of(
     hand: Hand | None = RELAXED, electronics: Electronics | None = None
 ) -> Simulation:
     """Return the grip in a hand: as heavy, 2.5 times as wide."""
-    plain = Geometry()
+    plain = PlantGeometry()
     geometry = replace(
         plain, **{name: WIDER * getattr(plain, name) for name in _LENGTHS}
     )

@@ -9,7 +9,7 @@ import threading
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.scheduling import outlive_the_player
 from hapticplayer.simulation.falcon.options import device_parser, simulation_of
-from hapticplayer.simulation.falcon.record import Recorder
+from hapticplayer.simulation.falcon.record import PlantRecorder
 from hapticplayer.simulation.usb.board import Board, Stage
 from hapticplayer.simulation.usb.chip import Chip
 from hapticplayer.simulation.usb.mechanics import (
@@ -31,7 +31,7 @@ def main(argv: list[str] | None = None) -> int:
     simulation = simulation_of(options)
     mechanics = SimulatedMechanics(simulation)
     if options.record is not None:
-        mechanics = RecordedMechanics(simulation, Recorder(options.record))
+        mechanics = RecordedMechanics(simulation, PlantRecorder(options.record))
     mechanics.homing = Homing() if options.unhomed else None
     clock = SystemClock()
     board = Board(mechanics, Stage.RUNNING if options.running else Stage.DARK)

@@ -6,7 +6,7 @@ from hapticplayer.devices.falcon.kinematics import WORDS_PER_NM, Kinematics
 from hapticplayer.devices.falcon.matrix3 import cross, dot
 from hapticplayer.devices.falcon.protocol import Lights, MotorCommand, Reply
 from hapticplayer.model.device import Vector
-from hapticplayer.simulation.falcon.record import Recorder
+from hapticplayer.simulation.falcon.record import PlantRecorder
 from hapticplayer.simulation.falcon.simulation import Simulation
 
 _ALL_HOMED = 7
@@ -92,7 +92,7 @@ class SimulatedMechanics:
 class RecordedMechanics(SimulatedMechanics):
     """The same, written down in memory that outlives the process."""
 
-    def __init__(self, simulation: Simulation, recorder: Recorder) -> None:
+    def __init__(self, simulation: Simulation, recorder: PlantRecorder) -> None:
         super().__init__(simulation)
         self._recorder = recorder
 

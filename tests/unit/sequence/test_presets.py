@@ -9,7 +9,7 @@ from hapticplayer.model import MotionTrack
 from hapticplayer.rendering import render_force
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import PRESETS, YIELDING, render_preset
-from hapticplayer.simulation.falcon.kinematics import Geometry, Kinematics
+from hapticplayer.simulation.falcon.kinematics import PlantGeometry, PlantKinematics
 from hapticplayer.simulation.falcon.plant import Plant
 
 
@@ -53,7 +53,7 @@ def test_a_yielding_hand_stays_within_without_the_spring(swinging):
     track = render_preset(swinging, name="equal")
     reaches = []
     for played in (render_force(swinging), track):
-        plant = Plant(Kinematics(Geometry()), Mechanism(), YIELDING)
+        plant = Plant(PlantKinematics(PlantGeometry()), Mechanism(), YIELDING)
         reach_m = 0.0
         for force in played.at(np.arange(0.0, 9.0, 0.001)).tolist():
             plant.advance((force[0], force[1], force[2]), 0.001)

@@ -5,13 +5,13 @@ from dataclasses import replace
 import pytest
 
 from hapticplayer.devices.dynamics import Mechanism
-from hapticplayer.simulation.falcon.kinematics import Kinematics
-from hapticplayer.simulation.falcon.parameters import Geometry
+from hapticplayer.simulation.falcon.kinematics import PlantKinematics
+from hapticplayer.simulation.falcon.parameters import PlantGeometry
 
 
 @pytest.fixture(scope="session")
 def kinematics():
-    return Kinematics(Geometry())
+    return PlantKinematics(PlantGeometry())
 
 
 @pytest.fixture(scope="session")

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from hapticplayer.devices.dynamics import Mechanism
-from hapticplayer.simulation.falcon.kinematics import Kinematics, solve
-from hapticplayer.simulation.falcon.parameters import Geometry
+from hapticplayer.simulation.falcon.kinematics import PlantKinematics, solve
+from hapticplayer.simulation.falcon.parameters import PlantGeometry
 
 
 def points(rng, count, radius_m):
@@ -19,12 +19,12 @@ def points(rng, count, radius_m):
 def test_angles_and_jacobian_agree_with_the_reference_rows(kinematics, shared_data):
     rows = json.loads((shared_data / "falcon" / "golden.json").read_text())
     for row in rows["kinematics"]:
-        position = np.array(row["p"]) - [0.0, 0.0, Geometry().centre_z_m]
+        position = np.array(row["p"]) - [0.0, 0.0, PlantGeometry().centre_z_m]
         pose = kinematics.inverse(tuple(position))
         np.testing.assert_allclose(pose.theta_rad, row["theta"], atol=1e-13)
         np.testing.assert_allclose(np.linalg.inv(pose.rates), row["J"], atol=1e-14)
-        counts = (np.array(pose.theta_rad) - Geometry().theta0_rad) / (
-            Geometry().count_rad
+        counts = (np.array(pose.theta_rad) - PlantGeometry().theta0_rad) / (
+            PlantGeometry().count_rad
         )
         np.testing.assert_allclose(counts, row["counts"], atol=1e-9)
 
@@ -61,7 +61,7 @@ def test_three_equations_are_solved(rng):
 @pytest.mark.parametrize("mass_kg", [0.05, 0.13, 0.3])
 def test_a_mass_that_is_asked_for_is_felt_in_the_centre(mass_kg):
     inertia = Mechanism().with_lateral_mass(mass_kg).joint_inertia_kg_m2
-    rates = np.array(Kinematics(Geometry()).inverse((0.0, 0.0, 0.0)).rates)
+    rates = np.array(PlantKinematics(PlantGeometry()).inverse((0.0, 0.0, 0.0)).rates)
     felt = inertia * rates.T @ rates
     assert felt[0, 0] == pytest.approx(mass_kg, rel=1e-3)
     assert felt[2, 2] / felt[0, 0] == pytest.approx(2.83, rel=0.01)

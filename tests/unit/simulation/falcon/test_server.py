@@ -10,7 +10,7 @@ from hapticplayer.clock import ManualClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.falcon.packets import ForceCommand, command_bytes
 from hapticplayer.simulation.falcon.parameters import Electronics
-from hapticplayer.simulation.falcon.record import RING_RECORDS, Recorder
+from hapticplayer.simulation.falcon.record import RING_RECORDS, PlantRecorder
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls, RemoteFalcon, silence
 from hapticplayer.simulation.falcon.server import COMMAND_AGE_S, Server
@@ -29,7 +29,7 @@ class Bench:
         self.record = os.memfd_create("record")
         self.clock = ManualClock()
         self.simulation = Simulation(electronics=Electronics(**electronics))
-        recorder = Recorder(self.record)
+        recorder = PlantRecorder(self.record)
         self.line = theirs
         self.server = Server(self.clock, theirs, self.simulation, recorder)
         self.raw = ours.dup()
@@ -228,7 +228,7 @@ def test_every_tick_is_logged_once_with_its_refusals(bench):
 
 def test_the_record_is_a_ring_of_the_newest():
     descriptor = os.memfd_create("record")
-    recorder, simulation = Recorder(descriptor), Simulation()
+    recorder, simulation = PlantRecorder(descriptor), Simulation()
     for count in range(RING_RECORDS + 10):
         recorder.write(float(count), simulation)
     found = read_record(descriptor)

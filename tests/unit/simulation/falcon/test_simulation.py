@@ -8,7 +8,7 @@ import pytest
 
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import FIRM, HANDS, RELAXED, Mechanism
-from hapticplayer.simulation.falcon.parameters import Electronics, Geometry
+from hapticplayer.simulation.falcon.parameters import Electronics, PlantGeometry
 from hapticplayer.simulation.falcon.simulation import Simulation
 
 ZERO = (0.0, 0.0, 0.0)
@@ -78,7 +78,7 @@ def test_the_same_commands_give_the_same_bits():
 
 
 def test_readings_are_whole_encoder_counts_near_the_truth(kinematics):
-    geometry, simulation = Geometry(), Simulation()
+    geometry, simulation = PlantGeometry(), Simulation()
     seen, errors = set(), []
     for tick in range(1000):
         now_s = START_S + tick / 1000
