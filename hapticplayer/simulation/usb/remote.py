@@ -22,7 +22,7 @@ NO_ANSWER = 0
 """Serial of a request that wants no answer: a guard's."""
 
 
-class Kind(enum.Enum):
+class UsbRequestKind(enum.Enum):
     """What is asked for."""
 
     ATTACH = b"a"  # + descriptor of line B
@@ -31,10 +31,10 @@ class Kind(enum.Enum):
     IN = b"i"
 
 
-class Request(NamedTuple):
+class UsbRequest(NamedTuple):
     """From the bus to the Falcon."""
 
-    kind: Kind
+    kind: UsbRequestKind
     serial: int = NO_ANSWER
     timeout_s: float = 0.0
     words: tuple[int, int, int] = (0, 0, 0)
@@ -50,7 +50,7 @@ class UsbAnswer(NamedTuple):
     data: bytes = b""
 
 
-def pack_request(request: Request) -> bytes:
+def pack_request(request: UsbRequest) -> bytes:
     """Return the bytes of a request."""
     head = _REQUEST.pack(
         request.kind.value, request.serial, request.timeout_s, *request.words
@@ -58,15 +58,20 @@ def pack_request(request: Request) -> bytes:
     return head + request.data
 
 
-def unpack_request(data: bytes) -> Request | None:
+def unpack_request(data: bytes) -> UsbRequest | None:
     """Return the request in these bytes, or None if they are none."""
     if len(data) < _REQUEST.size:
         return None
     kind, serial, timeout_s, *words = _REQUEST.unpack_from(data)
-    if kind not in {known.value for known in Kind} or not 0.0 <= timeout_s < math.inf:
+    if (
+        kind not in {known.value for known in UsbRequestKind}
+        or not 0.0 <= timeout_s < math.inf
+    ):
         return None
     i, j, k = words
-    return Request(Kind(kind), serial, timeout_s, (i, j, k), data[_REQUEST.size :])
+    return UsbRequest(
+        UsbRequestKind(kind), serial, timeout_s, (i, j, k), data[_REQUEST.size :]
+    )
 
 
 def pack_answer(answer: UsbAnswer) -> bytes:
@@ -99,7 +104,7 @@ class RemoteChip:
         with theirs:
             attach = socket.socket(fileno=descriptor)
             attach.setblocking(False)
-            message = pack_request(Request(Kind.ATTACH))
+            message = pack_request(UsbRequest(UsbRequestKind.ATTACH))
             socket.send_fds(attach, [message], [theirs.fileno()])
         # two numbers, closed with this object: no bus has a place to close it
         self._out = _Line(attach.detach())
@@ -108,22 +113,22 @@ class RemoteChip:
     def control(self, request: int, value: int, index: int) -> None:
         """Make a vendor request."""
         words = (request, value, index)
-        self._do(self._out, Request(Kind.CONTROL, words=words), _CONTROL_S)
+        self._do(self._out, UsbRequest(UsbRequestKind.CONTROL, words=words), _CONTROL_S)
 
     def write(self, data: bytes, timeout_s: float) -> int:
         """Send bytes; return how many were taken before the time was over."""
-        request = Request(Kind.OUT, timeout_s=timeout_s, data=data)
+        request = UsbRequest(UsbRequestKind.OUT, timeout_s=timeout_s, data=data)
         answer = self._do(self._out, request, timeout_s)
         return answer.taken if answer is not None else 0
 
     def read(self, timeout_s: float) -> bytes | None:
         """Return the next packet, or None when the time is over."""
-        request = Request(Kind.IN, timeout_s=timeout_s)
+        request = UsbRequest(UsbRequestKind.IN, timeout_s=timeout_s)
         answer = self._do(self._in, request, timeout_s)
         return answer.data if answer is not None else None
 
     def _do(
-        self, line: "_Line", request: Request, timeout_s: float
+        self, line: "_Line", request: UsbRequest, timeout_s: float
     ) -> UsbAnswer | None:
         try:
             answer = line.ask(request, timeout_s + _SLACK_S)
@@ -149,7 +154,7 @@ class _Line:
         self._poll.register(descriptor, select.POLLIN)
         self._serial = NO_ANSWER
 
-    def ask(self, request: Request, timeout_s: float) -> UsbAnswer | None:
+    def ask(self, request: UsbRequest, timeout_s: float) -> UsbAnswer | None:
         """Return the answer, None if it does not come; raises OSError at the end."""
         self._serial = self._serial % 0xFFFFFFFF + 1
         try:
@@ -176,7 +181,7 @@ def silence(descriptor: int) -> Callable[[], bool]:
     """
     os.set_blocking(descriptor, False)
     frame = encode_command((0, 0, 0))
-    message = pack_request(Request(Kind.OUT, NO_ANSWER, 0.005, data=frame))
+    message = pack_request(UsbRequest(UsbRequestKind.OUT, NO_ANSWER, 0.005, data=frame))
 
     def write_zero() -> bool:
         try:

@@ -12,9 +12,9 @@ from hapticplayer.simulation.usb.chip import Chip, UsbFault
 from hapticplayer.simulation.usb.remote import (
     MAX_BYTES,
     NO_ANSWER,
-    Kind,
-    Request,
     UsbAnswer,
+    UsbRequest,
+    UsbRequestKind,
     pack_answer,
     unpack_request,
 )
@@ -38,7 +38,7 @@ class UsbServer:
             request = unpack_request(data)
             if request is None:
                 continue
-            if request.kind is Kind.ATTACH:
+            if request.kind is UsbRequestKind.ATTACH:
                 for descriptor in descriptors:
                     end = socket.socket(fileno=descriptor)
                     threading.Thread(
@@ -54,7 +54,7 @@ class UsbServer:
                 if request is not None:
                     self._serve(end, request)
 
-    def _serve(self, end: socket.socket, request: Request) -> None:
+    def _serve(self, end: socket.socket, request: UsbRequest) -> None:
         answer = self._answer(request)
         if request.serial == NO_ANSWER:
             return
@@ -63,13 +63,13 @@ class UsbServer:
         except OSError:
             return  # the peer has gone; the next read ends
 
-    def _answer(self, request: Request) -> UsbAnswer:
+    def _answer(self, request: UsbRequest) -> UsbAnswer:
         serial, chip = request.serial, self._chip
         try:
-            if request.kind is Kind.CONTROL:
+            if request.kind is UsbRequestKind.CONTROL:
                 chip.control(*request.words)
                 return UsbAnswer(serial)
-            if request.kind is Kind.OUT:
+            if request.kind is UsbRequestKind.OUT:
                 taken = chip.write(request.data, request.timeout_s)
                 return UsbAnswer(serial, taken=taken)
             packet = chip.read(request.timeout_s)
