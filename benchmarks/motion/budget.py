@@ -39,7 +39,7 @@ from hapticplayer.model import (
 from hapticplayer.motion import METHODS, remove_gravity
 from hapticplayer.rendering import render_force
 from hapticplayer.rendering.window_means import dense_motion
-from hapticplayer.simulation.rides.board import PAPER, Board, record
+from hapticplayer.simulation.rides.board import PAPER, LoggerBoard, record
 from hapticplayer.simulation.rides.catalogue import RIDES
 from hapticplayer.simulation.rides.motion_scenes import (
     MOTION_SCENES,
@@ -105,7 +105,7 @@ class Ride:
         """Return the mean square for accelerations at the truth's times."""
         return self.error_mn(force_of(p))
 
-    def log(self, board: Board) -> tuple[ImuLog, Floats]:
+    def log(self, board: LoggerBoard) -> tuple[ImuLog, Floats]:
         """Return what a board logs, and the true media times of its samples."""
         span_s = (-self.scene.lead_s, self.scene.duration_s + self.scene.tail_s)
         rng = np.random.default_rng([self.seed, 3])
@@ -180,7 +180,7 @@ def quantised(force: Floats) -> Floats:
 # --- one cause at a time ----------------------------------------------------
 
 
-def averaged_motion(ride: Ride, board: Board) -> tuple[Floats, Floats]:
+def averaged_motion(ride: Ride, board: LoggerBoard) -> tuple[Floats, Floats]:
     """Return media times and true means of p, as a log of that board has windows."""
     imu, media_s = ride.log(board)
     half_s = 0.5 / imu.rate_hz
@@ -189,9 +189,9 @@ def averaged_motion(ride: Ride, board: Board) -> tuple[Floats, Floats]:
     return media_s, p.reshape(*fine_s.shape, 3).mean(axis=1)
 
 
-def with_errors(**parts: SensorErrors) -> Board:
+def with_errors(**parts: SensorErrors) -> LoggerBoard:
     """Return the perfect board with some errors of the paper's."""
-    return Board(sensor=replace(_PERFECT, **parts))
+    return LoggerBoard(sensor=replace(_PERFECT, **parts))
 
 
 def sensor_causes(ride: Ride) -> dict[str, float]:
@@ -215,7 +215,7 @@ def sensor_causes(ride: Ride) -> dict[str, float]:
     }
 
 
-def _smoothed(ride: Ride, board: Board) -> Floats:
+def _smoothed(ride: Ride, board: LoggerBoard) -> Floats:
     imu, media_s = ride.log(board)
     return linear(
         media_s, remove_gravity(imu, "smoother").acceleration_mps2, ride.time_s
@@ -290,7 +290,7 @@ def chains(ride: Ride) -> dict[str, float]:
         ("pictures", SYNC_S["pictures, 30 Hz"], track, linear),
     ):
         found[name] = _sent(ride, one, media_s + late_s, between)
-    camera = Board(sensor=replace(CAMERA, averaged_to_hz=None))
+    camera = LoggerBoard(sensor=replace(CAMERA, averaged_to_hz=None))
     imu, media_s = ride.log(camera)
     track = remove_gravity(replace(imu, sampling=Sampling.INSTANT), "smoother")
     found["camera"] = _sent(ride, track, media_s + SYNC_S["camera"], linear)

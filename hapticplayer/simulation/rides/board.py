@@ -35,7 +35,7 @@ _DEGREE = np.pi / 180.0
 
 
 @dataclass(frozen=True, slots=True)
-class Board:
+class LoggerBoard:
     """A logger."""
 
     sensor: SensorModel = IDEAL  # accelerometer and gyro, rate and averaging
@@ -53,7 +53,7 @@ class Board:
     stamp_s: float = 0.0  # resolution of the time stamps; 0 for exact ones
 
 
-PAPER = Board(
+PAPER = LoggerBoard(
     sensor=replace(
         PAPER_BOARD,
         name="ADXL345, ITG-3200, HMC5843",
@@ -89,7 +89,7 @@ class BoardLog:
 def record(
     trajectory: Trajectory,
     span_s: tuple[float, float],
-    board: Board,
+    board: LoggerBoard,
     rng: np.random.Generator,
 ) -> BoardLog:
     """Let a board record a span of media time of a trajectory.
@@ -126,7 +126,7 @@ def record(
 
 
 def _readings(
-    trajectory: Trajectory, time_s: Floats, board: Board, rng: np.random.Generator
+    trajectory: Trajectory, time_s: Floats, board: LoggerBoard, rng: np.random.Generator
 ) -> Floats:
     """Return (N, 9): force, rate and field as the sensors give them."""
     rate_hz = board.sensor.rate_hz
@@ -152,7 +152,7 @@ def _readings(
 
 
 def _stalls(
-    span_s: tuple[float, float], board: Board, rng: np.random.Generator
+    span_s: tuple[float, float], board: LoggerBoard, rng: np.random.Generator
 ) -> Floats:
     stalls, at_s = [], span_s[0]
     while board.stall_every_s > 0.0:

@@ -22,7 +22,7 @@ Footfall = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Gait:
+class HorseGait:
     """How a horse moves its rider."""
 
     stride_hz: float  # strides a second
@@ -34,11 +34,11 @@ class Gait:
     beats: tuple[Footfall, ...]
 
 
-WALK = Gait(0.95, (0.0, 0.018, 0.0, -0.001), (0.0, 0.012), 0.03, 0.02,
+WALK = HorseGait(0.95, (0.0, 0.018, 0.0, -0.001), (0.0, 0.012), 0.03, 0.02,
             ((0.0, 0.4), (0.25, 0.5), (0.5, 0.4), (0.75, 0.5)))  # fmt: skip
-TROT = Gait(1.4, (0.002, 0.034, 0.0, -0.0022), (0.0, 0.006), 0.02, 0.012,
+TROT = HorseGait(1.4, (0.002, 0.034, 0.0, -0.0022), (0.0, 0.006), 0.02, 0.012,
             ((0.0, 0.9), (0.03, 0.6), (0.5, 0.9), (0.53, 0.6)))  # fmt: skip
-CANTER = Gait(1.7, (0.05, -0.008, 0.002), (0.03, 0.006), 0.075, 0.01,
+CANTER = HorseGait(1.7, (0.05, -0.008, 0.002), (0.03, 0.006), 0.075, 0.01,
               ((0.0, 0.8), (0.22, 1.0), (0.44, 0.9)))  # fmt: skip
 GAITS = (WALK, TROT, CANTER)
 

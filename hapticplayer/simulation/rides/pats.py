@@ -26,7 +26,7 @@ _FREQUENCY_HZ = (22.0, 38.0)
 
 
 @dataclass(frozen=True, slots=True)
-class Pat:
+class Tap:
     """One tap."""
 
     time_s: float  # when it begins, media time
@@ -42,7 +42,7 @@ class Pat:
         return min(1.0, 0.35 + self.peak_mps2 / 40.0)
 
 
-def three_pats(rng: np.random.Generator, first_s: float) -> tuple[Pat, ...]:
+def three_pats(rng: np.random.Generator, first_s: float) -> tuple[Tap, ...]:
     """Return three pats by one hand: alike, not equal."""
     step_s, frequency_hz = rng.uniform(0.38, 0.55), rng.uniform(*_FREQUENCY_HZ)
     peak_mps2 = rng.uniform(14.0, 21.0)
@@ -52,7 +52,7 @@ def three_pats(rng: np.random.Generator, first_s: float) -> tuple[Pat, ...]:
         blow = np.array([aside[0], aside[1], -1.0])
         blow /= np.linalg.norm(blow)
         pats.append(
-            Pat(
+            Tap(
                 time_s=first_s + number * step_s + float(rng.normal(0.0, 0.02)),
                 peak_mps2=float(peak_mps2 * rng.uniform(0.75, 1.25)),
                 frequency_hz=float(frequency_hz * rng.uniform(0.95, 1.05)),
@@ -63,7 +63,7 @@ def three_pats(rng: np.random.Generator, first_s: float) -> tuple[Pat, ...]:
     return tuple(pats)
 
 
-def displacement(pats: tuple[Pat, ...], time_s: Floats) -> Floats:
+def displacement(pats: tuple[Tap, ...], time_s: Floats) -> Floats:
     """Return what the pats move (N, 3) in m, of a sensor that stands upright."""
     moved = np.zeros((len(time_s), 3))
     for pat in pats:

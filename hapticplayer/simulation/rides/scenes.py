@@ -8,7 +8,7 @@ from scipy.signal import lfilter
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.rides.pats import Pat
+from hapticplayer.simulation.rides.pats import Tap
 from hapticplayer.simulation.rides.script import integral
 from hapticplayer.simulation.rides.trajectory import Trajectory, smooth_step
 
@@ -61,7 +61,7 @@ class Scene:
     steering_rad: Floats | None = None
     nod_rad: Floats | None = None
     footfalls: tuple[tuple[float, float], ...] = ()
-    pats: tuple[Pat, ...] = field(default=())
+    pats: tuple[Tap, ...] = field(default=())
     lead_s: float = 0.0
     tail_s: float = 0.0
     stairs_m: tuple[float, ...] = ()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hapticplayer.simulation.rides.pats import Pat, displacement, three_pats
+from hapticplayer.simulation.rides.pats import Tap, displacement, three_pats
 
 FINE_HZ, FRAME_S = 6000, 1.0 / 30.0
 
@@ -11,7 +11,7 @@ FINE_HZ, FRAME_S = 6000, 1.0 / 30.0
 def speed_mps(frequency_hz: float, peak_mps2: float) -> np.ndarray:
     """Speed along the blow, which comes at .1 s of 1.5 s."""
     time_s = np.arange(round(1.5 * FINE_HZ)) / FINE_HZ
-    pat = Pat(0.1, peak_mps2, frequency_hz, 0.028, (0.0, 0.0, -1.0))
+    pat = Tap(0.1, peak_mps2, frequency_hz, 0.028, (0.0, 0.0, -1.0))
     return np.gradient(-displacement((pat,), time_s)[:, 2], time_s)
 
 

@@ -13,7 +13,7 @@ from hapticplayer.capture.choices import parse_choices
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
-from hapticplayer.simulation.rides.board import PAPER, Board, record
+from hapticplayer.simulation.rides.board import PAPER, LoggerBoard, record
 from hapticplayer.simulation.rides.catalogue import RIDES
 from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES
 from hapticplayer.simulation.rides.recording import (
@@ -198,7 +198,7 @@ def along_mps2(t: Floats) -> Floats:
 
 
 def test_board_without_errors_writes_the_truth() -> None:
-    log = record(swaying(), (0.0, 40.0), Board(), np.random.default_rng(1))
+    log = record(swaying(), (0.0, 40.0), LoggerBoard(), np.random.default_rng(1))
     t = log.imu.time_s + log.clock_map.offset_s
     np.testing.assert_allclose(
         log.imu.specific_force_mps2[:, 1], along_mps2(t), atol=1e-6
@@ -229,7 +229,7 @@ def test_papers_board_keeps_a_clock_of_its_own() -> None:
 
 
 def test_readings_are_lost_while_the_card_is_busy() -> None:
-    busy = dataclasses.replace(Board(), stall_every_s=2.0, stall_s=(0.06, 0.08))
+    busy = dataclasses.replace(LoggerBoard(), stall_every_s=2.0, stall_s=(0.06, 0.08))
     sensor = dataclasses.replace(PAPER.sensor, averaged_to_hz=30.0)
     log = record(
         swaying(),
