@@ -32,7 +32,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.simulation.falcon.record_reader import read_record
-from hapticplayer.simulation.rig.decode import Heard
+from hapticplayer.simulation.rig.decode import DecodedPacket
 from hapticplayer.simulation.rig.receiver import Ears
 
 Floats = NDArray[np.float64]
@@ -104,7 +104,7 @@ def play(source: Source, rate: int) -> tuple[dict[str, Floats], Shown, dict[str,
     """Play; return when each outlet acted, the frames, and the player's summary."""
     clock, record = SystemClock(), os.memfd_create("outlets")
     ears = Ears(clock, [0, 0])
-    heard: list[tuple[int, float, Heard]] = []
+    heard: list[tuple[int, float, DecodedPacket]] = []
     device: dict[str, Any] = {
         "device_options": ["--hand", "firm", "--record", str(record)],
         "device_descriptors": [record],

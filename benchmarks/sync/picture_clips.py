@@ -26,7 +26,7 @@ from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
 from hapticplayer.simulation.film.film import Film
 from hapticplayer.simulation.film.sound import RATE_HZ, ride_sound
-from hapticplayer.simulation.film.view import View
+from hapticplayer.simulation.film.view import CameraRays
 from hapticplayer.simulation.rides.board import PAPER, record
 from hapticplayer.simulation.rides.catalogue import RIDES
 from hapticplayer.simulation.rides.scenes import Scene
@@ -186,7 +186,7 @@ def stabilised(film: Filmed) -> Path:
 
 
 def _steadied(film: Filmed) -> Iterator[NDArray[np.uint8]]:
-    view = View.of_size(WIDTH_PX, HEIGHT_PX)
+    view = CameraRays.of_size(WIDTH_PX, HEIGHT_PX)
     rays = np.empty((HEIGHT_PX, WIDTH_PX, 3), np.float32)
     rays[..., 0], rays[..., 1], rays[..., 2] = view.x / _ZOOM, 1.0, view.z / _ZOOM
     for frame, matrix in zip(_pixels(film.path), _to_camera(film), strict=False):
@@ -231,8 +231,8 @@ def still(film: Filmed, rng: np.random.Generator) -> Path:
 def _rolling(film: Film, read_out_s: float, count: int) -> Iterator[NDArray[np.uint8]]:
     """Yield frames whose middle row is of their time, smaller than the film's."""
     fine, view = (
-        View.of_size(film.width, film.height),
-        View.of_size(WIDTH_PX, HEIGHT_PX),
+        CameraRays.of_size(film.width, film.height),
+        CameraRays.of_size(WIDTH_PX, HEIGHT_PX),
     )
     later_s = read_out_s * ((np.arange(HEIGHT_PX) + 0.5) / HEIGHT_PX - 0.5)
     rays = np.empty((HEIGHT_PX, WIDTH_PX, 3), np.float32)

@@ -15,9 +15,9 @@ from hapticplayer.simulation.film.view import (
     HAZE_FROM_M,
     WHITE,
     CameraPose,
+    CameraRays,
     Floats32,
     Pixels,
-    View,
     colour,
     haze_share,
     mixed,
@@ -45,13 +45,13 @@ class Sky:
             )
         )
 
-    def draw(self, canvas: Pixels, view: View, rotation: Floats32) -> None:
+    def draw(self, canvas: Pixels, view: CameraRays, rotation: Floats32) -> None:
         """Paint all rows above the horizon; `rotation` is sensor to earth."""
         above = np.flatnonzero(view.edges(rotation[2]).max(axis=1) > 0.0)
         rows = min(len(canvas), int(above[-1]) + 3 if len(above) else 0)
         if not rows:
             return
-        coarse = View(view.x[:, ::2], view.z[:rows:2], view.focal_px)
+        coarse = CameraRays(view.x[:, ::2], view.z[:rows:2], view.focal_px)
         up = coarse.towards(rotation[2])
         level = np.clip(_STEPS_PER_RISE * up, 0.0, len(self._gradient) - 1.0)
         colours = mixed(
@@ -65,7 +65,9 @@ class Sky:
         doubled = np.repeat(np.repeat(colours, 2, axis=0), 2, axis=1)
         canvas[:rows] = doubled[:rows, : canvas.shape[1]]
 
-    def _cloud_cover(self, view: View, rotation: Floats32, up: Floats32) -> Pixels:
+    def _cloud_cover(
+        self, view: CameraRays, rotation: Floats32, up: Floats32
+    ) -> Pixels:
         reach = _CLOUD_HEIGHT_CELLS / np.maximum(up, np.float32(_LOWEST_CLOUD))
         east = (view.towards(rotation[0]) * reach).astype(np.int32) & (_TILE - 1)
         north = (view.towards(rotation[1]) * reach).astype(np.int32) & (_TILE - 1)
@@ -74,7 +76,7 @@ class Sky:
 
 
 def _azimuth_column(
-    view: View, rotation: Floats32
+    view: CameraRays, rotation: Floats32
 ) -> np.ndarray[tuple[int], np.dtype[np.int32]]:
     """Return for each column where it points, as an index into the ridges."""
     x = view.x[0]
@@ -280,7 +282,7 @@ class PictureMaker:
         self, country: Country, width: int, height: int, rng: np.random.Generator
     ) -> None:
         self._country = country
-        self._view = View.of_size(width, height)
+        self._view = CameraRays.of_size(width, height)
         self._sprites = make_sprites(rng, wooden=country.vehicle == "horse")
         self._sky = Sky(rng)
         self._foreground = make_foreground(country.vehicle, width, height, rng)
@@ -354,7 +356,7 @@ class PictureMaker:
 
 
 def _look_up(
-    texture: GroundTexture, view: View, pose: CameraPose, distance: Floats32
+    texture: GroundTexture, view: CameraRays, pose: CameraPose, distance: Floats32
 ) -> Pixels:
     """Return the colour of the ground that each ray meets."""
     rotation = pose.rotation.astype(np.float32)

@@ -7,7 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.film.view import CameraPose, Floats32, Pixels, View, colour
+from hapticplayer.simulation.film.view import (
+    CameraPose,
+    CameraRays,
+    Floats32,
+    Pixels,
+    colour,
+)
 from hapticplayer.simulation.rides.scenes import Vehicle
 
 Rgb = tuple[float, float, float]
@@ -206,7 +212,7 @@ def _stone(first: Corner, last: Corner, level: float) -> Face:
     return Face(corners, colour(level, 0.97 * level, 0.90 * level))
 
 
-def draw_face(canvas: Pixels, view: View, pose: CameraPose, face: Face) -> None:
+def draw_face(canvas: Pixels, view: CameraRays, pose: CameraPose, face: Face) -> None:
     """Fill a face as the camera sees it; what lies behind the camera is cut off."""
     corners = _cut((face.corners_m - pose.position_m) @ pose.rotation)
     if len(corners) < 3:

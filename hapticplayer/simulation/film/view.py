@@ -71,7 +71,7 @@ class CameraPose(NamedTuple):
     steering_rad: float = 0.0
 
 
-class View(NamedTuple):
+class CameraRays(NamedTuple):
     """The rays of all pixels, (x (1, width), 1, z (height, 1)) in right, front, up."""
 
     x: Floats32
@@ -91,13 +91,13 @@ class View(NamedTuple):
         """Height and width, px."""
         return self.z.shape[0], self.x.shape[1]
 
-    def rows(self, first: int, last: int) -> "View":
+    def rows(self, first: int, last: int) -> "CameraRays":
         """Return the view of some rows."""
-        return View(self.x, self.z[first:last], self.focal_px)
+        return CameraRays(self.x, self.z[first:last], self.focal_px)
 
     def edges(self, row: Floats32) -> Floats32:
         """Return the component at both ends of each row (height, 2): its extremes."""
-        return View(self.x[:, [0, -1]], self.z, self.focal_px).towards(row)
+        return CameraRays(self.x[:, [0, -1]], self.z, self.focal_px).towards(row)
 
     def towards(self, row: Floats32) -> Floats32:
         """Return one earth component of all rays; `row` is that of the rotation."""

@@ -13,7 +13,7 @@ from hapticplayer.model.device import Vector
 _NEUTRAL = 1e-3  # m/s^2, rad and m/s that nobody feels
 
 
-class Heard(NamedTuple):
+class DecodedPacket(NamedTuple):
     """What one packet says; x right, y front, z up.
 
     Attributes:
@@ -42,7 +42,7 @@ class Heard(NamedTuple):
         return all(abs(value) < _NEUTRAL for value in values)
 
 
-def decode(packet: bytes) -> Heard | None:
+def decode(packet: bytes) -> DecodedPacket | None:
     """Return what a packet says, None for one of no known format."""
     if len(packet) in (64, 68):
         return _outsim(packet)
@@ -51,30 +51,30 @@ def decode(packet: bytes) -> Heard | None:
     return _codemasters(packet) if len(packet) == 264 else None
 
 
-def _outsim(packet: bytes) -> Heard:
+def _outsim(packet: bytes) -> DecodedPacket:
     (milliseconds,) = struct.unpack_from("<I", packet, 0)
     heading, pitch, roll = struct.unpack_from("<3f", packet, 16)
     acceleration = struct.unpack_from("<3f", packet, 28)
     velocity = struct.unpack_from("<3f", packet, 40)
     time_s = 1e-3 * milliseconds
-    return Heard("outsim", time_s, acceleration, pitch, roll, heading, velocity)
+    return DecodedPacket("outsim", time_s, acceleration, pitch, roll, heading, velocity)
 
 
-def _beamng(packet: bytes) -> Heard:
+def _beamng(packet: bytes) -> DecodedPacket:
     velocity = struct.unpack_from("<3f", packet, 16)
     acceleration = struct.unpack_from("<3f", packet, 28)
     roll, pitch, heading = struct.unpack_from("<3f", packet, 52)
-    return Heard("beamng", None, acceleration, pitch, roll, heading, velocity)
+    return DecodedPacket("beamng", None, acceleration, pitch, roll, heading, velocity)
 
 
-def _codemasters(packet: bytes) -> Heard:
+def _codemasters(packet: bytes) -> DecodedPacket:
     (time_s,) = struct.unpack_from("<f", packet, 0)
     vx, vy, vz = struct.unpack_from("<3f", packet, 32)
     _, right_up, _ = struct.unpack_from("<3f", packet, 44)
     fx, fy, fz = struct.unpack_from("<3f", packet, 56)
     right_g, front_g = struct.unpack_from("<2f", packet, 136)
     g = STANDARD_GRAVITY_MPS2
-    return Heard(
+    return DecodedPacket(
         "codemasters",
         time_s,
         (g * right_g, g * front_g, 0.0),

@@ -10,7 +10,7 @@ from typing import Any
 
 from hapticplayer.clock import Clock, realtime_minus_monotonic_s
 from hapticplayer.errors import InputError
-from hapticplayer.simulation.rig.decode import Heard, decode
+from hapticplayer.simulation.rig.decode import DecodedPacket, decode
 
 LOOPBACK = "127.0.0.1"
 SILENT_AFTER_S = 0.5
@@ -34,13 +34,13 @@ class SimulatedRig:
     """
 
     def __init__(self) -> None:
-        self.last: Heard | None = None
+        self.last: DecodedPacket | None = None
         self.packets = self.unknown = self.backwards = 0
         self.peak_mps2 = 0.0
         self.last_s = self._neutral_since_s = float("-inf")
         self._gaps_s: deque[float] = deque(maxlen=_RECENT)
 
-    def hear(self, arrived_s: float, packet: bytes) -> Heard | None:
+    def hear(self, arrived_s: float, packet: bytes) -> DecodedPacket | None:
         """Take a packet; return what it said."""
         heard, before = decode(packet), self.last
         if heard is None:
@@ -75,7 +75,7 @@ class SimulatedRig:
         }
 
 
-def _went_back(before: Heard, heard: Heard) -> bool:
+def _went_back(before: DecodedPacket, heard: DecodedPacket) -> bool:
     times = before.time_s, heard.time_s
     if times[0] is None or times[1] is None:
         return False
@@ -111,7 +111,7 @@ class Ears:
             number = end.getsockname()[1]
             self._ends[number], self.rigs[number] = end, SimulatedRig()
 
-    def listen(self, timeout_s: float) -> Iterator[tuple[int, float, Heard]]:
+    def listen(self, timeout_s: float) -> Iterator[tuple[int, float, DecodedPacket]]:
         """Yield (port, monotonic time of arrival, what it said) of what has come."""
         ready = select.select(list(self._ends.values()), [], [], timeout_s)[0]
         offset_s = realtime_minus_monotonic_s()
