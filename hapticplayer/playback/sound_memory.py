@@ -1,6 +1,6 @@
 """The memory that the player and the sound process share, and how the latter reads it.
 
-The player writes samples and the `Cue`, the sound process the `Heard` records; none
+The player writes samples and the `Cue`, the sound process the `HeardBlock` records; none
 ever waits for the other. Standard library only: the sound process loads no numpy, and
 copying bytes needs none.
 """
@@ -48,7 +48,7 @@ class Cue(NamedTuple):
     join_rate: float = 0.0
 
 
-class Heard(NamedTuple):
+class HeardBlock(NamedTuple):
     """One block of sound: from `monotonic_s` on, `media_s` is heard."""
 
     epoch: int = 0
@@ -101,20 +101,20 @@ class SoundBlock:
         """How many blocks have been played."""
         return self._head[0]
 
-    def write_heard(self, heard: Heard) -> None:
+    def write_heard(self, heard: HeardBlock) -> None:
         """Say what has been handed to the DAC (sound process)."""
         head = self._head[0]
         _HEARD.pack_into(self._map, self._at(head), *heard)
         self._head[0] = head + 1
 
-    def last_heard(self) -> Heard:
+    def last_heard(self) -> HeardBlock:
         """Return the newest record; zeros before the first."""
         head = self._head[0]
         if not head:
-            return Heard()
-        return Heard(*_HEARD.unpack_from(self._map, self._at(head - 1)))
+            return HeardBlock()
+        return HeardBlock(*_HEARD.unpack_from(self._map, self._at(head - 1)))
 
-    def heard_since(self, tail: int) -> tuple[list[Heard], int]:
+    def heard_since(self, tail: int) -> tuple[list[HeardBlock], int]:
         """Return the records from number `tail` on, oldest first, and the next tail.
 
         Records are kept for a minute.
@@ -123,7 +123,7 @@ class SoundBlock:
         # one slot aside: it may be written while it is read
         first = max(tail, head - HEARD_RECORDS + 1)
         records = [
-            Heard(*_HEARD.unpack_from(self._map, self._at(number)))
+            HeardBlock(*_HEARD.unpack_from(self._map, self._at(number)))
             for number in range(first, head)
         ]
         return records, head
@@ -172,7 +172,7 @@ class SoundReader:
         media_s = self._read / self._block.rate_hz * cue.speed
         self._read += count
         self._block.write_heard(
-            Heard(cue.epoch, dac_s, media_s, cue.number, self._read, self._missing)
+            HeardBlock(cue.epoch, dac_s, media_s, cue.number, self._read, self._missing)
         )
 
     def _place(self, cue: Cue, dac_s: float) -> None:
