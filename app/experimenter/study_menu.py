@@ -153,10 +153,10 @@ class StudyMenu(QObject):
             self._try(lambda: self._start(folder))
 
     def _start(self, folder: Path) -> None:
-        from hapticplayer.study.session_setup import load_material
+        from hapticplayer.study.session_setup import load_study_sources
         from hapticplayer.study.study_folder import open_study
 
-        load_material(open_study(folder))  # what is missing is reported here
+        load_study_sources(open_study(folder))  # what is missing is reported here
         device = self._release()
         try:
             self.process.start(["study", "run", str(folder), "--device", device])

@@ -39,9 +39,9 @@ from hapticplayer.study.preflight import (
 from hapticplayer.study.runner import Observer, SessionRunner
 from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.session_setup import (
-    Material,
+    StudySources,
     check_unchanged,
-    load_material,
+    load_study_sources,
     make_stage,
 )
 from hapticplayer.study.study_folder import Study, begin_session, open_study
@@ -58,14 +58,14 @@ class StudySession:
     def __init__(
         self,
         study: Study,
-        material: Material,
+        study_sources: StudySources,
         device: str,
         clock: Clock,
         *,
         audio: AudioFactory | None = SoundProcess,
         observer: Observer | None = None,
     ) -> None:
-        self.study, self.material, self.device = study, material, device
+        self.study, self.study_sources, self.device = study, study_sources, device
         self.runner: SessionRunner | None = None
         self._clock, self._observer = clock, observer
         self.surface = VideoSurface()
@@ -136,7 +136,7 @@ class StudySession:
         self.player.set_volume(percent / 100)
 
     def _play_sound(self) -> None:
-        source = next(iter(self.material.sources.values()))
+        source = next(iter(self.study_sources.sources.values()))
         self.player.open(source, "none")
         self.player.set_end(min(SOUND_CHECK_S, source.clip.duration_s))
         self.player.play()
@@ -158,16 +158,18 @@ class StudySession:
         checks = self.current_checks()
         if code:
             session = self.study.session(code)
-            check_unchanged(session, self.material)
+            check_unchanged(session, self.study_sources)
         else:
             session = begin_session(
-                self.study, language, self.material.clips, self._clock
+                self.study, language, self.study_sources.clips, self._clock
             )
         record = next_record(session.folder) if self.device != "none" else None
         self.player.set_device(self.device, record)
         self.player.wait_ready()
         name = record.name if record else ""
-        stage = make_stage(self.study, self.material, self.player, self._clock, name)
+        stage = make_stage(
+            self.study, self.study_sources, self.player, self._clock, name
+        )
         stage.opening = self._on_opening
         self.runner = SessionRunner(
             self.study, session.code, stage, self._clock, self._observer
@@ -245,13 +247,13 @@ def run(options: argparse.Namespace) -> int:
     before = os.umask(PRIVATE)
     try:
         study = open_study(options.study)
-        material = load_material(study)
+        study_sources = load_study_sources(study)
         streams = LslStreams() if options.lsl or study.definition.lsl else None
         settings = Settings(default_path())
         application = make_application(settings)
         session = StudySession(
             study,
-            material,
+            study_sources,
             options.device,
             SystemClock(),
             audio=partial(SoundProcess, device=settings.text(OUTPUT)),

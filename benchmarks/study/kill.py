@@ -34,7 +34,7 @@ from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.definition import QuestionKind
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_folder import SessionState, StoredSession
-from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.session_setup import load_study_sources
 from hapticplayer.study.study_folder import Study, open_study
 
 LATEST_S = 1.5  # after the session is about to be made or opened
@@ -301,8 +301,8 @@ def take_part(folder: Path, code: str) -> None:
     """Run or resume one session."""
     application = make_application()
     study = open_study(folder)
-    material = load_material(study)
-    session = StudySession(study, material, "none", SystemClock(), audio=None)
+    sources = load_study_sources(study)
+    session = StudySession(study, sources, "none", SystemClock(), audio=None)
     session.show(windowed=True)
     say("begin")
     session.begin_session(code, "en")

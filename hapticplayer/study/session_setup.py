@@ -19,7 +19,7 @@ from hapticplayer.study.study_folder import Study
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Material:
+class StudySources:
     """The sources of a study.
 
     Attributes:
@@ -33,7 +33,7 @@ class Material:
     clips: Mapping[str, str]
 
 
-def load_material(study: Study) -> Material:
+def load_study_sources(study: Study) -> StudySources:
     """Open the sequences of a study and make the tracks of their feedbacks.
 
     Raises:
@@ -50,7 +50,7 @@ def load_material(study: Study) -> Material:
         key: replace(source, tracks=_tracks(study, key, opened))
         for key, source in opened.items()
     }
-    return Material(sources, demonstration_source(), clips)
+    return StudySources(sources, demonstration_source(), clips)
 
 
 def _tracks(
@@ -99,14 +99,14 @@ def _check_edited(study: Study, key: str, made: Mapping[str, ForceTrack]) -> Non
                 )
 
 
-def check_unchanged(session: StoredSession, material: Material) -> None:
+def check_unchanged(session: StoredSession, study_sources: StudySources) -> None:
     """Refuse to resume a session with changed sequences.
 
     Raises:
         StudyError: names the changed sequence.
     """
     for key, checksum in session.plan.clips.items():
-        if material.clips.get(key) != checksum:
+        if study_sources.clips.get(key) != checksum:
             raise StudyError(
                 "the sequence {key!r} has changed since this session began",
                 where=session.code,
@@ -116,9 +116,9 @@ def check_unchanged(session: StoredSession, material: Material) -> None:
 
 
 def make_stage(
-    study: Study, material: Material, player: Player, clock: Clock, record: str
+    study: Study, study_sources: StudySources, player: Player, clock: Clock, record: str
 ) -> PlayerStage:
     """Return the stage of a session."""
     rules = (study.definition.limits, study.definition.checks)
-    sources, demonstration = material.sources, material.demonstration
+    sources, demonstration = study_sources.sources, study_sources.demonstration
     return PlayerStage(player, sources, demonstration, rules, clock, record)

@@ -13,7 +13,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.study import demonstration
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.pages import PageKind
-from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.session_setup import load_study_sources
 
 KEYS = ("bike", "horse", "car-turning", "car-braking")
 
@@ -49,9 +49,9 @@ def sit(application, qtbot, wait_for):
     made = []
 
     def open_windows(study, device="none", size=(1280, 720), observer=None, **begin):
-        material = load_material(study)
+        sources = load_study_sources(study)
         session = StudySession(
-            study, material, device, SystemClock(), audio=None, observer=observer
+            study, sources, device, SystemClock(), audio=None, observer=observer
         )
         made.append(session)
         session.show(windowed=True)

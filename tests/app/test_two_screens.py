@@ -10,7 +10,7 @@ from app.participant.application import StudySession
 from app.player.extras import SCREEN
 from hapticplayer.clock import SystemClock
 from hapticplayer.study.pages import PageKind
-from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.session_setup import load_study_sources
 
 
 def screens():
@@ -43,7 +43,9 @@ def test_a_screen_that_is_gone_leaves_the_window_where_it_is(playing, wait_for):
 @pytest.fixture
 def session(make_study, application):
     study = make_study()
-    made = StudySession(study, load_material(study), "none", SystemClock(), audio=None)
+    made = StudySession(
+        study, load_study_sources(study), "none", SystemClock(), audio=None
+    )
     made.participant.guard.setInterval(0)
     made.show(windowed=False)
     yield made

@@ -14,7 +14,7 @@ from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.pages import PageKind, PageMaker
-from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.session_setup import load_study_sources
 from hapticplayer.study.study_folder import Study
 from tools.pages.stage import Pictures, Stage
 
@@ -62,8 +62,8 @@ def _longer(study: Study, language: str) -> Study:
 
 @contextmanager
 def _session(stage: Stage, study: Study) -> Iterator[StudySession]:
-    material = load_material(study)
-    session = StudySession(study, material, "simulated", SystemClock(), audio=None)
+    sources = load_study_sources(study)
+    session = StudySession(study, sources, "simulated", SystemClock(), audio=None)
     try:
         session.show(windowed=True)
         room = session.participant.screen().geometry()

@@ -28,7 +28,7 @@ from hapticplayer.rendering import (
 from hapticplayer.sequence import editing, open_sequence, store
 from hapticplayer.sequence.build import write_sequence
 from hapticplayer.study.creation import change_definition, create_study
-from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.session_setup import load_study_sources
 
 KEYS, SHARE = ("bike", "horse", "car-turning", "car-braking"), Range(0.0, 1.0)
 
@@ -201,9 +201,9 @@ def test_a_new_derived_condition_is_previewed_and_in_studies(
     )
     chosen = {"key": "low", "condition": "part", "parameters": {"share": 0.5}}
     content = {**json.loads(made.content), "feedbacks": ["realistic", chosen]}
-    material = load_material(change_definition(made, content))
+    loaded = load_study_sources(change_definition(made, content))
     np.testing.assert_array_equal(
-        material.sources["bike"].tracks["low"].force_n, whole * 0.5
+        loaded.sources["bike"].tracks["low"].force_n, whole * 0.5
     )
 
 

@@ -20,7 +20,7 @@ from hapticplayer.sequence.library import read_entry
 from hapticplayer.sequence.packed import read_packed
 from hapticplayer.sequence.report import Mark
 from hapticplayer.study.creation import create_study
-from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.session_setup import load_study_sources
 from tests.unit.capture.vision.made_up import stepping, steps, suggested, turning
 
 
@@ -131,7 +131,7 @@ def test_a_study_refuses_it_unless_it_is_named(folder, tmp_path):
     )
     (first, *_) = named.definition.chosen_feedbacks
     assert "estimated from the picture" in first.text
-    tracks = load_material(named).sources["bike"].tracks
+    tracks = load_study_sources(named).sources["bike"].tracks
     assert tracks["estimated"].is_estimated
 
 
@@ -144,7 +144,7 @@ def test_a_session_refuses_what_became_an_estimate(folder, sequence_folder, tmp_
     (sequence_folder / store.DESCRIPTION).write_bytes(estimated)
 
     with pytest.raises(StudyError, match="nothing measured it"):
-        load_material(study)
+        load_study_sources(study)
 
 
 def run(tiny_clip, target, *more):

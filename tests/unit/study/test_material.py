@@ -14,7 +14,7 @@ from hapticplayer.sequence.editing import set_effects
 from hapticplayer.sequence.pack import pack
 from hapticplayer.study import session_setup
 from hapticplayer.study.creation import change_definition
-from hapticplayer.study.session_setup import load_material
+from hapticplayer.study.session_setup import load_study_sources
 
 KEYS = ("bike", "horse", "car-turning", "car-braking")
 
@@ -51,7 +51,7 @@ def material(study, monkeypatch, tmp_path, tiny_clip):
         return folder
 
     return lambda *chosen: (
-        load_material(with_sequences(study, folder_of, chosen)).sources
+        load_study_sources(with_sequences(study, folder_of, chosen)).sources
     )
 
 
@@ -97,7 +97,7 @@ def test_edited_force_is_compared_with_the_force_without(study, sequence_folder)
     plain = open_source(sequence_folder).tracks["realistic"]
     set_effects(sequence_folder, EffectList((Effect("mute", 1.0, 1.5),)))
     compared = with_sequences(study, lambda _key: sequence_folder, [OFF, "edited"])
-    source = load_material(compared).sources["bike"]
+    source = load_study_sources(compared).sources["bike"]
     assert np.array_equal(source.tracks["plain"].force_n, plain.force_n)
     at_s = np.linspace(1.01, 1.49, 30)
     assert not source.tracks["edited"].at(at_s).any()
@@ -108,7 +108,7 @@ def test_an_edited_force_is_not_compared_with_itself(study, sequence_folder):
     set_effects(sequence_folder, EffectList((Effect("mute", 1.0, 1.5),)))
     same = with_sequences(study, lambda _key: sequence_folder, ["realistic", "edited"])
     with pytest.raises(StudyError, match=r"'bike'.*are the same force.*\"off\""):
-        load_material(same)
+        load_study_sources(same)
 
 
 def test_a_packed_sequence_keeps_its_edited_force(sequence_folder, tmp_path):
