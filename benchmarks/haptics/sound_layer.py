@@ -24,7 +24,7 @@ from hapticplayer.model import MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering import render_force
-from hapticplayer.rendering.event import Material
+from hapticplayer.rendering.event import EventInputs
 from hapticplayer.rendering.low_sound import LOW_HZ, LowSound, low_sound
 from hapticplayer.rendering.shocks import KNOCK_DECAY_S, KNOCK_HZ, Shock, find_shocks
 from hapticplayer.sequence.store import in_media_time
@@ -168,7 +168,7 @@ def layers(case: Case, time_s: Floats) -> dict[str, Floats]:
 
 def fast_shocks(motion: MotionTrack) -> list[Shock]:
     """Return the impacts that are not only landings, which have little above 15 Hz."""
-    found = find_shocks(Material(motion, None, None))
+    found = find_shocks(EventInputs(motion, None, None))
     return [shock for shock in found if not shock.is_landing]
 
 

@@ -102,7 +102,7 @@ def over(
     )
 
 
-class Material:
+class EventInputs:
     """What is known of a recording, in the forms that several detectors need."""
 
     def __init__(

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from hapticplayer.errors import InputError, Message, entry_named
 from hapticplayer.model import ImuLog, MotionTrack
-from hapticplayer.rendering.event import Event, Material
+from hapticplayer.rendering.event import Event, EventInputs
 from hapticplayer.rendering.flawed_spans import artefacts, saturation, stillness
 from hapticplayer.rendering.low_sound import LowSound
 from hapticplayer.rendering.manoeuvres import hard_braking, turns
@@ -30,7 +30,7 @@ class Detector:
     name: str
     title: Message
     text: Message
-    find: Callable[[Material], list[Event]]
+    find: Callable[[EventInputs], list[Event]]
 
 
 DETECTORS: tuple[Detector, ...] = (
@@ -94,11 +94,11 @@ def find_events(
         entry_named(known, kind, Message("kind of event"))
     if len(motion) < 2 or (imu is not None and len(imu) < 2):
         raise InputError("there is no motion to find events in")
-    material = Material(motion, imu, sound)
+    inputs = EventInputs(motion, imu, sound)
     found = [
         event
         for detector in DETECTORS
         if kinds is None or detector.name in kinds
-        for event in detector.find(material)
+        for event in detector.find(inputs)
     ]
     return tuple(sorted(found, key=lambda one: (one.start_s, one.end_s)))

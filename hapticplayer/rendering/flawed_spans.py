@@ -10,8 +10,8 @@ from hapticplayer.rendering.effects import Effect
 from hapticplayer.rendering.event import (
     GRID_HZ,
     Event,
+    EventInputs,
     Flags,
-    Material,
     effect_on,
     over,
 )
@@ -30,7 +30,7 @@ _SPIKE = Message("Spike of a single sample, as a faulty logger writes")
 FADE_S, SHORT_FADE_S, SMOOTH_BELOW_HZ = 0.2, 0.05, 8.0
 
 
-def stillness(material: Material) -> list[Event]:
+def stillness(inputs: EventInputs) -> list[Event]:
     """Return spans of a second or more without motion, see `motion.stillness`.
 
     A sensor that is pushed evenly reads as little change as one at rest; the motion tells.
@@ -39,14 +39,14 @@ def stillness(material: Material) -> list[Event]:
 
     from hapticplayer.motion.stillness import find_still
 
-    imu = material.imu
-    still = np.interp(material.grid_s, imu.time_s, find_still(imu).mask(len(imu)))
-    square = np.square(material.acceleration_mps2).sum(axis=1)
+    imu = inputs.imu
+    still = np.interp(inputs.grid_s, imu.time_s, find_still(imu).mask(len(imu)))
+    square = np.square(inputs.acceleration_mps2).sum(axis=1)
     mean = uniform_filter1d(square, round(LEAST_STILL_S * GRID_HZ))
     is_still = (still > 0.5) & (mean < PUSHED_MPS2**2)
-    confidence = 0.95 if material.is_log_given else 0.8
+    confidence = 0.95 if inputs.is_log_given else 0.8
     found = []
-    for start_s, end_s in _spans(is_still, material.grid_s, 0.0):
+    for start_s, end_s in _spans(is_still, inputs.grid_s, 0.0):
         if end_s - start_s < LEAST_STILL_S - 0.5 / GRID_HZ:
             continue
         fade_s = min(FADE_S, 0.25 * (end_s - start_s))
@@ -55,31 +55,31 @@ def stillness(material: Material) -> list[Event]:
     return found
 
 
-def saturation(material: Material) -> list[Event]:
+def saturation(inputs: EventInputs) -> list[Event]:
     """Return where a sensor was at the end of its range, see `motion.saturation`."""
     from hapticplayer.motion.flaws import find_flaws
 
-    if not material.is_log_given:
+    if not inputs.is_log_given:
         return []
-    flaws = find_flaws(material.imu)
+    flaws = find_flaws(inputs.imu)
     return [
         Event("saturation", *span_s, 0.9, text, _smoothed(span_s))
         for clipped, text in (
             (flaws.force_clipped, _FORCE_CLIPPED),
             (flaws.rate_clipped, _RATE_CLIPPED),
         )
-        for span_s in _spans(clipped, material.imu.time_s, MERGE_S)
+        for span_s in _spans(clipped, inputs.imu.time_s, MERGE_S)
     ]
 
 
-def artefacts(material: Material) -> list[Event]:
+def artefacts(inputs: EventInputs) -> list[Event]:
     """Return gaps, samples that had to be filled in, and isolated spikes."""
-    imu = material.imu
+    imu = inputs.imu
     return [
         Event("artefact", *span_s, confidence, text, over("mute", span_s, SHORT_FADE_S))
         for mask, confidence, text in (
-            (material.unknown, 0.95, _MISSING),
-            (material.spiky, 0.8, _SPIKE),
+            (inputs.unknown, 0.95, _MISSING),
+            (inputs.spiky, 0.8, _SPIKE),
         )
         for span_s in _spans(mask, imu.time_s, ARTEFACT_MERGE_S)
     ]

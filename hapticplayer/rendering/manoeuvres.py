@@ -12,7 +12,7 @@ import numpy as np
 from hapticplayer.errors import Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
-from hapticplayer.rendering.event import GRID_HZ, Event, Material, over
+from hapticplayer.rendering.event import GRID_HZ, Event, EventInputs, over
 
 BELOW_HZ = 1.0
 BRAKING_MPS2 = 0.3 * STANDARD_GRAVITY_MPS2
@@ -34,9 +34,9 @@ EMPHASIS = 1.3
 FADE_S = 0.2
 
 
-def hard_braking(material: Material) -> list[Event]:
+def hard_braking(inputs: EventInputs) -> list[Event]:
     """Return where a recording loses speed at 0.3 g or more."""
-    slow = _below(material.level[:, 0])
+    slow = _below(inputs.level[:, 0])
     found = []
     for span in _spans(-slow, BRAKING_MPS2):
         level, change = _described(-slow[span])
@@ -46,13 +46,13 @@ def hard_braking(material: Material) -> list[Event]:
             change_mps=change,
         )
         confidence = _confidence(level / BRAKING_MPS2)
-        found.append(_event("braking", material, span, confidence, text))
+        found.append(_event("braking", inputs, span, confidence, text))
     return found
 
 
-def turns(material: Material) -> list[Event]:
+def turns(inputs: EventInputs) -> list[Event]:
     """Return where a recording turns with 0.15 g or more sideways."""
-    left, yaw = _below(material.level[:, 1]), _below(material.level[:, 2])
+    left, yaw = _below(inputs.level[:, 1]), _below(inputs.level[:, 2])
     found = []
     for side in (1.0, -1.0):
         for span in _spans(side * left, TURN_MPS2):
@@ -70,7 +70,7 @@ def turns(material: Material) -> list[Event]:
                 length_s=length_s,
             )
             confidence = _confidence(level / TURN_MPS2)
-            found.append(_event("turn", material, span, confidence, text))
+            found.append(_event("turn", inputs, span, confidence, text))
     return sorted(found, key=lambda one: one.start_s)
 
 
@@ -82,9 +82,9 @@ def _travels(change_mps: float, yaw_radps: float, length_s: float) -> bool:
 
 
 def _event(
-    kind: str, material: Material, span: slice, confidence: float, text: Message
+    kind: str, inputs: EventInputs, span: slice, confidence: float, text: Message
 ) -> Event:
-    start_s, end_s = material.grid_s[[span.start, span.stop - 1]].tolist()
+    start_s, end_s = inputs.grid_s[[span.start, span.stop - 1]].tolist()
     effect = over("gain", (start_s, end_s), FADE_S, gain=EMPHASIS)
     return Event(kind, start_s, end_s, confidence, text, effect)
 

@@ -18,8 +18,8 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.rendering.event import (
     GRID_HZ,
     Event,
+    EventInputs,
     Flags,
-    Material,
     effect_on,
 )
 from hapticplayer.rendering.low_sound import LOW_HZ, LowSound
@@ -81,20 +81,20 @@ class Shock(NamedTuple):
     is_landing: bool
 
 
-def impacts(material: Material) -> list[Event]:
+def impacts(inputs: EventInputs) -> list[Event]:
     """Return the impacts of a recording."""
-    return [_event(shock) for shock in find_shocks(material)]
+    return [_event(shock) for shock in find_shocks(inputs)]
 
 
-def find_shocks(material: Material) -> list[Shock]:
+def find_shocks(inputs: EventInputs) -> list[Shock]:
     """Return the impacts of a recording, by their start."""
-    size = shock_size(material.acceleration_mps2)
-    heard = _heard(material.sound, material.grid_s)
+    size = shock_size(inputs.acceleration_mps2)
+    heard = _heard(inputs.sound, inputs.grid_s)
     needed = np.where(heard, STANDS_OUT_IF_HEARD, STANDS_OUT)
-    is_shock = (size > LEAST_MPS2) & ~_is_released(material.upward_mps2)
+    is_shock = (size > LEAST_MPS2) & ~_is_released(inputs.upward_mps2)
     fast = np.where(is_shock, size / background(size) / needed, 0.0)
-    share = np.maximum(fast, landings(material.upward_mps2))
-    time_s = material.grid_s
+    share = np.maximum(fast, landings(inputs.upward_mps2))
+    time_s = inputs.grid_s
     return [
         Shock(
             float(time_s[span.start]),

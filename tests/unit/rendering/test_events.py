@@ -11,7 +11,7 @@ from hapticplayer.model import quaternions as quat
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering.effects import Effect, EffectList, parsed, written
 from hapticplayer.rendering.effects.values import MAX_EFFECT_S
-from hapticplayer.rendering.event import Material, over
+from hapticplayer.rendering.event import EventInputs, over
 from hapticplayer.rendering.events import DETECTORS, find_events
 from hapticplayer.rendering.low_sound import LowSound, low_sound
 from hapticplayer.rendering.shocks import find_shocks
@@ -100,7 +100,7 @@ def test_a_landing_is_told_from_a_blow(rng):
     in_air = level(10.0, 10.4, -9.5, 0.08) + level(10.48, 10.68, 18.6, 0.08)
     for moved, expected in ((in_air, True), (blow(8.0, 60.0), False)):
         (shock,) = find_shocks(
-            Material(motion_of(along(2, ground + moved)), None, None)
+            EventInputs(motion_of(along(2, ground + moved)), None, None)
         )
         assert shock.is_landing is expected
 
