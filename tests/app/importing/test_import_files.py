@@ -1,0 +1,137 @@
+"""The page that recognises the files of an import, asks, and offers an estimate."""
+
+import numpy as np
+import pytest
+
+from app.experimenter import import_suggestion, import_wizard
+from app.experimenter.import_wizard import FILES, MOUNTING, REPORT
+from hapticplayer.capture.vision import estimate
+from hapticplayer.sequence import open_sequence
+from tests.unit.capture.vision.made_up import stepping, steps, suggested, turning
+
+
+def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_path):
+    folder, made = ride
+    imu = made.imu
+    g = np.column_stack(
+        [imu.time_s, imu.specific_force_mps2 / 9.80665, imu.angular_rate_radps]
+    )
+    log = tmp_path / "other logger.csv"
+    np.savetxt(log, g, delimiter=";", header="t;a;b;c;d;e;f", fmt="%.6f")
+    wizard.take([folder / "ride.mp4", log])
+    question = wizard.files.question
+    wait_for(question.isVisible)
+    assert not wizard.next.isEnabled()
+    question.other.setText("columns=rubbish")
+    question.take.click()
+    wait_for(lambda: not wizard.jobs.is_busy and question.isVisible())
+    question.other.setText(
+        "columns=time,ax,ay,az,gx,gy,gz accel-unit=g rate-unit=rad/s"
+    )
+    question.take.click()
+    wait_for(lambda: "units" in question.text.text())
+    radio = next(b for b in question.answers.buttons() if b.text() == "time-unit=s")
+    radio.click()
+    assert question.other.text() == "time-unit=s"
+    question.take.click()
+    wait_for(wizard.next.isEnabled)
+    assert "in g" in wizard.files.notes.text()
+    assert wizard.files.keep.isVisible()
+
+
+def test_a_log_in_two_files_is_read_as_one(wizard, ride, wait_for, tmp_path):
+    folder, made = ride
+    imu = made.imu
+    logs = [tmp_path / "acc.csv", tmp_path / "gyr.csv"]
+    for log, values in zip(
+        logs, (imu.specific_force_mps2, imu.angular_rate_radps), strict=True
+    ):
+        np.savetxt(
+            log, np.column_stack([imu.time_s, values]), fmt="%.6f", delimiter=","
+        )
+    wizard.take([folder / "ride.mp4", *logs])
+    question = wizard.files.question
+    wait_for(question.isVisible)
+    assert "2 tables" in question.text.text()
+    words = "columns=time,ax,ay,az/time,gx,gy,gz time-unit=s accel-unit=m/s2"
+    question.other.setText(f"{words} rate-unit=rad/s")
+    question.take.click()
+    wait_for(wizard.next.isEnabled)
+    assert "200 Hz" in wizard.files.facts.text()
+    assert wizard.files.chosen() == (folder / "ride.mp4", tuple(logs))
+
+
+def test_problems_are_told_on_the_page(wizard, ride, wait_for, tmp_path):
+    wizard.take([ride[0] / "ride.mp4"])  # a clip without motion
+    wait_for(wizard.files.suggestion.isVisible)
+    assert "no motion" in wizard.files.suggestion.reason.text()
+    assert not wizard.next.isEnabled()
+    wizard.take([ride[0] / "ride.mp4", ride[0] / "gopro.mp4"])
+    assert "two videos" in wizard.files.problem.text()
+    wizard.files.log.setText(str(tmp_path / "missing.csv"))
+    wizard.files.log.editingFinished.emit()
+    wait_for(lambda: "missing.csv" in wizard.files.problem.text())
+
+
+@pytest.fixture
+def plain(ride, tmp_path):
+    """A video that has neither telemetry nor a log."""
+    path = tmp_path / "plain.mp4"
+    path.write_bytes((ride[0] / "ride.mp4").read_bytes())
+    return path
+
+
+def test_a_plain_video_gets_an_estimate_if_a_person_wants_it(
+    wizard, ride, plain, wait_for, monkeypatch
+):
+    def here(work, *arguments, progress, **options):
+        return work(*arguments, progress=progress, **options)
+
+    def seen(_clip, *, gain, progress):
+        progress(0.5, "following")
+        return suggested(steps(turn_radps=turning, sinking=stepping), gain=gain)
+
+    monkeypatch.setattr(import_wizard, "in_child", here)
+    monkeypatch.setattr(estimate, "suggest_motion", seen)
+    box = wizard.files.suggestion
+    wizard.take([plain])
+    wait_for(box.isVisible)
+    assert "plain.mp4: holds no motion telemetry" in box.reason.text()
+    assert "Nothing measures this motion" in box.expect.text()
+    assert not wizard.files.problem.isVisible()
+    assert not wizard.next.isEnabled()
+
+    box.choice.click()
+    wizard.next.click()
+    assert wizard.stack.currentIndex() == MOUNTING
+    assert not wizard.mounting.mounting.isVisible()
+    assert not wizard.mounting.triad.isVisible()
+    assert not wizard.mounting.rendering.lever_arm.isVisible()
+    wizard.back.click()
+    assert wizard.stack.currentIndex() == FILES
+    wizard.next.click()
+    wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    assert "estimated" in open_sequence(wizard.made).tracks
+    assert "estimated from the picture, nothing measured it" in (
+        wizard.report.toPlainText()
+    )
+
+    wizard.another.click()
+    wizard.take([ride[0] / "ride.mp4", ride[0] / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    assert not box.isVisible()
+    wizard.next.click()
+    wizard.next.click()
+    assert wizard.mounting.mounting.isVisible()
+
+
+def test_without_opencv_the_estimate_cannot_be_chosen(
+    wizard, plain, wait_for, monkeypatch
+):
+    monkeypatch.setattr(import_suggestion, "is_available", lambda: False)
+    wizard.take([plain])
+    wait_for(wizard.files.suggestion.isVisible)
+    assert not wizard.files.suggestion.choice.isEnabled()
+    assert "hapticplayer[vision]" in wizard.files.suggestion.missing.text()
+    assert wizard.files.suggestion.missing.isVisible()

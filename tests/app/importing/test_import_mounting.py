@@ -1,0 +1,42 @@
+"""The page that says how the sensor was mounted, and how it is rendered."""
+
+from app.experimenter.import_mounting import Triad
+from hapticplayer.capture.si_csv import write_imu_csv
+
+
+def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
+    wizard, ride, wait_for, tmp_path
+):
+    from hapticplayer.capture.mounting import mounted
+
+    folder, made = ride
+    # the actor's right, front and up in the recorder's axes, and back again
+    log = tmp_path / "upside-down.csv"
+    write_imu_csv(log, mounted(made.imu, "-x,y,-z"))
+    wizard.take([folder / "ride.mp4", log])
+    wait_for(wizard.next.isEnabled)
+    assert "-z pointed up" in wizard.files.facts.text()
+    page = wizard.mounting
+    assert page.axes == "-x,y,-z"
+    assert "Consistent" in page.gravity.text()
+    page.mounting.setCurrentIndex(0)
+    assert "another side" in page.gravity.text()
+    assert page.triad.axes == "x,y,z"
+
+
+def test_the_chosen_rendering_is_explained_and_taken(wizard):
+    fields = wizard.mounting.rendering
+    assert fields.chosen().preset == "balanced"
+    assert not fields.chosen().fits_gain
+    balanced = fields.preset_text.text()
+    fields.preset.setCurrentIndex(fields.preset.findText("Equal"))
+    assert "every participant" in fields.preset_text.text() != balanced
+    assert fields.chosen().preset == "equal"
+
+
+def test_the_triad_says_its_axes(application, qtbot):
+    triad = Triad()
+    qtbot.addWidget(triad)
+    triad.show_axes("y,-x,z", (0.0, 0.0, 1.0))
+    assert triad.accessibleName() == "Right is y, front is -x, up is z"
+    assert not triad.grab().toImage().isNull()

@@ -1,0 +1,192 @@
+"""The page that shows clip and log on one time line: seen, heard, dragged, taken."""
+
+import dataclasses
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, Qt
+
+from app.experimenter.import_wizard import REPORT, SYNC
+from app.experimenter.sync_strip import (
+    OF_CLIP,
+    OF_LOG,
+    Lane,
+    SyncStrip,
+    columns,
+    tick_step_s,
+)
+from hapticplayer.capture.sync.result import PictureEvidence, Synchronisation
+from hapticplayer.model import ClockMap
+from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.recognising import recognise
+from hapticplayer.sequence.synchronizing import stored_skews
+from tests.app.importing.conftest import SECONDS
+
+
+def test_doubt_cannot_be_passed_without_a_look(wizard, ride, wait_for):
+    folder, _ = ride
+    wizard.take([folder / "ride.mp4", folder / "other.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    assert "are uncertain" in wizard.sync.verdict.text()
+    assert not wizard.next.isEnabled()
+    wizard.sync.offset.setValue(wizard.sync.offset.value() + 0.5)
+    assert not wizard.next.isEnabled()  # set manually is no look either
+    wizard.sync.looked.setChecked(True)
+    assert wizard.next.isEnabled()
+    wizard.next.click()
+    wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    described = open_sequence(wizard.made).description
+    assert described["provenance"]["synchronisation"]["method"] == "offset"
+    assert "doubtful" in wizard.report.toPlainText()
+
+
+def test_keys_move_the_log_and_the_cursor(wizard, qtbot, ride, wait_for):
+    folder, _ = ride
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    page = wizard.sync
+    first_s, cursor_s = page.offset.value(), page.strip.cursor_s
+    qtbot.keyClick(page.strip, Qt.Key.Key_Right)
+    qtbot.keyClick(page.strip, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert page.offset.value() == pytest.approx(first_s - 0.009, abs=1e-6)
+    assert "set manually" in page.verdict.text()
+    qtbot.keyClick(page.strip, Qt.Key.Key_Period)
+    assert page.strip.cursor_s == pytest.approx(cursor_s + 1 / 30)
+    wait_for(lambda: (page.frame.shown_s or 0.0) > cursor_s)
+
+
+def test_the_pats_are_heard_left_and_ticked_right(wizard, ride, wait_for, monkeypatch):
+    folder, made = ride
+    played = []
+
+    def play(data, samplerate):
+        assert samplerate == 48_000
+        played.append(data)
+
+    output = SimpleNamespace(play=play, stop=lambda: played.append(None))
+    monkeypatch.setitem(sys.modules, "sounddevice", output)
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    wizard.sync.hear.click()
+    wait_for(lambda: bool(played))
+    begin_s = wizard.sync.strip.view_s[0]
+    left, right = (played[0][:, k] for k in (0, 1))
+    for at_s in made.pats_s[:3]:
+        at = round((at_s - begin_s) * 48_000)
+        near = slice(at - 1500, at + 1500)
+        assert np.abs(left[near]).max() > 0.2
+        ticked = np.flatnonzero(np.abs(right[near]) > 0.1)
+        assert abs(ticked[0] - 1500) / 48_000 < 0.02  # of the peak, not of its onset
+    wizard.reject()
+    assert played[-1] is None
+
+
+def test_a_skew_moves_the_offset_and_is_kept_for_its_camera(
+    wizard, ride, wait_for, tmp_path, monkeypatch
+):
+    folder, _ = ride
+    monkeypatch.setattr(
+        "hapticplayer.sequence.recognising.camera_of", lambda _path: "Cam 5"
+    )
+    found = recognise(folder / "ride.mp4", folder / "log.csv")
+    wizard.on_found(found)
+    wizard.go_to(SYNC)
+    page = wizard.sync
+    before_s = page.offset.value()
+    page.skew.setValue(40)
+    assert page.offset.value() == pytest.approx(before_s - 0.04, abs=1e-6)
+    assert "Tap marks found" in page.verdict.text()  # the pats are as certain as before
+    assert page.choice().sound_late_s == pytest.approx(0.04)
+    page.keep_skew.setChecked(True)
+    page.keep()
+    assert stored_skews() == {"Cam 5": 0.04}
+
+
+def test_dragging_moves_the_log_by_what_the_pointer_moves(application, qtbot):
+    strip = SyncStrip()
+    qtbot.addWidget(strip)
+    strip.resize(1000, 200)
+    times = np.arange(0.0, 10.0, 0.001)
+    lanes = [
+        Lane("sound", (times, times), OF_CLIP),
+        Lane("log", (times, times), OF_LOG),
+    ]
+    strip.show_lanes(lanes, (1.0, 1.5, 2.0), ClockMap(0.25))
+    assert strip.view_s == pytest.approx((0.0, 9.999))
+    moved, pointed = [], []
+    strip.shifted.connect(moved.append)
+    strip.pointed.connect(pointed.append)
+    _move(strip, 200, Qt.MouseButton.NoButton)
+    assert pointed[-1] == pytest.approx(200 * 9.999 / 1000)
+    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=QPointF(500, 150).toPoint())
+    _move(strip, 530, Qt.MouseButton.LeftButton)
+    assert moved[-1] == pytest.approx(0.25 + 30 * 9.999 / 1000, abs=0.001)
+    strip.show_close_up()
+    assert strip.view_s == pytest.approx((0.6, 2.6))
+
+
+def test_frames_and_gyro_are_lanes_of_their_own(wizard, ride):
+    found = recognise(ride[0] / "ride.mp4", ride[0] / "log.csv")
+    times = np.arange(0.0, SECONDS, 1 / 30)
+    turns = np.exp(-0.5 * ((times - 12.0) / 0.5) ** 2)
+    seen = PictureEvidence(10.0, 0.94, 3.0, 0.9, 0.001, 0.01, 0.002)
+    sync = Synchronisation(
+        ClockMap(4.0, 1.00008, confidence=0.97),
+        "pictures",
+        offset_sigma_s=0.0034,
+        pictures=seen,
+    )
+    wizard.on_found(
+        dataclasses.replace(
+            found, found=sync, turned=(times, turns), gyro=(times - 4.0, turns)
+        )
+    )
+    page = wizard.sync
+    names = page.strip.accessibleDescription()
+    assert names == "sound, acceleration, rotation in the frames, gyro"
+    text = page.verdict.text()
+    assert ("\u00b13.4 ms" in text, "94 %" in text, "0.97" in text) == (True,) * 3
+    assert page.looked.isHidden()
+    begin_s, end_s = page.strip.view_s
+    assert 0.5 * (begin_s + end_s) == pytest.approx(12.0, abs=0.1)
+    assert page.strip.cursor_s == pytest.approx(12.0, abs=0.1)
+    assert page.choice().clock_map.rate == 1.00008
+
+
+def _move(strip, x: float, held: Qt.MouseButton) -> None:
+    from PySide6.QtCore import QEvent
+    from PySide6.QtGui import QMouseEvent
+
+    at = QPointF(x, 150)
+    event = QMouseEvent(
+        QEvent.Type.MouseMove,
+        at,
+        at,
+        Qt.MouseButton.NoButton,
+        held,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    strip.mouseMoveEvent(event)
+
+
+def test_no_peak_is_lost_when_many_samples_share_a_column():
+    times = np.arange(100_000) / 1000.0
+    values = np.zeros(100_000)
+    values[54_321] = 7.0
+    x, y = columns((times, values), (0.0, 100.0), 500)
+    assert len(x) <= 501
+    assert y.max() == 7.0
+    assert x[y.argmax()] == np.floor(54.321 / 100 * 500)
+
+
+@pytest.mark.parametrize(
+    ("least", "step"), [(0.3, 0.5), (1.0, 1.0), (1.2, 2.0), (7, 10)]
+)
+def test_ticks_are_round_numbers(least, step):
+    assert tick_step_s(least) == pytest.approx(step)
