@@ -6636,10 +6636,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Effekte</translation>
     </message>
     <message>
-        <source>effects: must be a list</source>
-        <translation>effects: muss eine Liste sein</translation>
-    </message>
-    <message>
         <source>end_s: {end_s:g} s must come after start_s ({start_s:g} s), by {most_s:g} s at most</source>
         <translation>end_s: {end_s:g} s muss nach start_s ({start_s:g} s) liegen, höchstens {most_s:g} s danach</translation>
     </message>
@@ -6992,20 +6988,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bewegung ohne Schwerkraft</translation>
     </message>
     <message>
-        <source>must be an object</source>
-        <translation>muss ein Objekt sein</translation>
-    </message>
-    <message>
         <source>must be at least {limit}</source>
         <translation>muss mindestens {limit} sein</translation>
     </message>
     <message>
         <source>must be at most {limit}</source>
         <translation>darf höchstens {limit} sein</translation>
-    </message>
-    <message>
-        <source>must be {count} numbers</source>
-        <translation>muss aus {count} Zahlen bestehen</translation>
     </message>
     <message>
         <source>must be {wanted}</source>
@@ -7426,10 +7414,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>take another sequence, or add &apos;estimated&apos; to feedbacks</source>
         <translation>nehmen Sie eine andere Sequenz, oder fügen Sie &apos;estimated&apos; zu feedbacks hinzu</translation>
-    </message>
-    <message>
-        <source>target: must be one of {known}</source>
-        <translation>target: muss eines von {known} sein</translation>
     </message>
     <message>
         <source>telemetry is nested deeper than {levels} levels, so it is damaged</source>
@@ -9106,18 +9090,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
         <translation>{name} muss streng steigen, aber in Zeile {row} stehen {time_s:.6f} s nach {last_s:.6f} s</translation>
-    </message>
-    <message>
-        <source>{name}: is missing</source>
-        <translation>{name}: fehlt</translation>
-    </message>
-    <message>
-        <source>{name}: must be {wanted}</source>
-        <translation>{name}: muss {wanted} sein</translation>
-    </message>
-    <message>
-        <source>{name}: unknown field</source>
-        <translation>{name}: unbekanntes Feld</translation>
     </message>
     <message>
         <source>{name}: {kind} has no such parameter; it has {known}</source>

@@ -6636,10 +6636,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>effets</translation>
     </message>
     <message>
-        <source>effects: must be a list</source>
-        <translation>effects: doit être une liste</translation>
-    </message>
-    <message>
         <source>end_s: {end_s:g} s must come after start_s ({start_s:g} s), by {most_s:g} s at most</source>
         <translation>end_s: {end_s:g} s doit suivre start_s ({start_s:g} s), de {most_s:g} s au plus</translation>
     </message>
@@ -6992,20 +6988,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mouvement sans gravité</translation>
     </message>
     <message>
-        <source>must be an object</source>
-        <translation>doit être un objet</translation>
-    </message>
-    <message>
         <source>must be at least {limit}</source>
         <translation>doit être au moins {limit}</translation>
     </message>
     <message>
         <source>must be at most {limit}</source>
         <translation>doit être au plus {limit}</translation>
-    </message>
-    <message>
-        <source>must be {count} numbers</source>
-        <translation>doit être {count} nombres</translation>
     </message>
     <message>
         <source>must be {wanted}</source>
@@ -7426,10 +7414,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>take another sequence, or add &apos;estimated&apos; to feedbacks</source>
         <translation>prenez une autre séquence, ou ajoutez &apos;estimated&apos; à feedbacks</translation>
-    </message>
-    <message>
-        <source>target: must be one of {known}</source>
-        <translation>target: doit être l’un de {known}</translation>
     </message>
     <message>
         <source>telemetry is nested deeper than {levels} levels, so it is damaged</source>
@@ -9106,18 +9090,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
         <translation>{name} doit croître strictement, mais la ligne {row} a {time_s:.6f} s après {last_s:.6f} s</translation>
-    </message>
-    <message>
-        <source>{name}: is missing</source>
-        <translation>{name}: manque</translation>
-    </message>
-    <message>
-        <source>{name}: must be {wanted}</source>
-        <translation>{name}: doit être {wanted}</translation>
-    </message>
-    <message>
-        <source>{name}: unknown field</source>
-        <translation>{name}: champ inconnu</translation>
     </message>
     <message>
         <source>{name}: {kind} has no such parameter; it has {known}</source>

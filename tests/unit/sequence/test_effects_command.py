@@ -89,7 +89,7 @@ def test_render_takes_a_list_from_a_file(folder, tmp_path, capsys):
     mine.write_text(json.dumps(content))
     words[3] = str(tmp_path / "third")
     assert cli.main(words) == 1
-    assert "effects[0]: end_s: must be a number" in capsys.readouterr().err
+    assert "effects[0].end_s: must be a number" in capsys.readouterr().err
 
 
 def test_a_list_that_was_changed_by_hand_is_noticed(folder):
