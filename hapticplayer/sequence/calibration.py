@@ -2,7 +2,9 @@
 
 import dataclasses
 from pathlib import Path
-from typing import Any
+from typing import Annotated
+
+from msgspec import Meta, Struct, structs
 
 from hapticplayer.capture.mounting import axes_matrix
 from hapticplayer.errors import InputError, Message
@@ -12,26 +14,35 @@ from hapticplayer.model.calibration import (
     UNKNOWN_SCALE_SIGMA,
     SensorCalibration,
 )
-from hapticplayer.model.ranges import Range
 from hapticplayer.outputs import FILE, IsOurs, refuse_existing
 from hapticplayer.sequence import files
+from hapticplayer.structures import convert
 from hapticplayer.untrusted import parse_json, read_regular
 
 SCHEMA, VERSION = "hapticplayer.calibration", 1
 MAX_BYTES = 1 << 16
-MAX_TEXT = 300
 _LEAST_SIGMA = 1e-9
-_RANGES = {
-    "gyro_bias_radps": Range(-1.0, 1.0, "rad/s"),
-    "gyro_bias_sigma_radps": Range(_LEAST_SIGMA, UNKNOWN_BIAS_SIGMA_RADPS, "rad/s"),
-    "accelerometer_bias_mps2": Range(-5.0, 5.0, "m/s^2"),
-    "accelerometer_bias_sigma_mps2": Range(
-        _LEAST_SIGMA, UNKNOWN_BIAS_SIGMA_MPS2, "m/s^2"
-    ),
-    "accelerometer_scale": Range(0.5, 2.0),
-    "accelerometer_scale_sigma": Range(_LEAST_SIGMA, UNKNOWN_SCALE_SIGMA),
-}
 _REMEDY = Message("write one with `hapticplayer process LOG --save-calibration FILE`")
+
+_Text = Annotated[str, Meta(max_length=300)]
+_Radps = Annotated[float, Meta(ge=-1.0, le=1.0)]
+_RadpsSigma = Annotated[float, Meta(ge=_LEAST_SIGMA, le=UNKNOWN_BIAS_SIGMA_RADPS)]
+_Mps2 = Annotated[float, Meta(ge=-5.0, le=5.0)]
+_Mps2Sigma = Annotated[float, Meta(ge=_LEAST_SIGMA, le=UNKNOWN_BIAS_SIGMA_MPS2)]
+
+
+class _Document(Struct):
+    sensor: _Text
+    source: _Text
+    created_utc: _Text
+    gyro_bias_radps: tuple[_Radps, _Radps, _Radps]
+    gyro_bias_sigma_radps: tuple[_RadpsSigma, _RadpsSigma, _RadpsSigma]
+    accelerometer_bias_mps2: tuple[_Mps2, _Mps2, _Mps2]
+    accelerometer_bias_sigma_mps2: tuple[_Mps2Sigma, _Mps2Sigma, _Mps2Sigma]
+    accelerometer_scale: Annotated[float, Meta(ge=0.5, le=2.0)]
+    accelerometer_scale_sigma: Annotated[
+        float, Meta(ge=_LEAST_SIGMA, le=UNKNOWN_SCALE_SIGMA)
+    ]
 
 
 @dataclasses.dataclass(frozen=True, slots=True)
@@ -139,52 +150,9 @@ def read_calibration(path: Path) -> StoredCalibration:
             version=content.get("version"),
             known=VERSION,
         )
-    values: dict[str, Any] = {}
-    for name, within in _RANGES.items():
-        count = 1 if name.startswith("accelerometer_scale") else 3
-        values[name] = _numbers(content.get(name), count, within, name, path)
-    texts = [
-        _text(content.get(name), name, path)
-        for name in ("sensor", "source", "created_utc")
-    ]
-    return StoredCalibration(SensorCalibration(**values), *texts)
-
-
-def _numbers(held: object, count: int, within: Range, name: str, path: Path) -> Any:
-    given = held if isinstance(held, list) and count > 1 else [held]
-    if len(given) == count and all(_is_number(value, within) for value in given):
-        numbers = tuple(map(float, given))
-        return numbers if count > 1 else numbers[0]
-    one = Message("{name} must be a number between {least:g} and {largest:g}{unit}")
-    three = Message(
-        "{name} must be three numbers between {least:g} and {largest:g}{unit}"
-    )
-    raise InputError(
-        (three if count > 1 else one).template,
-        where=str(path),
-        remedy=_REMEDY,
-        name=name,
-        least=within.least,
-        largest=within.largest,
-        unit=f" {within.unit}" if within.unit else "",
-    )
-
-
-def _is_number(value: object, within: Range) -> bool:
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return is_number and within.least <= value <= within.largest  # type: ignore[operator]
-
-
-def _text(held: object, name: str, path: Path) -> str:
-    if not isinstance(held, str) or len(held) > MAX_TEXT:
-        raise InputError(
-            "{name} must be a text of at most {most} characters",
-            where=str(path),
-            remedy=_REMEDY,
-            name=name,
-            most=MAX_TEXT,
-        )
-    return held
+    held = structs.asdict(convert(content, _Document, str(path), InputError, _REMEDY))
+    texts = {name: held.pop(name) for name in ("sensor", "source", "created_utc")}
+    return StoredCalibration(SensorCalibration(**held), **texts)
 
 
 def _is_calibration(head: bytes) -> bool:

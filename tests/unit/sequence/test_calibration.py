@@ -50,16 +50,20 @@ def test_only_a_calibration_is_overwritten(kept, tmp_path):
     [
         ("schema", "hapticplayer.sequence", "is not a calibration of a sensor"),
         ("version", 2, "is of version 2 of the format"),
-        ("gyro_bias_radps", [0.0, 0.0], "must be three numbers between -1 and 1 rad/s"),
-        ("gyro_bias_radps", [0.0, True, 0.0], "must be three numbers"),
-        ("gyro_bias_radps", [0.0, "0", 0.0], "must be three numbers"),
-        ("gyro_bias_radps", [0.0, 1e300, 0.0], "must be three numbers"),
-        ("gyro_bias_sigma_radps", [0.1, 0.0, 0.1], "must be three numbers"),
-        ("accelerometer_bias_mps2", {}, "must be three numbers"),
-        ("accelerometer_scale", [1.0], "must be a number between 0.5 and 2"),
+        ("gyro_bias_radps", [0.0, 0.0], "gyro_bias_radps: must have 3 entries"),
+        (
+            "gyro_bias_radps",
+            [0.0, True, 0.0],
+            r"gyro_bias_radps\[1\]: must be a number",
+        ),
+        ("gyro_bias_radps", [0.0, "0", 0.0], "must be a number, not a text"),
+        ("gyro_bias_radps", [0.0, 1e300, 0.0], "must be at most 1"),
+        ("gyro_bias_sigma_radps", [0.1, 0.0, 0.1], "must be at least 1e-09"),
+        ("accelerometer_bias_mps2", {}, "must be a list"),
+        ("accelerometer_scale", [1.0], "must be a number, not a list"),
         ("accelerometer_scale_sigma", None, "must be a number"),
         ("sensor", 7, "must be a text"),
-        ("source", "x" * 301, "at most 300 characters"),
+        ("source", "x" * 301, "source: must have at most 300 characters"),
     ],
 )
 def test_anything_else_is_refused_with_a_sentence(kept, name, value, says):
