@@ -2,11 +2,14 @@
 
 import json
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
+
+from msgspec import Meta, Struct
 
 from hapticplayer import __version__
 from hapticplayer.errors import Message, NetworkError
 from hapticplayer.haptics.arriving import PACKET_SAMPLES, RATE_HZ
+from hapticplayer.structures import convert
 from hapticplayer.untrusted import (
     MAX_STREAM_S,
     MAX_STREAM_TRACKS,
@@ -16,8 +19,28 @@ from hapticplayer.untrusted import (
 
 SCHEMA, VERSION = "hapticplayer.stream", 1
 MANIFEST = "manifest.json"
-_MAX_TEXT = 200
 _UPDATE = Message("update hapticplayer here and where the clip is served")
+
+_Text = Annotated[str, Meta(min_length=1, max_length=200)]
+
+
+class _Clip(Struct):
+    name: _Text
+    size_bytes: Annotated[int, Meta(ge=1, le=1 << 62)]
+
+
+class _Force(Struct):
+    rate_hz: Annotated[int, Meta(ge=int(RATE_HZ), le=int(RATE_HZ))]
+    samples_per_packet: Annotated[int, Meta(ge=PACKET_SAMPLES, le=PACKET_SAMPLES)]
+    samples: Annotated[int, Meta(ge=1, le=int(MAX_STREAM_S * RATE_HZ))]
+    tracks: Annotated[list[_Text], Meta(min_length=1, max_length=MAX_STREAM_TRACKS)]
+    feedback: _Text
+
+
+class _Document(Struct):
+    title: _Text
+    clip: _Clip
+    force: _Force
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,66 +89,28 @@ def read_manifest(content: bytes, where: str) -> Manifest:
         NetworkError: when it is not one that this program can play.
     """
     value = parse_json(content, where, NetworkError, _UPDATE)
-    try:
-        _check_version(value, where)
-        clip, force = value["clip"], value["force"]
-        tracks = force["tracks"]
-        made = Manifest(
-            _text(value["title"]),
-            _text(clip["name"]).replace("/", "?"),
-            _count(clip["size_bytes"], 1 << 62),
-            _count(force["samples"], int(MAX_STREAM_S * RATE_HZ)),
-            tuple(_text(name) for name in _listed(tracks)),
-            _one_of(tracks, force["feedback"]),
-        )
-    except (KeyError, TypeError, ValueError, AttributeError) as problem:
-        raise NetworkError(
-            "an entry is missing or of the wrong kind ({reason})",
-            where=where,
-            remedy=_UPDATE,
-            reason=without_controls(str(problem)[:_MAX_TEXT]),
-        ) from problem
-    return made
-
-
-def _check_version(value: Any, where: str) -> None:
-    force = value["force"]
-    found = [
-        value["schema"],
-        value["version"],
-        force["rate_hz"],
-        force["samples_per_packet"],
-    ]
-    if found != [SCHEMA, VERSION, RATE_HZ, PACKET_SAMPLES]:
+    found = value if isinstance(value, dict) else {}
+    if (found.get("schema"), found.get("version")) != (SCHEMA, VERSION):
         raise NetworkError(
             "is a stream of another version ({found})",
             where=where,
             remedy=_UPDATE,
-            found=without_controls(str(found[1])[:40]),
+            found=without_controls(str(found.get("version"))[:40]),
         )
-
-
-def _listed(value: Any) -> list[Any]:
-    if not isinstance(value, list) or not 1 <= len(value) <= MAX_STREAM_TRACKS:
-        raise ValueError("tracks")
-    if len(set(value)) < len(value):
-        raise ValueError("tracks")
-    return value
-
-
-def _one_of(tracks: list[Any], value: Any) -> str:
-    if value not in tracks:
-        raise ValueError("feedback")
-    return _text(value)
-
-
-def _text(value: Any) -> str:
-    if not isinstance(value, str) or not 1 <= len(value) <= _MAX_TEXT:
-        raise ValueError("text")
-    return without_controls(value)
-
-
-def _count(value: Any, most: int) -> int:
-    if not isinstance(value, int) or isinstance(value, bool) or not 1 <= value <= most:
-        raise ValueError("number")
-    return value
+    given = convert(value, _Document, where, NetworkError, _UPDATE)
+    tracks = tuple(map(without_controls, given.force.tracks))
+    feedback = without_controls(given.force.feedback)
+    if len(set(tracks)) < len(tracks) or feedback not in tracks:
+        raise NetworkError(
+            "must have different tracks, among them the feedback",
+            where=f"{where}, force",
+            remedy=_UPDATE,
+        )
+    return Manifest(
+        without_controls(given.title),
+        without_controls(given.clip.name).replace("/", "?"),
+        given.clip.size_bytes,
+        given.force.samples,
+        tracks,
+        feedback,
+    )

@@ -7016,6 +7016,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>darf höchstens {limit} Einträge haben</translation>
     </message>
     <message>
+        <source>must have different tracks, among them the feedback</source>
+        <translation>muss verschiedene Spuren haben, darunter die des Feedbacks</translation>
+    </message>
+    <message>
         <source>must have {limit} entries</source>
         <translation>muss {limit} Einträge haben</translation>
     </message>
@@ -9048,16 +9052,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} muss eine Zahl sein</translation>
     </message>
     <message>
-        <source>{name} must be a number between {least:g} and {largest:g}{unit}</source>
-        <translation>{name} muss eine Zahl zwischen {least:g} und {largest:g}{unit} sein</translation>
-    </message>
-    <message>
         <source>{name} must be a positive number, got {value}</source>
         <translation>{name} muss eine positive Zahl sein, war aber {value}</translation>
-    </message>
-    <message>
-        <source>{name} must be a text of at most {most} characters</source>
-        <translation>{name} muss ein Text von höchstens {most} Zeichen sein</translation>
     </message>
     <message>
         <source>{name} must be a text, not {value}</source>
@@ -9082,10 +9078,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} must be positive and finite, got {value}</source>
         <translation>{name} muss positiv und endlich sein, ist {value}</translation>
-    </message>
-    <message>
-        <source>{name} must be three numbers between {least:g} and {largest:g}{unit}</source>
-        <translation>{name} muss drei Zahlen zwischen {least:g} und {largest:g}{unit} enthalten</translation>
     </message>
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>

@@ -7016,6 +7016,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>doit avoir au plus {limit} entrées</translation>
     </message>
     <message>
+        <source>must have different tracks, among them the feedback</source>
+        <translation>doit avoir des pistes différentes, dont celle du retour</translation>
+    </message>
+    <message>
         <source>must have {limit} entries</source>
         <translation>doit avoir {limit} entrées</translation>
     </message>
@@ -9048,16 +9052,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name} doit être un nombre</translation>
     </message>
     <message>
-        <source>{name} must be a number between {least:g} and {largest:g}{unit}</source>
-        <translation>{name} doit être un nombre entre {least:g} et {largest:g}{unit}</translation>
-    </message>
-    <message>
         <source>{name} must be a positive number, got {value}</source>
         <translation>{name} doit être un nombre positif, reçu&#xa0;: {value}</translation>
-    </message>
-    <message>
-        <source>{name} must be a text of at most {most} characters</source>
-        <translation>{name} doit être un texte d’au plus {most} caractères</translation>
     </message>
     <message>
         <source>{name} must be a text, not {value}</source>
@@ -9082,10 +9078,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} must be positive and finite, got {value}</source>
         <translation>{name} doit être positif et fini, et vaut {value}</translation>
-    </message>
-    <message>
-        <source>{name} must be three numbers between {least:g} and {largest:g}{unit}</source>
-        <translation>{name} doit contenir trois nombres entre {least:g} et {largest:g}{unit}</translation>
     </message>
     <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
