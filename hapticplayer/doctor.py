@@ -68,7 +68,7 @@ class AptPackage:
 
 
 @dataclasses.dataclass(frozen=True)
-class Check:
+class MachineCheck:
     """What was looked at, what was found, and what would mend it.
 
     Attributes:
@@ -141,7 +141,7 @@ def missing_apt(groups: Collection[str] = RUN_GROUPS) -> list[str]:
     return [package.name for package in missing_packages(groups)]
 
 
-def check() -> list[Check]:
+def check() -> list[MachineCheck]:
     """Look at everything that the program needs or uses, the required things first."""
     return [
         _check_python(),
@@ -155,9 +155,9 @@ def check() -> list[Check]:
     ]
 
 
-def _check_python() -> Check:
+def _check_python() -> MachineCheck:
     oldest = ".".join(map(str, OLDEST_PYTHON))
-    return Check(
+    return MachineCheck(
         "Python",
         sys.version_info >= OLDEST_PYTHON,
         required=True,
@@ -166,12 +166,12 @@ def _check_python() -> Check:
     )
 
 
-def _check_apt() -> list[Check]:
+def _check_apt() -> list[MachineCheck]:
     try:
         packages = read_apt_list()
     except OSError:
         return [
-            Check(
+            MachineCheck(
                 "system packages",
                 ok=True,
                 required=False,
@@ -180,7 +180,7 @@ def _check_apt() -> list[Check]:
             )
         ]
     return [
-        Check(
+        MachineCheck(
             package.name,
             is_there(package.proof),
             package.required,
@@ -192,7 +192,7 @@ def _check_apt() -> list[Check]:
     ]
 
 
-def _check_python_packages() -> Check:
+def _check_python_packages() -> MachineCheck:
     """Metadata and finders only: importing them all would take seconds."""
     import importlib.metadata  # with all of email's: a start must not wait for it
 
@@ -208,7 +208,7 @@ def _check_python_packages() -> Check:
             missing.append(name)
         else:
             found.append(f"{name} {distribution.version}")
-    return Check(
+    return MachineCheck(
         "Python packages",
         not missing,
         required=True,
@@ -243,7 +243,7 @@ def _runtime_directory() -> Path:
     return Path(os.environ.get("XDG_RUNTIME_DIR") or f"/run/user/{os.getuid()}")
 
 
-def _check_display() -> Check:
+def _check_display() -> MachineCheck:
     wayland = os.environ.get("WAYLAND_DISPLAY", "")
     x11 = os.environ.get("DISPLAY", "")
     tried = []
@@ -253,7 +253,7 @@ def _check_display() -> Check:
     if x11:
         tried.append((f"X11 {x11}", x_server_answers(x11)))
     words = [f"{name} {'answers' if ok else 'is silent'}" for name, ok in tried]
-    return Check(
+    return MachineCheck(
         "display",
         any(ok for _, ok in tried),
         required=False,
@@ -262,7 +262,7 @@ def _check_display() -> Check:
     )
 
 
-def _check_sound() -> Check:
+def _check_sound() -> MachineCheck:
     server = os.environ.get("PULSE_SERVER", "")
     if server.startswith(("unix:", "/")):
         path = Path(server.removeprefix("unix:"))
@@ -274,7 +274,7 @@ def _check_sound() -> Check:
     cards = SOUND_CARDS.read_text() if SOUND_CARDS.is_file() else ""
     if re.search(r"^\s*\d+ \[", cards, re.MULTILINE):
         ways.append("there is a sound card")
-    return Check(
+    return MachineCheck(
         "sound",
         bool(ways),
         required=False,
@@ -310,7 +310,7 @@ def _limits() -> str:
     return ", ".join(words)
 
 
-def _check_scheduling() -> Check:
+def _check_scheduling() -> MachineCheck:
     if not hasattr(os, "sched_setscheduler"):
         ok, detail = False, "normal: this system grants nothing else"
     elif may_use_fifo():
@@ -319,7 +319,7 @@ def _check_scheduling() -> Check:
         ok, detail = True, f"slice: short slices, as fifo is not allowed ({_limits()})"
     else:
         ok, detail = False, f"normal: neither fifo nor short slices ({_limits()})"
-    return Check(
+    return MachineCheck(
         "scheduling",
         ok,
         required=False,
@@ -328,14 +328,14 @@ def _check_scheduling() -> Check:
     )
 
 
-def _check_wakefulness() -> Check:
+def _check_wakefulness() -> MachineCheck:
     if not CPU_LATENCY.exists():
         ok, detail = False, "this system takes no request to keep them awake"
     elif os.access(CPU_LATENCY, os.W_OK):
         ok, detail = True, "kept out of deep sleep while a force may be on"
     else:
         ok, detail = False, "may sleep deeply: the loop wakes up some 20 us later"
-    return Check(
+    return MachineCheck(
         "processors",
         ok,
         required=False,
@@ -344,7 +344,7 @@ def _check_wakefulness() -> Check:
     )
 
 
-def _check_falcon() -> Check:
+def _check_falcon() -> MachineCheck:
     ok, detail, remedy = False, "none on USB", "the simulated device stands in"
     for device in USB_DEVICES.glob("*"):
         try:
@@ -360,7 +360,7 @@ def _check_falcon() -> Check:
             ok = os.access(node, os.R_OK | os.W_OK)
             detail = f"{node}" if ok else f"{node}, but this user may not open it"
             remedy = "install the udev rule of packaging/ and plug it in again"
-    return Check("Falcon", ok, required=False, detail=detail, remedy=remedy)
+    return MachineCheck("Falcon", ok, required=False, detail=detail, remedy=remedy)
 
 
 def explain_import_error(error: ImportError | OSError) -> str:
@@ -400,7 +400,7 @@ def _explain_library(soname: str) -> str:
     return f"The system library {soname} is missing, and no package is known for it."
 
 
-def _print_table(checks: list[Check]) -> None:
+def _print_table(checks: list[MachineCheck]) -> None:
     width = max(len(each.name) for each in checks)
     for each in checks:
         mark = "ok" if each.ok else "MISSING" if each.required else "without"

@@ -50,7 +50,7 @@ def _missing_library(soname: str, package: str) -> str:
     return f"The system library {soname} is missing; install it with: {command}"
 
 
-def _by_name(name: str) -> doctor.Check:
+def _by_name(name: str) -> doctor.MachineCheck:
     return next(each for each in doctor.check() if each.name == name)
 
 
