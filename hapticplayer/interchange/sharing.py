@@ -7,7 +7,7 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.interchange import hjif
 from hapticplayer.interchange.force_files import WriteChoices
 from hapticplayer.media.matroska import Attachment
-from hapticplayer.media.remux import Payload
+from hapticplayer.media.remux import VideoDigest
 from hapticplayer.outputs import IsOurs
 from hapticplayer.sequence import files, open_sequence
 from hapticplayer.sequence.pack import pack
@@ -53,7 +53,7 @@ def share(
     with_motion: bool = False,
     is_ours: IsOurs | None = None,
     progress: files.Progress = files.no_progress,
-) -> Payload:
+) -> VideoDigest:
     """Write a sequence as one video file with its force; see `sequence.pack.pack`."""
     progress(0.0, Message("writing {name}", name=NAME))
     return pack(

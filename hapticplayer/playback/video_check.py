@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import Cancelled, InputError, Message
-from hapticplayer.media.remux import Payload, video_payload
+from hapticplayer.media.remux import VideoDigest, video_payload
 from hapticplayer.sequence.files import cache_home, read_json, replace_json
 from hapticplayer.untrusted import FileState
 
@@ -36,7 +36,7 @@ class Verdict(enum.Enum):
 class VideoCheck:
     """Takes the checksum of a video in a thread, unless it is known from before."""
 
-    def __init__(self, path: Path, expected: Payload) -> None:
+    def __init__(self, path: Path, expected: VideoDigest) -> None:
         self._path, self._expected = path, expected
         self._is_accepted, self._is_unwanted = False, threading.Event()
         self._entry = _entry(path, expected)  # of the file before it is read
@@ -105,6 +105,6 @@ def _known() -> dict[str, Any]:
         return {}
 
 
-def _entry(path: Path, expected: Payload) -> list[int | str]:
+def _entry(path: Path, expected: VideoDigest) -> list[int | str]:
     """Return what tells a state of the file, and the video that it holds."""
     return [*FileState.of(path)[1:], expected.sha256]

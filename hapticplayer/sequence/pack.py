@@ -58,7 +58,7 @@ def pack(
     extras: Iterable[Attachment] = (),
     is_ours: IsOurs | None = None,
     progress: files.Progress = files.no_progress,
-) -> remux.Payload:
+) -> remux.VideoDigest:
     """Write a sequence as one video file with its force, for others to play.
 
     Video and sound are copied bit for bit, and read back to make sure.
@@ -103,7 +103,7 @@ def is_packed(head: bytes) -> bool:
 
 
 def _manifest(
-    sequence: store.Sequence, payload: remux.Payload, attached: Iterable[Attachment]
+    sequence: store.Sequence, payload: remux.VideoDigest, attached: Iterable[Attachment]
 ) -> Attachment:
     content: dict[str, Any] = {
         "schema": SCHEMA,
@@ -124,7 +124,7 @@ def _manifest(
     return attachment_of(MANIFEST, files.json_text(content))
 
 
-def _pointer(payload: remux.Payload, manifest: Attachment) -> str:
+def _pointer(payload: remux.VideoDigest, manifest: Attachment) -> str:
     return (
         f"video sha256 {payload.sha256}, {MANIFEST} sha256 "
         f"{hashlib.sha256(manifest.content).hexdigest()}"
@@ -160,7 +160,7 @@ def _copy(
     part: Path,
     kind: str,
     additions: remux.Additions,
-    payload: remux.Payload,
+    payload: remux.VideoDigest,
     progress: files.Progress,
 ) -> None:
     """Copy a clip and read the copy back."""

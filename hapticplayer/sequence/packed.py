@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError, Message, SequenceError
 from hapticplayer.media.matroska import Attachment, read_attachments
-from hapticplayer.media.remux import Payload
+from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import files, store
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, parse_json, without_controls
 
@@ -40,7 +40,7 @@ class Packed:
 
     carrier: Path
     sequence: store.Sequence
-    payload: Payload
+    payload: VideoDigest
     attached: Mapping[str, Attachment]
     small: Mapping[str, bytes]
 
@@ -121,7 +121,7 @@ def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Pack
     _check_version(manifest, carrier)
     try:
         listed, said = manifest["files"], manifest["video"]
-        payload = Payload(
+        payload = VideoDigest(
             str(said["sha256"]), int(said["packets"]), int(said["size_bytes"])
         )
         content = small.content(store.DESCRIPTION, listed)
