@@ -7,7 +7,7 @@ from pathlib import Path
 from hapticplayer.cli.common import say
 from hapticplayer.errors import to_json
 from hapticplayer.interchange.force_formats import READ, format_of, read_force
-from hapticplayer.interchange.hjif_check import Finding, check
+from hapticplayer.interchange.hjif_check import HjifFinding, check
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -27,7 +27,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     """List what is wrong; 1 if the file would be refused."""
     path = Path(options.file)
     form = format_of(path, options.format)
-    findings: list[Finding] = check(path) if form.name == "hjif" else []
+    findings: list[HjifFinding] = check(path) if form.name == "hjif" else []
     is_refused = any(one.is_refusal for one in findings)
     notes = () if is_refused else read_force(path, name=form.name).notes
     if options.json:

@@ -11,7 +11,7 @@ import numpy as np
 from hapticplayer.errors import InputError, Message
 from hapticplayer.interchange import hjif_signals as signals
 from hapticplayer.interchange.force_files import MAX_SECONDS
-from hapticplayer.interchange.hjif_signals import HjifEffect, Keyframes, Shape
+from hapticplayer.interchange.hjif_signals import EffectCurve, HjifEffect, Keyframes
 from hapticplayer.interchange.hjif_wavelet import block_height
 from hapticplayer.interchange.json_fields import Fields
 
@@ -42,7 +42,7 @@ class Bands:
         self.unread: Counter[str] = Counter()
         self._timescale, self._left = timescale, MAX_SAMPLES
 
-    def shape(self, band: Fields, library: dict[int, Fields]) -> Shape:
+    def shape(self, band: Fields, library: dict[int, Fields]) -> EffectCurve:
         """Return a band over time; empty for what is not understood.
 
         Args:
@@ -80,7 +80,7 @@ class Bands:
         self.unread[f"effect {kind}"] += 1
         return None
 
-    def _curve(self, effect: Fields, band: Fields) -> Shape:
+    def _curve(self, effect: Fields, band: Fields) -> EffectCurve:
         kind = band.text("curve_type", "Linear")
         if kind in ("Bezier", "Bspline"):
             self.assumed.append(Message("{kind} was read as lines", kind=kind))
@@ -89,22 +89,22 @@ class Bands:
             self._spend(shape.keys.time_s.max(initial=0.0), band)
         return signals.curve(shape, kind)
 
-    def _transient(self, effect: Fields, band: Fields) -> Shape:
+    def _transient(self, effect: Fields, band: Fields) -> EffectCurve:
         shape = self._effect(effect)
         self._spend(signals.TRANSIENT_S * len(shape.keys.time_s), band)
         return signals.transient(shape)
 
-    def _wave(self, effect: Fields, band: Fields) -> Shape:
+    def _wave(self, effect: Fields, band: Fields) -> EffectCurve:
         low_hz = band.number("lower_frequency_limit", 0.0)
         high_hz = band.number("upper_frequency_limit", 1000.0)
         if low_hz > signals.HIGHEST_HZ:
             self.unread[f"waves above {signals.HIGHEST_HZ:.0f} Hz"] += 1
-            return Shape(np.zeros(0), np.zeros(0))
+            return EffectCurve(np.zeros(0), np.zeros(0))
         shape = self._effect(effect)
         self._spend(shape.keys.time_s.max(initial=0.0), band)
         return signals.wave(shape, low_hz, min(high_hz, signals.HIGHEST_HZ))
 
-    def _wavelet(self, effect: Fields, band: Fields) -> Shape:
+    def _wavelet(self, effect: Fields, band: Fields) -> EffectCurve:
         length_s = band.number("block_length", 0.0, most=1e6) / self._timescale
         self._spend(length_s, band)
         self.assumed.append(

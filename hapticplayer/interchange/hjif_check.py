@@ -37,7 +37,7 @@ _MOST_CHANNELS, _MOST_BANDS = {1: 127, 2: 65535}, {1: 7, 2: 63}
 _DATE = re.compile(r"[+-]?[0-9]{4}")
 
 
-class Finding(NamedTuple):
+class HjifFinding(NamedTuple):
     """Something that the loader objects to.
 
     Attributes:
@@ -51,7 +51,7 @@ class Finding(NamedTuple):
     what: str
 
 
-def check(path: Path) -> list[Finding]:
+def check(path: Path) -> list[HjifFinding]:
     """Return what the loader objects to; nothing if it takes the file as it is.
 
     Raises:
@@ -64,7 +64,7 @@ class _Checker:
     """Walks through a file as the loader does."""
 
     def __init__(self, root: Fields) -> None:
-        self.findings: list[Finding] = []
+        self.findings: list[HjifFinding] = []
         missing = [name for name in _ROOT if name not in root.values]
         if missing:
             self._refuse(root, f"{', '.join(missing)} missing")
@@ -210,7 +210,7 @@ class _Checker:
                 return
 
     def _refuse(self, one: Fields, what: str) -> None:
-        self.findings.append(Finding(True, one.where, what))
+        self.findings.append(HjifFinding(True, one.where, what))
 
     def _leave_out(self, one: Fields, what: str) -> None:
-        self.findings.append(Finding(False, one.where, what))
+        self.findings.append(HjifFinding(False, one.where, what))

@@ -16,7 +16,7 @@ from hapticplayer.interchange.force_files import (
     refuse_large,
 )
 from hapticplayer.interchange.hjif_bands import Bands
-from hapticplayer.interchange.hjif_signals import Shape
+from hapticplayer.interchange.hjif_signals import EffectCurve
 from hapticplayer.interchange.json_fields import Fields, read_crowd
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
@@ -35,18 +35,18 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
     root = Fields.of(read_crowd(path), str(path))
     if "perceptions" not in root.values:
         raise InputError("holds no perceptions", where=str(path), remedy=_ANOTHER)
-    reader = _Reader(choices, root.number("timescale", 1000.0))
+    reader = _ChannelReader(choices, root.number("timescale", 1000.0))
     for perception in root.objects("perceptions"):
         reader.add(perception)
     return reader.result(path)
 
 
-class _Reader:
+class _ChannelReader:
     """Collects the channels of a file as polylines with a direction in newtons."""
 
     def __init__(self, choices: ReadChoices, timescale: float) -> None:
         self._choices, self._bands = choices, Bands(timescale)
-        self._parts: list[tuple[Floats, Shape]] = []
+        self._parts: list[tuple[Floats, EffectCurve]] = []
 
     def add(self, perception: Fields) -> None:
         """Add the channels of a perception, or note that it is no force."""
@@ -142,12 +142,12 @@ class _Reader:
         return np.asarray(vector / size) if size else vector
 
 
-def _summed(shapes: list[Shape]) -> Shape:
+def _summed(shapes: list[EffectCurve]) -> EffectCurve:
     """Return the sum of the bands of a channel, between -1 and 1."""
     if len(shapes) == 1:
-        return Shape(shapes[0].time_s, np.clip(shapes[0].value, -1.0, 1.0))
+        return EffectCurve(shapes[0].time_s, np.clip(shapes[0].value, -1.0, 1.0))
     if not shapes:
-        return Shape(np.zeros(0), np.zeros(0))
+        return EffectCurve(np.zeros(0), np.zeros(0))
     time_s = np.unique(np.concatenate([one.time_s for one in shapes]))
     value = np.sum([np.interp(time_s, *one) for one in shapes], axis=0)
-    return Shape(time_s, np.clip(value, -1.0, 1.0))
+    return EffectCurve(time_s, np.clip(value, -1.0, 1.0))

@@ -53,14 +53,14 @@ class HjifEffect(NamedTuple):
     signal: str = "Sine"
 
 
-class Shape(NamedTuple):
+class EffectCurve(NamedTuple):
     """An effect as a polyline: zero outside, times (n,) s and values (n,)."""
 
     time_s: Floats
     value: Floats
 
 
-def curve(effect: HjifEffect, kind: str) -> Shape:
+def curve(effect: HjifEffect, kind: str) -> EffectCurve:
     """Return a curve through keyframes: Linear, Cubic, Akima, or lines for others."""
     known = ~np.isnan(effect.keys.amplitude)
     time_s, value = effect.keys.time_s[known], effect.keys.amplitude[known]
@@ -77,10 +77,10 @@ def curve(effect: HjifEffect, kind: str) -> Shape:
         time_s = dense_s
     if len(time_s) and time_s[0] > 0.0:  # holds its first value before it
         time_s, value = np.append(0.0, time_s), np.append(value[:1], value)
-    return Shape(effect.begin_s + time_s, value)
+    return EffectCurve(effect.begin_s + time_s, value)
 
 
-def transient(effect: HjifEffect) -> Shape:
+def transient(effect: HjifEffect) -> EffectCurve:
     """Return two periods of a sine for each keyframe."""
     known = ~np.isnan(effect.keys.amplitude)
     begins_s, heights = effect.keys.time_s[known], effect.keys.amplitude[known]
@@ -95,10 +95,10 @@ def transient(effect: HjifEffect) -> Shape:
     ):
         since_s = time_s[first:last] - begin_s
         value[first:last] += height * np.interp(since_s, pulse_s, pulse)
-    return Shape(effect.begin_s + time_s, value)
+    return EffectCurve(effect.begin_s + time_s, value)
 
 
-def wave(effect: HjifEffect, low_hz: float, high_hz: float) -> Shape:
+def wave(effect: HjifEffect, low_hz: float, high_hz: float) -> EffectCurve:
     """Return a vectorial wave, its frequency between the limits of its band."""
     keys = effect.keys
     time_s = _milliseconds(keys.time_s[-1] if len(keys.time_s) else 0.0)
@@ -108,25 +108,25 @@ def wave(effect: HjifEffect, low_hz: float, high_hz: float) -> Shape:
         hertz = np.clip(hertz, low_hz, max(low_hz, high_hz))
     step = 0.5 * (hertz[1:] + hertz[:-1]) * np.diff(time_s)
     turns = np.append(0.0, np.cumsum(step)) + effect.phase_rad / (2.0 * np.pi)
-    return Shape(effect.begin_s + time_s, height * _base(effect.signal, turns))
+    return EffectCurve(effect.begin_s + time_s, height * _base(effect.signal, turns))
 
 
-def envelope(begin_s: float, length_s: float, height: float) -> Shape:
+def envelope(begin_s: float, length_s: float, height: float) -> EffectCurve:
     """Return a carrier of constant amplitude: all that is read of a wavelet block."""
     time_s = _milliseconds(length_s)
-    return Shape(
+    return EffectCurve(
         begin_s + time_s, height * np.sin(2.0 * np.pi * CARRIER_HZ * (begin_s + time_s))
     )
 
 
-def joined(shapes: list[Shape]) -> Shape:
+def joined(shapes: list[EffectCurve]) -> EffectCurve:
     """Return effects of one band as one polyline: each ends where the next begins."""
     shapes = sorted(
         (one for one in shapes if len(one.time_s)), key=lambda one: one.time_s[0]
     )
     if not shapes:
-        return Shape(np.zeros(0), np.zeros(0))
-    parts: list[Shape] = []
+        return EffectCurve(np.zeros(0), np.zeros(0))
+    parts: list[EffectCurve] = []
     for shape, later in zip(shapes, [*shapes[1:], None], strict=True):
         end_s = np.inf if later is None else later.time_s[0] - 2.0 * STEP_S
         time_s, value = shape
@@ -137,14 +137,14 @@ def joined(shapes: list[Shape]) -> Shape:
             continue
         edges_s = (time_s[0] - STEP_S, time_s[-1] + STEP_S / 2.0)
         parts.append(
-            Shape(
+            EffectCurve(
                 np.concatenate([edges_s[:1], time_s, edges_s[1:]]),
                 np.concatenate([[0.0], value, [0.0]]),
             )
         )
     if not parts:
-        return Shape(np.zeros(0), np.zeros(0))
-    return Shape(*(np.concatenate(one) for one in zip(*parts, strict=True)))
+        return EffectCurve(np.zeros(0), np.zeros(0))
+    return EffectCurve(*(np.concatenate(one) for one in zip(*parts, strict=True)))
 
 
 def _eased(at_s: Floats, time_s: Floats, value: Floats) -> Floats:

@@ -45,7 +45,7 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
     Raises:
         InputError: when it is no such file, or holds no force.
     """
-    reader = _Reader(choices, str(path))
+    reader = _EffectReader(choices, str(path))
     for element, scale in reader.effects(_parsed(path)):
         reader.add(element, scale)
     return reader.result(path.name)
@@ -69,7 +69,7 @@ def _parsed(path: Path) -> Element:
     return root
 
 
-class _Reader:
+class _EffectReader:
     """Collects effects as polylines of force."""
 
     def __init__(self, choices: ReadChoices, where: str) -> None:
