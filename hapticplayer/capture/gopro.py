@@ -23,15 +23,15 @@ from hapticplayer.capture.gopro_cori import clock_by_cori
 from hapticplayer.capture.gopro_streams import (
     OTHER_CAMERA,
     RAW_MAGIC,
-    Payload,
-    SensorStream,
+    GoproStream,
+    GpmfPayload,
     collect,
     first_stamp_us,
     parse_packets,
     split_raw,
 )
-from hapticplayer.capture.gopro_timing import Clock, SampleTimes, sample_times
-from hapticplayer.capture.gpmf import Entry, text_of
+from hapticplayer.capture.gopro_timing import SampleTimes, TimeReference, sample_times
+from hapticplayer.capture.gpmf import GpmfEntry, text_of
 from hapticplayer.capture.limits import (
     MAX_ACCELERATION_MPS2,
     MAX_ANGULAR_RATE_RADPS,
@@ -121,7 +121,7 @@ def _read(
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"
     # without stamps of the frames: the accelerometer begins within 5 ms of frame 0
-    clock = Clock(first_stamp_us(payloads, (*_FRAME_KEYS, "ACCL")), not is_raw)
+    clock = TimeReference(first_stamp_us(payloads, (*_FRAME_KEYS, "ACCL")), not is_raw)
     accel = _sensor(payloads, _ACCEL, camera, clock)
     rate = _sensor(payloads, _RATE, camera, clock)
     times, accel_first = accel.times, accel.first
@@ -160,7 +160,10 @@ def _read(
 
 
 def _own_clock(
-    payloads: Sequence[Payload], imu: ImuLog, times: SampleTimes, clock: Clock
+    payloads: Sequence[GpmfPayload],
+    imu: ImuLog,
+    times: SampleTimes,
+    clock: TimeReference,
 ) -> tuple[ClockMap, ClockLag | None]:
     """Return the clock map of the camera's motion, and what is known of its lag."""
     if not times.is_stamped:
@@ -168,7 +171,7 @@ def _own_clock(
     return clock_by_cori(payloads, imu, clock.frame0_us) or (ClockMap(), None)
 
 
-class _Kind(NamedTuple):
+class _SensorKind(NamedTuple):
     """A sensor and its limit."""
 
     key: str
@@ -177,21 +180,24 @@ class _Kind(NamedTuple):
     unit: str
 
 
-_ACCEL = _Kind("ACCL", "accelerometer", MAX_ACCELERATION_MPS2, "m/s2")
-_RATE = _Kind("GYRO", Message("gyro"), MAX_ANGULAR_RATE_RADPS, "rad/s")
+_ACCEL = _SensorKind("ACCL", "accelerometer", MAX_ACCELERATION_MPS2, "m/s2")
+_RATE = _SensorKind("GYRO", Message("gyro"), MAX_ANGULAR_RATE_RADPS, "rad/s")
 
 
-class _Sensor(NamedTuple):
+class _SensorSamples(NamedTuple):
     """A sensor's samples in frame A, their times and its first STRM entry."""
 
     times: SampleTimes
     values: Floats
-    first: Entry
+    first: GpmfEntry
 
 
 def _sensor(
-    payloads: Sequence[Payload], kind: _Kind, camera: str, clock: Clock
-) -> _Sensor:
+    payloads: Sequence[GpmfPayload],
+    kind: _SensorKind,
+    camera: str,
+    clock: TimeReference,
+) -> _SensorSamples:
     stream = collect(payloads, kind.key)
     if stream is None or stream.values.shape[1] != 3:
         raise TelemetryError(
@@ -203,10 +209,10 @@ def _sensor(
     if kind is _ACCEL:
         _refuse_time_lapse(stream)
     times = sample_times(stream, clock)
-    return _Sensor(times, _in_frame_a(stream, camera, kind), stream.first)
+    return _SensorSamples(times, _in_frame_a(stream, camera, kind), stream.first)
 
 
-def _refuse_time_lapse(stream: SensorStream) -> None:
+def _refuse_time_lapse(stream: GoproStream) -> None:
     if np.median(stream.counts) < _MIN_SAMPLES_PER_PAYLOAD:
         raise TelemetryError(
             "it holds {samples} motion samples in {payloads} payloads, as "
@@ -217,7 +223,7 @@ def _refuse_time_lapse(stream: SensorStream) -> None:
         )
 
 
-def _in_frame_a(stream: SensorStream, camera: str, kind: _Kind) -> Floats:
+def _in_frame_a(stream: GoproStream, camera: str, kind: _SensorKind) -> Floats:
     rotation = frame_a_from_stored(stream.first, camera)
     values, largest = stream.values, _largest(stream.values)
     if not np.isfinite(largest):
@@ -241,7 +247,7 @@ def _largest(values: Floats) -> float:
 
 
 def _magnetic_field(
-    payloads: Sequence[Payload], time_s: Floats, clock: Clock
+    payloads: Sequence[GpmfPayload], time_s: Floats, clock: TimeReference
 ) -> tuple[Floats | None, tuple[str, ...]]:
     """Return the field of the GoPros that have a compass (Fusion, MAX), and notes.
 
@@ -302,7 +308,7 @@ def _how_read(imu: ImuLog) -> tuple[str, ...]:
     )
 
 
-def _notes(stream: Entry, camera: str, damaged: int) -> tuple[str, ...]:
+def _notes(stream: GpmfEntry, camera: str, damaged: int) -> tuple[str, ...]:
     notes = []
     if not is_order_known(stream, camera):
         notes.append(

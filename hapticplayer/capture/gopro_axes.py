@@ -13,7 +13,7 @@ Source: github.com/gopro/gpmf-parser, issues #56, #100, #132, #165 (ORIN, ORIO, 
 
 import numpy as np
 
-from hapticplayer.capture.gpmf import Entry, numbers_of, text_of
+from hapticplayer.capture.gpmf import GpmfEntry, numbers_of, text_of
 from hapticplayer.errors import TelemetryError
 from hapticplayer.model.arrays import Floats
 
@@ -25,7 +25,7 @@ _WITHOUT_ORIN = (("fusion", "yXZ"), ("hero6", "YxZ"))
 _HERO5 = "ZXY"
 
 
-def frame_a_from_stored(stream: Entry, camera: str) -> Floats:
+def frame_a_from_stored(stream: GpmfEntry, camera: str) -> Floats:
     """Return the rotation (3, 3) from stored components to frame A.
 
     Args:
@@ -49,14 +49,14 @@ def frame_a_from_stored(stream: Entry, camera: str) -> Floats:
     return np.asarray(FRAME_A_FROM_CAMERA @ rotation)
 
 
-def is_order_known(stream: Entry, camera: str) -> bool:
+def is_order_known(stream: GpmfEntry, camera: str) -> bool:
     """Whether the file or the camera's name determines the order of the axes."""
     name = camera.lower()
     known = (*(hint for hint, _ in _WITHOUT_ORIN), "hero5", "camera")
     return has_own_axes(stream) or any(hint in name for hint in known)
 
 
-def has_own_axes(stream: Entry) -> bool:
+def has_own_axes(stream: GpmfEntry) -> bool:
     """Whether the stream declares the axes of its components."""
     return stream.find("ORIN") is not None
 
@@ -81,7 +81,7 @@ def _camera_from(order: str) -> Floats:
     return matrix
 
 
-def _matrix(entry: Entry) -> Floats:
+def _matrix(entry: GpmfEntry) -> Floats:
     values = numbers_of(entry).ravel()
     if values.size != 9 or not np.isfinite(values).all():
         raise TelemetryError("its axes (MTRX) are not a matrix, so it is damaged")

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.clock_lag import CORI, ClockLag
-from hapticplayer.capture.gopro_streams import Payload, SensorStream, collect
+from hapticplayer.capture.gopro_streams import GoproStream, GpmfPayload, collect
 from hapticplayer.capture.vision import FrameRotation
 from hapticplayer.errors import InputError, TelemetryError
 from hapticplayer.model import ClockMap, ImuLog
@@ -28,7 +28,7 @@ _EVEN = 0.002  # frames are even; where stamps are not, samples were repeated or
 
 
 def clock_by_cori(
-    payloads: Sequence[Payload], imu: ImuLog, frame0_us: float | None
+    payloads: Sequence[GpmfPayload], imu: ImuLog, frame0_us: float | None
 ) -> tuple[ClockMap, ClockLag] | None:
     """Return the gyro's clock against the frames; None where CORI does not tell it.
 
@@ -57,7 +57,7 @@ def clock_by_cori(
 
 
 def camera_rotation(
-    payloads: Sequence[Payload], frame0_us: float
+    payloads: Sequence[GpmfPayload], frame0_us: float
 ) -> FrameRotation | None:
     """Return the camera's rotation from frame to frame by CORI, in frame A."""
     try:
@@ -82,7 +82,7 @@ def camera_rotation(
     )
 
 
-def _is_usable(stream: SensorStream) -> bool:
+def _is_usable(stream: GoproStream) -> bool:
     stamps_us = stream.stamp_us
     return bool(
         stream.values.shape[1] == 4
@@ -94,7 +94,7 @@ def _is_usable(stream: SensorStream) -> bool:
     )
 
 
-def _times(stream: SensorStream, marks_s: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+def _times(stream: GoproStream, marks_s: Floats) -> tuple[Floats, NDArray[np.bool_]]:
     """Return the time of each sample, and whether its payload is evenly stamped.
 
     A HERO8 and a HERO9 write one sample too many somewhere, and its stamps show it.

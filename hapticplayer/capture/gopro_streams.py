@@ -11,7 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.gpmf import Entry, first_number_of, numbers_of, parse, text_of
+from hapticplayer.capture.gpmf import (
+    GpmfEntry,
+    first_number_of,
+    numbers_of,
+    parse,
+    text_of,
+)
 from hapticplayer.capture.limits import MAX_PAYLOADS
 from hapticplayer.errors import Message, TelemetryError
 from hapticplayer.media.telemetry import TelemetryPacket
@@ -54,7 +60,7 @@ def split_raw(content: bytes) -> list[TelemetryPacket]:
 
 
 @dataclass(frozen=True, slots=True)
-class Payload:
+class GpmfPayload:
     """A parsed GPMF payload.
 
     Attributes:
@@ -64,11 +70,11 @@ class Payload:
     """
 
     start_s: float
-    device: Entry
-    streams: dict[str, Entry]
+    device: GpmfEntry
+    streams: dict[str, GpmfEntry]
 
 
-def parse_packets(packets: Sequence[TelemetryPacket]) -> tuple[list[Payload], int]:
+def parse_packets(packets: Sequence[TelemetryPacket]) -> tuple[list[GpmfPayload], int]:
     """Return the payloads of the device with the accelerometer, and how many are damaged.
 
     Raises:
@@ -86,7 +92,7 @@ def parse_packets(packets: Sequence[TelemetryPacket]) -> tuple[list[Payload], in
         )
     identity = _identity(camera)
     payloads = [
-        Payload(packet.start_s, device, _streams_of(device))
+        GpmfPayload(packet.start_s, device, _streams_of(device))
         for packet, root in parsed
         for device in root.find_all("DEVC")
         if _identity(device) == identity
@@ -94,21 +100,21 @@ def parse_packets(packets: Sequence[TelemetryPacket]) -> tuple[list[Payload], in
     return payloads, sum(root.is_cut for _, root in parsed)
 
 
-def _devices(root: Entry, key: str) -> Iterator[Entry]:
+def _devices(root: GpmfEntry, key: str) -> Iterator[GpmfEntry]:
     for device in root.find_all("DEVC"):
         if any(stream.find(key) for stream in device.find_all("STRM")):
             yield device
 
 
-def _identity(device: Entry) -> bytes:
+def _identity(device: GpmfEntry) -> bytes:
     """Return the id of a device, to separate the camera from a drone."""
     entry = device.find("DVID")
     return b"" if entry is None else bytes(entry.payload)
 
 
-def _streams_of(device: Entry) -> dict[str, Entry]:
+def _streams_of(device: GpmfEntry) -> dict[str, GpmfEntry]:
     """Return the first STRM entry that holds each key."""
-    found: dict[str, Entry] = {}
+    found: dict[str, GpmfEntry] = {}
     for stream in device.find_all("STRM"):
         for child in stream.children:
             found.setdefault(child.key, stream)
@@ -116,7 +122,7 @@ def _streams_of(device: Entry) -> dict[str, Entry]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SensorStream:
+class GoproStream:
     """All samples of one sensor with their time marks.
 
     One row per payload that holds samples of the sensor.
@@ -135,7 +141,7 @@ class SensorStream:
     counts: NDArray[np.int64]
     start_s: Floats
     stamp_us: Floats
-    first: Entry
+    first: GpmfEntry
 
     @property
     def index(self) -> NDArray[np.int64]:
@@ -146,13 +152,13 @@ class SensorStream:
         return np.asarray(np.repeat(self.first_index, self.counts) + within)
 
 
-def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
+def collect(payloads: Sequence[GpmfPayload], key: str) -> GoproStream | None:
     """Return a sensor's stream, or None if the recording has none.
 
     Raises:
         TelemetryError: when the scale is unusable or there are too many samples.
     """
-    rows: list[tuple[Payload, Entry]] = []
+    rows: list[tuple[GpmfPayload, GpmfEntry]] = []
     parts: list[Floats] = []
     for payload in payloads:
         stream = payload.streams.get(key)
@@ -175,7 +181,7 @@ def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
         np.array([first_number_of(stream.find(mark)) for _, stream in rows])
         for mark in ("TSMP", "STMP")
     )
-    return SensorStream(
+    return GoproStream(
         values=np.concatenate(parts),
         first_index=_first_index(counts, totals),
         counts=counts,
@@ -185,7 +191,9 @@ def collect(payloads: Sequence[Payload], key: str) -> SensorStream | None:
     )
 
 
-def first_stamp_us(payloads: Sequence[Payload], keys: Sequence[str]) -> float | None:
+def first_stamp_us(
+    payloads: Sequence[GpmfPayload], keys: Sequence[str]
+) -> float | None:
     """Return the camera's time of frame 0: the first stamp of a per-frame stream."""
     for stream in (payloads[0].streams.get(key) for key in keys):
         stamp_us = first_number_of(stream.find("STMP")) if stream else math.nan
@@ -194,7 +202,7 @@ def first_stamp_us(payloads: Sequence[Payload], keys: Sequence[str]) -> float | 
     return None
 
 
-def _scaled(stream: Entry, key: str) -> Floats:
+def _scaled(stream: GpmfEntry, key: str) -> Floats:
     """Divide by SCAL, which has one value for all axes or one for each."""
     entry = stream.find(key)
     assert entry is not None  # the stream was found by it

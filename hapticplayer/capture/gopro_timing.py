@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hapticplayer.capture.gopro_streams import SensorStream
+from hapticplayer.capture.gopro_streams import GoproStream
 from hapticplayer.errors import TelemetryError
 from hapticplayer.model.arrays import Floats
 
@@ -35,7 +35,7 @@ _OFFSET_TOLERANCE_S = 2.0
 """Stamps that are farther from the packets' times are ignored."""
 
 
-class Clock(NamedTuple):
+class TimeReference(NamedTuple):
     """Reference of the times of all sensors of a camera.
 
     Attributes:
@@ -63,7 +63,7 @@ class SampleTimes:
     is_stamped: bool
 
 
-def sample_times(stream: SensorStream, clock: Clock) -> SampleTimes:
+def sample_times(stream: GoproStream, clock: TimeReference) -> SampleTimes:
     """Return when the samples of a stream were taken.
 
     Raises:
@@ -78,7 +78,7 @@ def sample_times(stream: SensorStream, clock: Clock) -> SampleTimes:
 
 
 def _are_plausible(
-    stream: SensorStream, marks_s: Floats, has_packet_times: bool
+    stream: GoproStream, marks_s: Floats, has_packet_times: bool
 ) -> bool:
     if np.diff(marks_s).min() <= 0.0:
         return False
@@ -89,7 +89,7 @@ def _are_plausible(
     return is_near and abs(pace - 1.0) < _RATE_TOLERANCE
 
 
-def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
+def _from_stamps(stream: GoproStream, marks_s: Floats) -> SampleTimes:
     first = stream.first_index.astype(np.float64)
     slope, offset = np.polyfit(first, marks_s, 1)
     index = stream.index.astype(np.float64)
@@ -111,7 +111,7 @@ def _from_stamps(stream: SensorStream, marks_s: Floats) -> SampleTimes:
     return _checked(time_s, slope, is_stamped=True)
 
 
-def _from_packets(stream: SensorStream) -> SampleTimes:
+def _from_packets(stream: GoproStream) -> SampleTimes:
     """Fit counts to packet times.
 
     All earlier samples had arrived by a packet's start. The first packet is no measure

@@ -43,7 +43,7 @@ _COMPLEX_PART = re.compile(r"([A-Za-z])(?:\[(\d{1,3})\])?")
 _MAX_COMPLEX_FIELDS = 255
 
 
-class Entry(NamedTuple):
+class GpmfEntry(NamedTuple):
     """One key with its value.
 
     Attributes:
@@ -59,36 +59,36 @@ class Entry(NamedTuple):
     kind: str
     struct_bytes: int
     payload: bytes | memoryview
-    children: tuple["Entry", ...] = ()
+    children: tuple["GpmfEntry", ...] = ()
     is_cut: bool = False
 
-    def find(self, key: str) -> "Entry | None":
+    def find(self, key: str) -> "GpmfEntry | None":
         """Return the last child of this key (metadata may repeat), or None."""
         return next((one for one in reversed(self.children) if one.key == key), None)
 
-    def find_all(self, key: str) -> Iterator["Entry"]:
+    def find_all(self, key: str) -> Iterator["GpmfEntry"]:
         """Yield the children of this key."""
         return (entry for entry in self.children if entry.key == key)
 
 
-def parse(payload: bytes) -> Entry:
+def parse(payload: bytes) -> GpmfEntry:
     """Return the entries of a payload as children of an unnamed entry.
 
     Raises:
         TelemetryError: when entries are nested too deeply.
     """
     children, is_cut = _parse_list(memoryview(payload), depth=0)
-    return Entry("", NESTED, 1, b"", children, is_cut)
+    return GpmfEntry("", NESTED, 1, b"", children, is_cut)
 
 
-def _parse_list(content: memoryview, depth: int) -> tuple[tuple[Entry, ...], bool]:
+def _parse_list(content: memoryview, depth: int) -> tuple[tuple[GpmfEntry, ...], bool]:
     """Return the entries in a part of a payload, and whether one was cut."""
     if depth > MAX_NESTING:
         raise TelemetryError(
             "telemetry is nested deeper than {levels} levels, so it is damaged",
             levels=MAX_NESTING,
         )
-    entries: list[Entry] = []
+    entries: list[GpmfEntry] = []
     is_cut, offset, length = False, 0, len(content)
     while offset + _HEADER.size <= length:
         key, kind, struct_bytes, repeat = _HEADER.unpack_from(content, offset)
@@ -102,24 +102,24 @@ def _parse_list(content: memoryview, depth: int) -> tuple[tuple[Entry, ...], boo
         if chr(kind) == NESTED:
             children, is_child_cut = _parse_list(value, depth + 1)
             is_cut = is_cut or is_child_cut
-            entry = Entry(
+            entry = GpmfEntry(
                 key.decode(), NESTED, struct_bytes, b"", children, is_child_cut
             )
         else:
-            entry = Entry(key.decode(), chr(kind), struct_bytes, value)
+            entry = GpmfEntry(key.decode(), chr(kind), struct_bytes, value)
         entries.append(entry)
         offset = start + ((end - start + 3) & -4)
     return tuple(entries), is_cut or offset < length
 
 
-def text_of(entry: Entry | None) -> str:
+def text_of(entry: GpmfEntry | None) -> str:
     """Return a text value without its padding; "" for None."""
     if entry is None:
         return ""
     return bytes(entry.payload).decode("latin-1").strip("\0 \t\r\n")
 
 
-def numbers_of(entry: Entry, complex_type: str = "") -> Floats:
+def numbers_of(entry: GpmfEntry, complex_type: str = "") -> Floats:
     """Return the values as (repeat, elements) float64.
 
     Types without numbers (text, unknown letters) give shape (repeat, 0).
@@ -146,13 +146,13 @@ def numbers_of(entry: Entry, complex_type: str = "") -> Floats:
     return np.stack(columns, axis=1) if columns else np.zeros((rows, 0))
 
 
-def first_number_of(entry: Entry | None) -> float:
+def first_number_of(entry: GpmfEntry | None) -> float:
     """Return the first of the values of one type, NaN if there is none."""
     values = np.zeros(0) if entry is None else numbers_of(entry)
     return float(values.flat[0]) if values.size else float("nan")
 
 
-def _uniform(entry: Entry, rows: int) -> Floats:
+def _uniform(entry: GpmfEntry, rows: int) -> Floats:
     """Return values of one type; trailing bytes are ignored."""
     dtype = np.dtype(_DTYPES[entry.kind])
     width, spare = divmod(entry.struct_bytes, dtype.itemsize)

@@ -14,8 +14,8 @@ from hapticplayer.capture.gopro_streams import (
     parse_packets,
     split_raw,
 )
-from hapticplayer.capture.gopro_timing import Clock, sample_times
-from hapticplayer.capture.gpmf import Entry, parse
+from hapticplayer.capture.gopro_timing import TimeReference, sample_times
+from hapticplayer.capture.gpmf import GpmfEntry, parse
 from hapticplayer.media.frames import FrameConverter
 from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.media.video import VideoDecoder
@@ -42,7 +42,7 @@ def hero9_rotation() -> tuple[ImuLog, Floats, Floats]:
     payloads, _ = parse_packets(split_raw(path.read_bytes()))
     stream = collect(payloads, "GRAV")
     assert stream is not None
-    clock = Clock(first_stamp_us(payloads, ("SHUT",)), has_packet_times=False)
+    clock = TimeReference(first_stamp_us(payloads, ("SHUT",)), has_packet_times=False)
     unit = stream.values[:, [0, 2, 1]]
     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
     time_s = sample_times(stream, clock).time_s
@@ -165,7 +165,7 @@ def test_image_moves_with_the_gyro():
         assert explained > share
 
 
-def stream(*entries: bytes) -> Entry:
+def stream(*entries: bytes) -> GpmfEntry:
     return parse(nested("STRM", *entries)).children[0]
 
 

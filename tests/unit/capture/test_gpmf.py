@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hapticplayer.capture.gpmf import (
-    Entry,
+    GpmfEntry,
     first_number_of,
     numbers_of,
     parse,
@@ -17,7 +17,7 @@ from hapticplayer.errors import TelemetryError
 from tests.unit.capture.conftest import device, klv, nested, sensor, shorts, text
 
 
-def only(payload: bytes) -> Entry:
+def only(payload: bytes) -> GpmfEntry:
     (entry,) = parse(payload).children
     return entry
 
@@ -111,7 +111,7 @@ def test_endless_nesting_is_refused():
         parse(payload)
 
 
-def walk(entry: Entry) -> None:
+def walk(entry: GpmfEntry) -> None:
     """Touch everything that can be touched."""
     text_of(entry)
     for complex_type in ("", "Lf[3]", "ssS"):
