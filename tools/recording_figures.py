@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from hapticplayer.capture import synchronize
-from hapticplayer.capture.sync.synchronize import Sound
+from hapticplayer.capture.sync.synchronize import ClipSound
 from hapticplayer.cli.plots import draw_sync
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
@@ -27,7 +27,7 @@ def main() -> int:
         confidence = f"confidence {found.clock_map.confidence:.2f}"
         path = DOCS / name
         path.unlink(missing_ok=True)
-        sound = Sound(clip.audio, clip.audio_rate_hz)
+        sound = ClipSound(clip.audio, clip.audio_rate_hz)
         draw_sync(path, sound, clip.imu, found, f"{title}; {confidence}")
         print(path.name, confidence)
     return 0

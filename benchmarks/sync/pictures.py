@@ -45,7 +45,7 @@ from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.sync.rotation_line import Line, fit_line
 from hapticplayer.capture.sync.rotation_match import Gyro, fit_at
 from hapticplayer.capture.sync.synchronize import (
-    Sound,
+    ClipSound,
     SyncInput,
     by_pats,
     joined_findings,
@@ -78,7 +78,7 @@ def _log_s(log: Logged, media_s: float) -> float:
 
 def outcome(film: Filmed, log: Logged, frames: FrameRotation) -> Outcome:
     """Synchronise by pictures, pats and both."""
-    sound = Sound(film.audio.mean(axis=1), SOUND_RATE_HZ)
+    sound = ClipSound(film.audio.mean(axis=1), SOUND_RATE_HZ)
     start = time.process_time()
     pictures = synchronize_pictures(log.imu, frames)
     fit_s = time.process_time() - start

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.capture.sync.synchronize import Sound
+from hapticplayer.capture.sync.synchronize import ClipSound
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence.processing import Processed
@@ -171,7 +171,7 @@ _AROUND_S = 1.5
 
 
 def draw_sync(
-    path: Path, sound: Sound, imu: ImuLog, found: Synchronisation, title: str = ""
+    path: Path, sound: ClipSound, imu: ImuLog, found: Synchronisation, title: str = ""
 ) -> None:
     """Draw the whole recording, and the pats themselves in a closer view.
 

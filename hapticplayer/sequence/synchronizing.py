@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
-from hapticplayer.capture.sync.synchronize import Sound, SyncInput, read_sound
+from hapticplayer.capture.sync.synchronize import ClipSound, SyncInput, read_sound
 from hapticplayer.capture.vision import FrameRotation, is_available, rotation
 from hapticplayer.errors import InputError, Message, UsageError
 from hapticplayer.media.clip_info import ClipInfo, camera_of
@@ -112,7 +112,7 @@ def find_sync(
         UsageError: for a method that does not exist or lacks its argument.
     """
 
-    def hear() -> Sound:
+    def hear() -> ClipSound:
         if not clip.has_audio:
             raise InputError(
                 "it holds no sound, in which pats could be heard",

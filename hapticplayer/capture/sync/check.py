@@ -14,7 +14,7 @@ from hapticplayer.capture.sync.events import (
     sound_onsets,
 )
 from hapticplayer.capture.sync.shifts import INTERVAL_S
-from hapticplayer.capture.sync.synchronize import Sound
+from hapticplayer.capture.sync.synchronize import ClipSound
 from hapticplayer.model import ImuLog
 
 _RAREST = 24
@@ -56,7 +56,7 @@ class StreamCheck:
         }
 
 
-def check_sound(sound: Sound) -> StreamCheck:
+def check_sound(sound: ClipSound) -> StreamCheck:
     """Find pats in a sound."""
     return _check(sound_events(sound_onsets(sound.samples, sound.rate_hz)))
 

@@ -13,7 +13,7 @@ from hapticplayer.capture.clock_lag import FRAMES, ClockLag, unstamped
 from hapticplayer.capture.sync.pictures import finding, spans_to_watch, usable
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.sync.rotation_line import Line, fit_line
-from hapticplayer.capture.sync.rotation_match import Fit, Gyro, fit_at
+from hapticplayer.capture.sync.rotation_match import Gyro, RotationFit, fit_at
 from hapticplayer.capture.vision import FrameRotation
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ClockMap, ImuLog
@@ -31,7 +31,7 @@ Spans = Sequence[tuple[float, float]]
 class OwnFit(NamedTuple):
     """The best fit near the camera's own clock."""
 
-    fit: Fit
+    fit: RotationFit
     line: Line
 
 

@@ -39,7 +39,7 @@ class _Streams:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Found:
+class _FittedShift:
     """A shift, fitted.
 
     `chance` is the evidence expected by chance: the logarithm of the number of pairs of
@@ -135,13 +135,15 @@ def _supported(
 
 def _find(
     streams: _Streams, sound: Events, allowed_s: tuple[float, float]
-) -> _Found | None:
+) -> _FittedShift | None:
     """Return the best shift of a part of the sound."""
     ranked = candidates(sound, streams.shock, streams.match, allowed_s)
     return _found(streams, sound, ranked)
 
 
-def _found(streams: _Streams, sound: Events, ranked: list[Candidate]) -> _Found | None:
+def _found(
+    streams: _Streams, sound: Events, ranked: list[Candidate]
+) -> _FittedShift | None:
     """Return the best of some shifts, fitted."""
     best = next((one for one in ranked if one.triple is not None), None)
     if best is None or best.triple is None:
@@ -163,7 +165,7 @@ def _found(streams: _Streams, sound: Events, ranked: list[Candidate]) -> _Found 
     fit = fit_shift(streams.imu, streams.whitener, sound.time_s[heard], mean_s, reach_s)
     tried_s2 = float(np.ptp(sound.time_s)) * float(np.ptp(streams.imu.time_s))
     chance = _CHANCE + math.log(min(1.0, max(tried_s2, 1.0) / _CHANCE_S2))
-    return _Found(best, rivals[:_RIVALS], pats, fit.shift_s, fit.sigma_s, chance)
+    return _FittedShift(best, rivals[:_RIVALS], pats, fit.shift_s, fit.sigma_s, chance)
 
 
 def _is_rival(one: Candidate, best: Candidate) -> bool:
@@ -176,7 +178,7 @@ def _is_rival(one: Candidate, best: Candidate) -> bool:
     return not (is_same_sound and np.array_equal(one.triple.shock, best.triple.shock))
 
 
-def _result(found: _Found, other: _Found | None) -> Synchronisation:
+def _result(found: _FittedShift, other: _FittedShift | None) -> Synchronisation:
     """Return the line through one end, or through both with the prior on the rate."""
     drift, sigma_s, pats = 0.0, found.sigma_s, found.pats
     drift_sigma = DRIFT_PRIOR

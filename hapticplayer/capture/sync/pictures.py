@@ -15,8 +15,8 @@ from hapticplayer.capture.sync.result import (
 )
 from hapticplayer.capture.sync.rotation_line import Line, fit_line
 from hapticplayer.capture.sync.rotation_match import (
-    Fit,
     Gyro,
+    RotationFit,
     Watched,
     candidates,
     fit_at,
@@ -156,7 +156,7 @@ def usable(imu: ImuLog, frames: FrameRotation) -> Watched:
     return Watched.of(frames)
 
 
-def finding(fits: list[Fit], line: Line, kind: FeatureKind) -> Synchronisation:
+def finding(fits: list[RotationFit], line: Line, kind: FeatureKind) -> Synchronisation:
     """Return what a line means, whose fit is the first of several."""
     read_out_s, read_out_sd_s = read_out(line)
     # rows that were read earlier than the middle show an earlier time
@@ -185,7 +185,10 @@ def read_out(line: Line) -> tuple[float, float]:
 
 
 def _evidence(
-    fits: list[Fit], line: Line, read_out_s: tuple[float, float], kind: FeatureKind
+    fits: list[RotationFit],
+    line: Line,
+    read_out_s: tuple[float, float],
+    kind: FeatureKind,
 ) -> PictureEvidence:
     best = fits[0].unexplained
     rival = fits[1].unexplained if len(fits) > 1 else 1.0

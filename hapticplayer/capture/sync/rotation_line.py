@@ -6,8 +6,8 @@ import numpy as np
 
 from hapticplayer.capture.sync.rotation_match import (
     QUIET_RADPS,
-    Fit,
     Gyro,
+    RotationFit,
     Watched,
 )
 from hapticplayer.model import ClockMap
@@ -80,7 +80,7 @@ class Line(NamedTuple):
         return float(np.sqrt(weight @ self.window_error_s**2 / weight.sum()))
 
 
-def fit_line(watched: Watched, gyro: Gyro, start: Fit) -> Line:
+def fit_line(watched: Watched, gyro: Gyro, start: RotationFit) -> Line:
     """Fit shift and drift to windows of 4 s.
 
     Args:
@@ -148,7 +148,9 @@ class _Steps(NamedTuple):
     slope: Floats
 
     @classmethod
-    def of(cls, watched: Watched, gyro: Gyro, fit: Fit, shifts_s: Floats) -> "_Steps":
+    def of(
+        cls, watched: Watched, gyro: Gyro, fit: RotationFit, shifts_s: Floats
+    ) -> "_Steps":
         begin_s, end_s = watched.begin_s + shifts_s, watched.end_s + shifts_s
         used = gyro.knows(begin_s, end_s) & (watched.weight > 0.0)
         camera_rad = watched.high_passed(watched.rotation_rad, used)

@@ -128,7 +128,7 @@ def high_passed(values: Floats, rate_hz: float) -> Floats:
     return np.asarray(sosfiltfilt(filter_, values, axis=0, padlen=_PADDING))
 
 
-class Fit(NamedTuple):
+class RotationFit(NamedTuple):
     """Frames and gyro laid over each other.
 
     Attributes:
@@ -157,7 +157,7 @@ def fit_at(
     gyro: Gyro,
     shift_s: float | Floats,
     mounting: Floats | None = None,
-) -> Fit:
+) -> RotationFit:
     """Fit gains and mounting (unless it is given) at one shift, or at one each (N,)."""
     begin_s, end_s = watched.begin_s + shift_s, watched.end_s + shift_s
     used = gyro.knows(begin_s, end_s) & (watched.weight > 0.0)
@@ -180,7 +180,9 @@ def fit_at(
     whole = float((weight * used) @ _loss(size, scale)) or 1.0
     left = float((weight * used) @ _loss((error**2).sum(axis=1), scale)) / whole
     shift_s = float(np.mean(shift_s))
-    return Fit(shift_s, rotation, gains, left if used.any() else 1.0, error, used)
+    return RotationFit(
+        shift_s, rotation, gains, left if used.any() else 1.0, error, used
+    )
 
 
 def _loss(square: Floats, scale: float) -> Floats:
@@ -214,18 +216,18 @@ def _gains(camera_rad: Floats, turned: Floats, weight: Floats) -> Floats:
     return np.asarray(np.clip(gains, *_FOCAL_GAINS))
 
 
-def candidates(watched: Watched, gyro: Gyro) -> list[Fit]:
+def candidates(watched: Watched, gyro: Gyro) -> list[RotationFit]:
     """Return the shifts at which frames and gyro fit best, best first."""
     fits = [_refined(watched, gyro, shift_s) for shift_s in _coarse(watched, gyro)]
     fits.sort(key=lambda fit: fit.unexplained)
-    kept: list[Fit] = []
+    kept: list[RotationFit] = []
     for fit in fits:
         if all(abs(fit.shift_s - one.shift_s) > _NEIGHBOUR_S for one in kept):
             kept.append(fit)
     return kept
 
 
-def _refined(watched: Watched, gyro: Gyro, shift_s: float) -> Fit:
+def _refined(watched: Watched, gyro: Gyro, shift_s: float) -> RotationFit:
     best = fit_at(watched, gyro, shift_s)
     for reach_s, step_s in _REACHES_S:
         count = round(reach_s / step_s)

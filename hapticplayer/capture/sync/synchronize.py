@@ -32,7 +32,7 @@ _MOST_SIGMAS = 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Sound:
+class ClipSound:
     """The sound of a clip, mono, from media time 0.
 
     Attributes:
@@ -60,14 +60,14 @@ class SyncInput(NamedTuple):
     """
 
     imu: ImuLog
-    hear: Callable[[], Sound]
+    hear: Callable[[], ClipSound]
     given: ClockMap | None = None
     own: ClockMap | None = None
     look: "Callable[[], FrameRotation] | None" = None
     lag: ClockLag | None = None
 
 
-def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> Sound:
+def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> ClipSound:
     """Return the sound of a clip; gaps in it are silent.
 
     Args:
@@ -90,7 +90,7 @@ def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> Sound:
     finally:
         decoder.close()
     samples = np.concatenate([*parts, np.zeros(0, np.float32)])[:limit]
-    return Sound(samples, late_s=late_s)
+    return ClipSound(samples, late_s=late_s)
 
 
 def synchronize(
@@ -118,10 +118,10 @@ def synchronize(
         InputError: without sound, for silence or a log at too low a rate.
     """
 
-    def hear() -> Sound:
+    def hear() -> ClipSound:
         samples = np.zeros(0) if audio is None else np.asarray(audio)
         mono = samples if samples.ndim == 1 else samples.mean(axis=1)
-        return Sound(mono, audio_rate_hz, sound_late_s)
+        return ClipSound(mono, audio_rate_hz, sound_late_s)
 
     given = known if method == "offset" else None
     return sync_method(method).function()(SyncInput(imu, hear, given, known))
@@ -283,14 +283,14 @@ def by_variance(inputs: SyncInput) -> Synchronisation:
     return _without_skew(found, sound)
 
 
-def _without_skew(found: Synchronisation, sound: Sound) -> Synchronisation:
+def _without_skew(found: Synchronisation, sound: ClipSound) -> Synchronisation:
     """Return the clock map to the frames, from that to the sound."""
     clock = found.clock_map
     clock = dataclasses.replace(clock, offset_s=clock.offset_s - sound.late_s)
     return dataclasses.replace(found, clock_map=clock, sound_late_s=sound.late_s)
 
 
-def _checked(inputs: SyncInput) -> Sound:
+def _checked(inputs: SyncInput) -> ClipSound:
     """Return the sound, if sound and log are usable."""
     sound = inputs.hear()
     if not len(sound.samples):

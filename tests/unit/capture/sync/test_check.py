@@ -3,7 +3,7 @@
 import pytest
 
 from hapticplayer.capture.sync.check import check_log, check_sound
-from hapticplayer.capture.sync.synchronize import Sound
+from hapticplayer.capture.sync.synchronize import ClipSound
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
@@ -28,7 +28,7 @@ def test_clear_pats_are_found_where_they_are():
         clocks = clip.clock_map
         felt_s = [clocks.rate * at_s + clocks.offset_s for at_s in log.pats_s]
         assert felt_s == pytest.approx(list(clip.pats_s), abs=0.03)
-        sound = check_sound(Sound(clip.audio, clip.audio_rate_hz))
+        sound = check_sound(ClipSound(clip.audio, clip.audio_rate_hz))
         if sound.is_usable:  # speech beside the pats may drown them
             heard += 1
             assert sound.pats_s == pytest.approx(list(clip.pats_s), abs=0.03)
