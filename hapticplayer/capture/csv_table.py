@@ -125,7 +125,7 @@ def read_numbers(
     stream: BinaryIO, shape: Shape, where: str, select: Selection | None = None
 ) -> Numbers:
     """Return the wanted columns of all rows; see `read_table`."""
-    parser = _Parser(shape, where)
+    parser = _ChunkParser(shape, where)
     parts = []
     for chunk in parser.chunks(stream):
         part = parser.parse(chunk)
@@ -160,7 +160,7 @@ def _joined(parts: list[Floats], columns: int) -> Floats:
     return values
 
 
-class _Parser:
+class _ChunkParser:
     """Parses the chunks of one table and counts its lines."""
 
     def __init__(self, shape: Shape, where: str) -> None:

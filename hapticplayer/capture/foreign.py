@@ -15,7 +15,7 @@ _UTF16_SHARE = 0.9
 """Of every second byte that is zero."""
 
 
-class _Kind(NamedTuple):
+class _FileKind(NamedTuple):
     """A kind of file that is known by its magic bytes."""
 
     magic: bytes
@@ -34,30 +34,30 @@ _ARCHIVE = (
     Message("unpack it and give the folder"),
 )
 _CERTAIN = (
-    _Kind(b"\xff\xfe", *_UTF16),
-    _Kind(b"\xfe\xff", *_UTF16),
-    _Kind(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", *_WORKBOOK),
-    _Kind(
+    _FileKind(b"\xff\xfe", *_UTF16),
+    _FileKind(b"\xfe\xff", *_UTF16),
+    _FileKind(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", *_WORKBOOK),
+    _FileKind(
         b"H Product:Blackbox",
         Message("is a blackbox log of a flight controller"),
         Message("convert it to CSV with blackbox_decode"),
     ),
-    _Kind(
+    _FileKind(
         b".FIT",
         Message("is a FIT file of a sports watch or cycle computer"),
         Message("export its accelerometer and gyroscope as CSV, with FitCSVTool"),
         offset=8,
     ),
-    _Kind(
+    _FileKind(
         b"\x1f\x8b\x08",
         Message("is compressed with gzip"),
         Message("unpack it and give the file in it"),
     ),
-    _Kind(b"7z\xbc\xaf\x27\x1c", *_ARCHIVE),
-    _Kind(b"Rar!\x1a\x07", *_ARCHIVE),
-    _Kind(b"\xfd7zXZ\x00", *_ARCHIVE),
-    _Kind(b"BZh", *_ARCHIVE),
-    _Kind(b"\x28\xb5\x2f\xfd", *_ARCHIVE),
+    _FileKind(b"7z\xbc\xaf\x27\x1c", *_ARCHIVE),
+    _FileKind(b"Rar!\x1a\x07", *_ARCHIVE),
+    _FileKind(b"\xfd7zXZ\x00", *_ARCHIVE),
+    _FileKind(b"BZh", *_ARCHIVE),
+    _FileKind(b"\x28\xb5\x2f\xfd", *_ARCHIVE),
 )
 
 

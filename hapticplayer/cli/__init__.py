@@ -31,7 +31,7 @@ OpenWindow = Callable[[argparse.Namespace], int]
 """Shows the window for a command, and returns the exit status."""
 
 
-class _Parser(argparse.ArgumentParser):
+class _ArgumentParser(argparse.ArgumentParser):
     """Quotes words without commands to the terminal, and says if help cannot be read."""
 
     def print_help(self, file: "SupportsWrite[str] | None" = None) -> None:
@@ -177,7 +177,7 @@ def _work_that_can_be_interrupted() -> Iterator[None]:
 
 def build_parser(wanted: str | None) -> argparse.ArgumentParser:
     """Return the parser of all commands, with the options of the one that is wanted."""
-    parser = _Parser(
+    parser = _ArgumentParser(
         prog="hapticplayer",
         description="Play a video and feel the motion of whoever recorded it. "
         "Without a command it opens the window on the built-in demo.",

@@ -68,7 +68,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Found:
+class _CheckInput:
     """What there is to check: a clip's sound, a motion, or both."""
 
     clip: ClipInfo | None
@@ -107,7 +107,7 @@ def _store_skew(options: argparse.Namespace) -> None:
     store_skew(options.camera, options.skew)
 
 
-def _read_either(options: argparse.Namespace) -> _Found:
+def _read_either(options: argparse.Namespace) -> _CheckInput:
     """Read a clip, a log, or both; what one file lacks is no error."""
     log = chosen_log(options)
     try:
@@ -116,18 +116,20 @@ def _read_either(options: argparse.Namespace) -> _Found:
         if options.imu is not None:
             raise
         try:
-            return _Found(None, read_recording(options.clip, log))
+            return _CheckInput(None, read_recording(options.clip, log))
         except (MediaError, TelemetryError):
             raise problem from None
     try:
-        return _Found(clip, read_recording(options.imu or options.clip, log))
+        return _CheckInput(clip, read_recording(options.imu or options.clip, log))
     except TelemetryError:
         if options.imu is not None or not clip.has_audio:
             raise
-        return _Found(clip, None)
+        return _CheckInput(clip, None)
 
 
-def _check(found: _Found, options: argparse.Namespace, choices: SyncChoices) -> int:
+def _check(
+    found: _CheckInput, options: argparse.Namespace, choices: SyncChoices
+) -> int:
     """Say whether the pats of what there is can be used."""
     clip, recording = found.clip, found.recording
     report: dict[str, Any] = {}

@@ -29,7 +29,7 @@ class TempoFilter:
     def __init__(self, speed: float, rate_hz: int) -> None:
         self.is_over = False
         self._speed, self._rate_hz = speed, rate_hz
-        self._run: _Run | None = None
+        self._run: _TempoGraph | None = None
         self._next_s = 0.0  # media time that follows what was taken
         self._out_s = 0.0  # media time of the next sample that is returned
 
@@ -42,7 +42,7 @@ class TempoFilter:
         if block is None:
             return made
         if self._run is None:
-            self._run = _Run(self._speed, self._rate_hz, block.samples.shape[1])
+            self._run = _TempoGraph(self._speed, self._rate_hz, block.samples.shape[1])
             self._out_s = block.media_s + self._run.delay_s
         self._next_s = block.media_s + len(block.samples) / self._rate_hz
         return made + self._timed(self._run.filtered(block.samples))
@@ -59,7 +59,7 @@ class TempoFilter:
         return made
 
 
-class _Run:
+class _TempoGraph:
     """A filter graph for sound without a gap.
 
     `delay_s` is the media time of its first output after that of its first input: each

@@ -59,7 +59,7 @@ class BadNetwork(ThreadingHTTPServer):
     def __init__(
         self, url: str, faults: NetworkFaults, clock: Clock, seed: int = 1
     ) -> None:
-        super().__init__((LOOPBACK, 0), _Handler)
+        super().__init__((LOOPBACK, 0), _BadNetworkHandler)
         self.place, self.faults, self.clock = Place.of(url), faults, clock
         self.holds = ""
         self._seed, self._rng = seed, np.random.default_rng(seed)
@@ -116,7 +116,7 @@ class BadNetwork(ThreadingHTTPServer):
         """Say nothing of viewers who hang up."""
 
 
-class _Handler(BaseHTTPRequestHandler):
+class _BadNetworkHandler(BaseHTTPRequestHandler):
     server: BadNetwork
     protocol_version = "HTTP/1.1"
     disable_nagle_algorithm = True

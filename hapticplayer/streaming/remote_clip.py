@@ -45,7 +45,7 @@ class RemoteClip(Fetching, ClipBytes):
 
     def open(self) -> BinaryIO:
         """Return a reader from the beginning, for one thread; it raises MediaError."""
-        return io.BufferedReader(_Reader(self, next(self._readers)))
+        return io.BufferedReader(_ClipReader(self, next(self._readers)))
 
     def block(self, reader: int, number: int) -> bytes:
         """Return a block, once it is there.
@@ -164,7 +164,7 @@ class RemoteClip(Fetching, ClipBytes):
             self._at_once = max(blocks // 2, 1)
 
 
-class _Reader(io.RawIOBase):
+class _ClipReader(io.RawIOBase):
     """Reads a clip from one place after the other."""
 
     def __init__(self, clip: RemoteClip, number: int) -> None:

@@ -1,6 +1,8 @@
 """What holds for all tests and benchmarks, as far as their text tells."""
 
+import ast
 import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -16,6 +18,16 @@ def found(folder, pattern):
     for path in sorted((ROOT / folder).rglob("*.py")):
         for match in pattern.findall(path.read_text(encoding="utf-8")):
             yield str(path.relative_to(ROOT)), match
+
+
+def test_no_class_name_is_used_twice_in_the_engine():
+    names = Counter(
+        node.name
+        for path in (ROOT / "hapticplayer").rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ClassDef)
+    )
+    assert not [name for name, count in names.items() if count > 1]
 
 
 def test_no_test_has_a_name_longer_than_60_characters():

@@ -50,7 +50,7 @@ _KINDS_BY_UNIT = {
 }
 
 
-class _Found(NamedTuple):
+class _SensorColumns(NamedTuple):
     """Where a sensor is stored."""
 
     name: str
@@ -82,7 +82,7 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
             held=", ".join(sorted(found)),
         )
     rate, field = found.get("rate"), found.get("field")
-    tables: dict[str, _Member] = {}
+    tables: dict[str, _MemberTable] = {}
     accel_stream = _stream(source, accel, tables)
     rate_stream = _stream(source, rate, tables) if rate else None
     field_stream = _stream(source, field, tables) if field else None
@@ -104,7 +104,7 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
     )
 
 
-class _Member(NamedTuple):
+class _MemberTable(NamedTuple):
     """A member: its streams share their times."""
 
     streams: dict[tuple[int, ...], SensorStream]
@@ -112,14 +112,14 @@ class _Member(NamedTuple):
 
 
 def _stream(
-    source: LogSource, found: _Found, tables: dict[str, _Member]
+    source: LogSource, found: _SensorColumns, tables: dict[str, _MemberTable]
 ) -> SensorStream:
     if found.name not in tables:
         tables[found.name] = _read(source, found)
     return tables[found.name].streams[found.columns]
 
 
-def _read(source: LogSource, one: _Found) -> _Member:
+def _read(source: LogSource, one: _SensorColumns) -> _MemberTable:
     """Read all sensors of a member at once, so that they share their times."""
     here = [found for found in _sensors(source).values() if found.name == one.name]
     wanted = (here[0].columns[0], *(c for found in here for c in found.columns[1:]))
@@ -133,12 +133,12 @@ def _read(source: LogSource, one: _Found) -> _Member:
     for number, found in enumerate(here):
         at = 1 + 3 * number
         streams[found.columns] = SensorStream(time_s, numbers.values[:, at : at + 3])
-    return _Member(streams, numbers.notes)
+    return _MemberTable(streams, numbers.notes)
 
 
-def _sensors(source: LogSource) -> dict[str, _Found]:
+def _sensors(source: LogSource) -> dict[str, _SensorColumns]:
     """Return the sensors of a source by kind, the first member of each."""
-    found: dict[str, _Found] = {}
+    found: dict[str, _SensorColumns] = {}
     for name in source.names:
         line = source.first_line(name)
         separator = find_separator(line)
@@ -153,7 +153,9 @@ def _sensors(source: LogSource) -> dict[str, _Found]:
         for (kind, unit), at in axes.items():
             if set(at) == set("xyz") and unit in UNITS and kind not in found:
                 where = (0, at["x"], at["y"], at["z"])
-                found[kind] = _Found(name, separator, len(columns), where, UNITS[unit])
+                found[kind] = _SensorColumns(
+                    name, separator, len(columns), where, UNITS[unit]
+                )
     return found
 
 

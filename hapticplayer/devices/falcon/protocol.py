@@ -96,7 +96,7 @@ def _words(frame: bytes) -> Words:
 _Frame = TypeVar("_Frame", MotorCommand, Reply)
 
 
-class _Parser(ABC, Generic[_Frame]):
+class _FrameParser(ABC, Generic[_Frame]):
     """Finds frames in a stream that may be cut, torn or full of noise."""
 
     _pattern: re.Pattern[bytes]
@@ -127,7 +127,7 @@ class _Parser(ABC, Generic[_Frame]):
         """Return what a frame says that the pattern has matched."""
 
 
-class ReplyParser(_Parser[Reply]):
+class ReplyParser(_FrameParser[Reply]):
     """Finds the Falcon's frames."""
 
     _pattern = _REPLY
@@ -137,7 +137,7 @@ class ReplyParser(_Parser[Reply]):
         return Reply(_words(frame), flags & 0x0F, flags >> 4)
 
 
-class CommandParser(_Parser[MotorCommand]):
+class CommandParser(_FrameParser[MotorCommand]):
     """Finds the computer's frames; for simulators."""
 
     _pattern = _COMMAND

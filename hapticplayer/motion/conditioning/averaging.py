@@ -49,7 +49,9 @@ def average(imu: ImuLog, rate_hz: float) -> ImuLog:
     _check_rate(rate_hz, rate_now_hz, imu.source)
     start_s, end_s = _intervals(imu.time_s, imu.sampling)
     usable = np.ones(len(imu), dtype=np.bool_) if imu.valid is None else imu.valid
-    windows = _Windows(start_s, end_s, *_windows(start_s, end_s, rate_hz), usable)
+    windows = _AveragingWindows(
+        start_s, end_s, *_windows(start_s, end_s, rate_hz), usable
+    )
     force, covered = windows.means(imu.specific_force_mps2)
     rate, _ = windows.means(imu.angular_rate_radps)
     field = imu.magnetic_field_ut
@@ -69,7 +71,7 @@ def average(imu: ImuLog, rate_hz: float) -> ImuLog:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Windows:
+class _AveragingWindows:
     """Samples on the time axis, to be averaged over windows.
 
     Attributes:

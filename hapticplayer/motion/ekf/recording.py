@@ -104,13 +104,13 @@ def run_ekf(
     q = start.start_orientation(force, turns, force_ok, still, p)
     w, x, y, z = q.tolist()
     kalman = QuaternionFilter((w, x, y, z), p, interval_s, earth_field)
-    run = _Run(kalman, _Inputs(turns, force, force_ok, field, field_ok))
+    run = _FilterPass(kalman, _Inputs(turns, force, force_ok, field, field_ok))
     for first in range(0, len(force), BLOCK):
         run.block(first, min(first + BLOCK, len(force)))
     return run.result(still, interval_s)
 
 
-class _Run:
+class _FilterPass:
     """One pass of the filter over a recording, and what comes out of it."""
 
     def __init__(self, kalman: QuaternionFilter, inputs: _Inputs) -> None:
