@@ -31,7 +31,7 @@ _Mps2 = Annotated[float, Meta(ge=-5.0, le=5.0)]
 _Mps2Sigma = Annotated[float, Meta(ge=_LEAST_SIGMA, le=UNKNOWN_BIAS_SIGMA_MPS2)]
 
 
-class _Document(Struct):
+class _CalibrationFile(Struct):
     sensor: _Text
     source: _Text
     created_utc: _Text
@@ -150,7 +150,9 @@ def read_calibration(path: Path) -> StoredCalibration:
             version=content.get("version"),
             known=VERSION,
         )
-    held = structs.asdict(convert(content, _Document, str(path), InputError, _REMEDY))
+    held = structs.asdict(
+        convert(content, _CalibrationFile, str(path), InputError, _REMEDY)
+    )
     texts = {name: held.pop(name) for name in ("sensor", "source", "created_utc")}
     return StoredCalibration(SensorCalibration(**held), **texts)
 

@@ -37,7 +37,7 @@ class _Force(Struct):
     feedback: _Text
 
 
-class _Document(Struct):
+class _ManifestDocument(Struct):
     title: _Text
     clip: _Clip
     force: _Force
@@ -97,7 +97,7 @@ def read_manifest(content: bytes, where: str) -> Manifest:
             remedy=_UPDATE,
             found=without_controls(str(found.get("version"))[:40]),
         )
-    given = convert(value, _Document, where, NetworkError, _UPDATE)
+    given = convert(value, _ManifestDocument, where, NetworkError, _UPDATE)
     tracks = tuple(map(without_controls, given.force.tracks))
     feedback = without_controls(given.force.feedback)
     if len(set(tracks)) < len(tracks) or feedback not in tracks:
