@@ -67,9 +67,9 @@ class _Sensor(NamedTuple):
     largest: float
 
 
-_FORCE = _Sensor("specific_force_mps2", RepairKind.FORCE_FILLED, MAX_FORCE)
-_RATE = _Sensor("angular_rate_radps", RepairKind.RATE_FILLED, MAX_RATE)
-_FIELD = _Sensor("magnetic_field_ut", RepairKind.FIELD_FILLED, MAX_FIELD)
+_SPECIFIC_FORCE = _Sensor("specific_force_mps2", RepairKind.FORCE_FILLED, MAX_FORCE)
+_ANGULAR_RATE = _Sensor("angular_rate_radps", RepairKind.RATE_FILLED, MAX_RATE)
+_MAGNETIC_FIELD = _Sensor("magnetic_field_ut", RepairKind.FIELD_FILLED, MAX_FIELD)
 
 
 def repair_samples(  # noqa: PLR0913 - what a logger knows
@@ -84,8 +84,8 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
 ) -> Repaired:
     """Turn raw samples into a log, with every flaw repaired, marked or refused.
 
-    Times: see `repair_times`. A sample of force or rate that is not finite (or an
-    exact zero force between real ones) is filled: up to 0.1 s by straight lines,
+    Times: see `repair_times`. A specific force or angular rate that is not finite, or
+    an exact zero force between real ones, is filled: up to 0.1 s by straight lines,
     longer between the means of the quarter seconds beside the gap; it is marked as
     not valid. The magnetometer is filled the same way and does not make the motion
     invalid; without useful samples it is left out. Gaps in the times stay gaps.
@@ -112,10 +112,13 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
     repairs = list(line.repairs)
     sensors = [_at_times(line, values) for values in sensors]
     force, rate = sensors[0], sensors[1]
-    lost_force = _missing(force, _FORCE) | _placeholders(force)
-    lost_rate = _missing(rate, _RATE)
+    lost_force = _missing(force, _SPECIFIC_FORCE) | _placeholders(force)
+    lost_rate = _missing(rate, _ANGULAR_RATE)
     _refuse_unpaired(lost_force, lost_rate, source)
-    for sensor, values, lost in ((_FORCE, force, lost_force), (_RATE, rate, lost_rate)):
+    for sensor, values, lost in (
+        (_SPECIFIC_FORCE, force, lost_force),
+        (_ANGULAR_RATE, rate, lost_rate),
+    ):
         _refuse_missing(sensor, lost, line, source)
         _fill(values, lost, line, repairs, sensor)
     field = _field(sensors[2], line, repairs) if len(sensors) > 2 else None
@@ -142,9 +145,9 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
 
 def _arrays(
     time_s: ArrayLike,
-    force: ArrayLike,
-    rate: ArrayLike,
-    field: ArrayLike | None,
+    specific_force_mps2: ArrayLike,
+    angular_rate_radps: ArrayLike,
+    magnetic_field_ut: ArrayLike | None,
     source: str,
 ) -> tuple[Floats, list[Floats]]:
     """Return own copies as float64; the caller's arrays stay as they are."""
@@ -164,9 +167,12 @@ def _arrays(
             least=MIN_SAMPLES,
             most=MAX_SAMPLES,
         )
-    given = [(_FORCE, force), (_RATE, rate)]
-    if field is not None:
-        given.append((_FIELD, field))
+    given = [
+        (_SPECIFIC_FORCE, specific_force_mps2),
+        (_ANGULAR_RATE, angular_rate_radps),
+    ]
+    if magnetic_field_ut is not None:
+        given.append((_MAGNETIC_FIELD, magnetic_field_ut))
     sensors = []
     for sensor, values in given:
         array = _numbers(values, sensor.name, source)
@@ -190,7 +196,7 @@ def _numbers(values: ArrayLike, name: str, source: str) -> Floats:
     try:
         array = np.asarray(values)
         if array.dtype.kind not in "biufO":
-            raise TypeError(f"{array.dtype} is no real number")  # noqa: TRY301
+            raise TypeError(f"{array.dtype} is not a real number")  # noqa: TRY301
         return np.array(array, dtype=np.float64, order="C")
     except (TypeError, ValueError) as error:
         raise InputError(
@@ -220,17 +226,17 @@ def _missing(values: Floats, sensor: _Sensor) -> Flags:
     return ~all_of_rows(np.abs(values) <= sensor.largest)
 
 
-def _placeholders(force: Floats) -> Flags:
+def _placeholders(specific_force_mps2: Floats) -> Flags:
     """Return spans of exact zeros that begin and end abruptly."""
-    is_zero = all_of_rows(force == 0.0)
+    is_zero = all_of_rows(specific_force_mps2 == 0.0)
     if is_zero.all() or not is_zero.any():
         return np.asarray(is_zero)
     edges = np.flatnonzero(np.diff(is_zero, prepend=False, append=False))
     begins, ends = edges[::2], edges[1::2]
-    loud = np.ones(len(force) + 2, dtype=np.bool_)  # outside counts as loud
-    norm = np.sqrt(np.einsum("ij,ij->i", force, force))
+    loud = np.ones(len(is_zero) + 2, dtype=np.bool_)  # outside counts as loud
+    norm = np.sqrt(np.einsum("ij,ij->i", specific_force_mps2, specific_force_mps2))
     loud[1:-1] = ~(norm <= PLACEHOLDER_MPS2)
-    steps = np.zeros(len(force) + 1, dtype=np.int64)
+    steps = np.zeros(len(is_zero) + 1, dtype=np.int64)
     is_abrupt = loud[begins] & loud[ends + 1]
     steps[begins[is_abrupt]] = 1
     steps[ends[is_abrupt]] = -1
@@ -306,7 +312,7 @@ def _fill(
         name=sensor.name,
         place=row_of(first_row),
     )
-    if sensor is not _FIELD:
+    if sensor is not _MAGNETIC_FIELD:
         what = Message("{what} and are marked as not valid", what=what)
     repairs.append(Repair(sensor.kind, number, first_row, what))
 
@@ -325,7 +331,7 @@ def _side_means(
 
 def _field(field: Floats, line: Timeline, repairs: list[Repair]) -> Floats | None:
     """Return the magnetic field without gaps, or None when most of it is missing."""
-    lost = _missing(field, _FIELD) | ~field.any(axis=1)
+    lost = _missing(field, _MAGNETIC_FIELD) | ~field.any(axis=1)
     if np.count_nonzero(lost) > MAX_MISSING * len(lost):
         count = int(np.count_nonzero(lost))
         what = Message(
@@ -337,23 +343,28 @@ def _field(field: Floats, line: Timeline, repairs: list[Repair]) -> Floats | Non
             Repair(RepairKind.FIELD_DROPPED, count, line.first_row(lost), what)
         )
         return None
-    _fill(field, lost, line, repairs, _FIELD)
+    _fill(field, lost, line, repairs, _MAGNETIC_FIELD)
     return field
 
 
 def _check_motion(
-    line: Timeline, force: Floats, rate: Floats, repairs: list[Repair], source: str
+    line: Timeline,
+    specific_force_mps2: Floats,
+    angular_rate_radps: Floats,
+    repairs: list[Repair],
+    source: str,
 ) -> None:
-    """Refuse stuck sensors and a wrong unit of the force; report a gyro that reads 0."""
-    check_force_unit(line.time_s, force, source)
-    if (force == force[0]).all() and (rate == rate[0]).all():
+    """Refuse stuck sensors and a wrong unit of the specific force; report a gyro that reads 0."""
+    check_force_unit(line.time_s, specific_force_mps2, source)
+    sensors = specific_force_mps2, angular_rate_radps
+    if all((values == values[0]).all() for values in sensors):
         raise InputError(
             "all samples are the same, so the sensor was stuck",
             where=source,
             remedy="give a recording of a sensor that worked",
         )
-    if not rate.any():
+    if not angular_rate_radps.any():
         what = Message("the angular rate is zero throughout, so no rotation is assumed")
         repairs.append(
-            Repair(RepairKind.NO_ROTATION, len(rate), int(line.rows[0]), what)
+            Repair(RepairKind.NO_ROTATION, len(line.time_s), int(line.rows[0]), what)
         )

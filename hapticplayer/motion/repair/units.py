@@ -14,7 +14,7 @@ from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 
 PLAUSIBLE_NORM_MPS2 = (4.0, 40.0)
-"""Norm of the specific force where it is calm: 1 g at rest, 1.8 g in a runner's hand."""
+"""Norm of the specific force in calm windows: 1 g at rest, 1.8 g in a runner's hand."""
 
 SURELY_G = (0.8, 1.25)
 
@@ -30,34 +30,36 @@ RESIDUALS = 32
 VELOCITY_SIGMA_MPS = 1.0
 GYRO_BIAS_SIGMA_RADPS = 0.05
 GRAVITY_SIGMA_MPS2 = 0.03 * STANDARD_GRAVITY_MPS2
-# Velocities below are vibration and noise; they speak for no unit.
+# Velocities below this are vibration and noise, and no evidence for a unit.
 VELOCITY_FLOOR_MPS = 0.1
-# A window speaks where the two units see the force in directions so far apart.
-TELLING_RAD = 0.1
-# Log odds for the unit that was given before the motion is looked at: most logs are
-# right, but beyond a runner's pocket an angular rate is the less usual the faster it is.
+# A window is used where the two units rotate the specific force at least this far apart.
+LEAST_DIFFERENCE_RAD = 0.1
+# Prior log odds of the given unit: most logs are right, but above the RMS in a runner's
+# pocket a rate is the less likely the higher it is.
 LABEL_LOG_ODDS = 1.0
 RUNNING_RMS_RADPS, LOG_RMS_SIGMA = 3.0, 0.6
 REFUSED_LOG_ODDS = -2.5
 MIN_EVIDENCE = 0.5
-# At lower rates in the other unit the sensor may rest, and the rate be its bias.
+# Below this rate in the other unit the sensor may be at rest, and the rate be its bias.
 REST_RMS_RADPS = 0.02
-# Slower rates may have been converted twice, faster ones be in deg/s.
+# Lower rates may have been converted twice, higher ones be in deg/s.
 SLOW_RMS_RADPS = 0.1
 
 
-def check_force_unit(time_s: Floats, force: Floats, source: str = "") -> None:
+def check_force_unit(
+    time_s: Floats, specific_force_mps2: Floats, source: str = ""
+) -> None:
     """Refuse a specific force whose calm parts cannot be gravity in m/s^2.
 
     Args:
         time_s: (N,) increasing.
-        force: (N, 3) finite.
+        specific_force_mps2: (N, 3) finite, in the unit to check.
         source: for the error message.
 
     Raises:
         InputError: naming the factor where the unit is recognised.
     """
-    norm = calm_norm(time_s, force)
+    norm = calm_norm(time_s, specific_force_mps2)
     low, high = PLAUSIBLE_NORM_MPS2
     if low <= norm <= high:
         return
@@ -71,9 +73,9 @@ def check_force_unit(time_s: Floats, force: Floats, source: str = "") -> None:
     )
 
 
-def calm_norm(time_s: Floats, force: Floats) -> float:
+def calm_norm(time_s: Floats, specific_force_mps2: Floats) -> float:
     """Return the median norm over the calmer half of the windows of 0.5 s."""
-    norm = np.sqrt(np.einsum("ij,ij->i", force, force))
+    norm = np.sqrt(np.einsum("ij,ij->i", specific_force_mps2, specific_force_mps2))
     interval_s = float(np.median(np.diff(time_s)))
     count = max(2, round(CALM_WINDOW_S / interval_s))
     windows = len(norm) // count
@@ -107,24 +109,25 @@ def _force_remedy(norm: float) -> str:
 
 def check_rate_unit(
     time_s: Floats,
-    force: Floats,
-    rate: Floats,
+    specific_force_mps2: Floats,
+    angular_rate_radps: Floats,
     source: str = "",
     *,
     is_known: bool = False,
 ) -> Message | None:
     """Refuse an angular rate whose other unit is far more likely.
 
-    Windows in which the units see the force in different directions are compared by
+    Windows in which the units rotate the specific force differently are compared by
     a likelihood ratio: the unit whose rotation leaves the smaller velocity is more
-    likely. Swinging keeps the force along one axis of the sensor, as no rotation
-    would, so a small ratio is a doubt only. The windows of one recording share its
-    kind of motion and count as one. The cost does not grow with the length.
+    likely. Swinging keeps the specific force along one axis of the sensor, as if it
+    did not rotate, so that a small ratio gives a note only. The windows of one
+    recording share its kind of motion and count as one. The cost does not grow with
+    the length.
 
     Args:
         time_s: (N,) increasing.
-        force: (N, 3) finite.
-        rate: (N, 3) finite.
+        specific_force_mps2: (N, 3) finite.
+        angular_rate_radps: (N, 3) finite, in the unit to check.
         source: for the error message.
         is_known: a person has given the unit, so that nothing is refused.
 
@@ -134,12 +137,15 @@ def check_rate_unit(
     Raises:
         InputError: naming the factor.
     """
-    rms = math.sqrt(float(np.einsum("ij,ij->", rate, rate)) / len(rate))
+    rms = math.sqrt(
+        float(np.einsum("ij,ij->", angular_rate_radps, angular_rate_radps))
+        / len(angular_rate_radps)
+    )
     if rms == 0.0:
         return None
     is_degrees = rms > SLOW_RMS_RADPS
     factor = np.pi / 180.0 if is_degrees else 180.0 / np.pi
-    evidence = _evidence(time_s, force, rate, factor)
+    evidence = _evidence(time_s, specific_force_mps2, angular_rate_radps, factor)
     log_odds = LABEL_LOG_ODDS + evidence + _log_prior(rms) - _log_prior(factor * rms)
     if log_odds > 0.0:
         return None
@@ -168,10 +174,15 @@ def _log_prior(rms_radps: float) -> float:
     return -0.5 * beyond**2
 
 
-def _evidence(time_s: Floats, force: Floats, rate: Floats, factor: float) -> float:
+def _evidence(
+    time_s: Floats,
+    specific_force_mps2: Floats,
+    angular_rate_radps: Floats,
+    factor: float,
+) -> float:
     """Return the log likelihood ratio of 1 and `factor` times the rate.
 
-    It is 0 where no window tells the two apart.
+    It is 0 where the two are alike in all windows.
     """
     interval_s = float(np.median(np.diff(time_s)))
     span_s = min(WINDOW_S, interval_s * (len(time_s) - 1))
@@ -191,16 +202,16 @@ def _evidence(time_s: Floats, force: Floats, rate: Floats, factor: float) -> flo
         return np.asarray(weighted.reshape(number, -1, step, 3).sum(axis=2))
 
     step_s = held_s.reshape(number, -1, step).sum(axis=2)[..., None]
-    impulse, angle = coarse(force), coarse(rate)
+    impulse, angle = coarse(specific_force_mps2), coarse(angular_rate_radps)
     given, other = _attitude(angle), _attitude(factor * angle)
     seen_given, seen_other = quat.rotate(given, impulse), quat.rotate(other, impulse)
     apart = np.linalg.norm(seen_given - seen_other, axis=2).mean(axis=1)
-    telling = apart > TELLING_RAD * np.linalg.norm(impulse, axis=2).mean(axis=1)
-    if not telling.any():
+    used = apart > LEAST_DIFFERENCE_RAD * np.linalg.norm(impulse, axis=2).mean(axis=1)
+    if not used.any():
         return 0.0
     ratio = _unexplained_mps2(seen_other, other, step_s)
     ratio /= _unexplained_mps2(seen_given, given, step_s)
-    return float(np.median(np.log(ratio[telling])))
+    return float(np.median(np.log(ratio[used])))
 
 
 def _attitude(angle: Floats) -> Floats:
@@ -218,7 +229,8 @@ def _unexplained_mps2(impulse: Floats, attitude: Floats, step_s: Floats) -> Floa
     the bias have priors.
 
     Args:
-        impulse: (B, K, 3) force times time of the steps, in a frame that does not turn.
+        impulse: (B, K, 3) specific force times duration of the steps, in a frame that
+            does not rotate.
         attitude: (B, K, 4) of the sensor in it.
         step_s: (B, K, 1).
     """
