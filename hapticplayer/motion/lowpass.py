@@ -19,7 +19,7 @@ FILTER_ORDER = 2
 # The filter has forgotten its past to 1e-3 after this many periods of the cutoff.
 PADDING_PERIODS = 2.0
 # A slow part below this is free fall or a dead sensor and has no direction.
-MIN_FORCE_MPS2 = 0.5
+MIN_SPECIFIC_FORCE_MPS2 = 0.5
 
 
 def lowpass_vertical(
@@ -71,15 +71,21 @@ def orientation_from_vertical(up: Floats) -> Floats:
     return rotations.to_wxyz(rotations.unit(rotations.multiply(q, residual)))
 
 
-def _smoothed(force: Floats, interval_s: float, cutoff_hz: float) -> Floats:
+def _smoothed(
+    specific_force_mps2: Floats, interval_s: float, cutoff_hz: float
+) -> Floats:
     from scipy import signal
 
-    if len(force) < 2 or 2.0 * cutoff_hz * interval_s >= 1.0:
-        return force
+    if len(specific_force_mps2) < 2 or 2.0 * cutoff_hz * interval_s >= 1.0:
+        return specific_force_mps2
     sections = signal.butter(FILTER_ORDER, cutoff_hz, fs=1.0 / interval_s, output="sos")
     wanted = math.ceil(PADDING_PERIODS / (cutoff_hz * interval_s))
     smooth: Floats = signal.sosfiltfilt(
-        sections, force, axis=0, padtype="even", padlen=min(wanted, len(force) - 1)
+        sections,
+        specific_force_mps2,
+        axis=0,
+        padtype="even",
+        padlen=min(wanted, len(specific_force_mps2) - 1),
     )
     return smooth
 
@@ -87,7 +93,7 @@ def _smoothed(force: Floats, interval_s: float, cutoff_hz: float) -> Floats:
 def _directions(vectors: Floats) -> Floats:
     """Return unit vectors; those too short take the direction of the last usable."""
     norm = np.linalg.norm(vectors, axis=1)
-    usable = norm > MIN_FORCE_MPS2
+    usable = norm > MIN_SPECIFIC_FORCE_MPS2
     if not usable.any():
         return np.tile([0.0, 0.0, 1.0], (len(vectors), 1))
     last = np.maximum.accumulate(np.where(usable, np.arange(len(norm)), -1))

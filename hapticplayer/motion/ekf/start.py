@@ -19,7 +19,7 @@ from hapticplayer.motion.lowpass import orientation_from_vertical
 Mask = NDArray[np.bool_]
 
 # Below this a vector has no direction worth the name.
-MIN_FORCE_MPS2 = 0.05
+MIN_SPECIFIC_FORCE_MPS2 = 0.05
 MIN_FIELD_UT = 1e-3
 
 
@@ -167,7 +167,7 @@ def start_orientation(
         first = int(np.argmax(usable) if usable.any() else np.argmin(off))
         force = specific_force_mps2[first]
     norm = float(np.linalg.norm(force))
-    up = force / norm if norm > MIN_FORCE_MPS2 else np.array([0.0, 0.0, 1.0])
+    up = force / norm if norm > MIN_SPECIFIC_FORCE_MPS2 else np.array([0.0, 0.0, 1.0])
     q = orientation_from_vertical(up[None])[0]
     if first:
         a, b = turns[1 : first + 1].view(np.complex128).T
