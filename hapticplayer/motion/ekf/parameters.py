@@ -54,7 +54,7 @@ class EkfParameters:
         still_window_s: s; shortest still span that gives a gyro bias.
         still_search_s: s; the span has to begin within this from the start.
         still_longest_s: s; nothing later than the sum of the two is looked at.
-        still_force_sigma_mps2: m/s^2; deviation of the specific force in it.
+        still_accel_sigma_mps2: m/s^2; deviation of the specific force in it.
         still_rate_sigma_radps: rad/s; deviation of the angular rate in it.
         max_gyro_bias_radps: rad/s; a larger mean rate is taken for a rotation.
         field_magnitude_ut: uT; norm of the earth's field; None takes the median of
@@ -84,7 +84,7 @@ class EkfParameters:
     still_window_s: float = 1.0
     still_search_s: float = 10.0
     still_longest_s: float = 60.0
-    still_force_sigma_mps2: float = 0.25
+    still_accel_sigma_mps2: float = 0.25
     still_rate_sigma_radps: float = 0.02
     max_gyro_bias_radps: float = 0.2
     field_magnitude_ut: float | None = None

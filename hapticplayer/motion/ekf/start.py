@@ -92,10 +92,10 @@ def still_start(
     if len(angular_rate_radps) < count:
         return nothing
     rate_mean, rate_sigma = _windows(angular_rate_radps, count)
-    force_mean, force_sigma = _windows(specific_force_mps2, count)
+    force_mean, accel_sigma = _windows(specific_force_mps2, count)
     still = (
         (rate_sigma < p.still_rate_sigma_radps)
-        & (force_sigma < p.still_force_sigma_mps2)
+        & (accel_sigma < p.still_accel_sigma_mps2)
         & (np.linalg.norm(rate_mean, axis=1) < p.max_gyro_bias_radps)
         # floating weightlessly shows no vertical, and any slow spin passes
         & (np.linalg.norm(force_mean, axis=1) > 0.5 * p.gravity_mps2)

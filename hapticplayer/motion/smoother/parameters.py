@@ -31,8 +31,8 @@ class SmootherParameters:
         rate_noise_rad_per_sqrt_s: angular random walk, with what bias instability
             adds; a MEMS gyro alone has 1e-4 to 1e-3.
         rotation_error: tilt per radian turned that the gyro matrix does not explain.
-        force_noise_mps_per_sqrt_s: velocity random walk.
-        force_error: share of the changing specific force that is wrong (scale,
+        accel_noise_mps_per_sqrt_s: velocity random walk.
+        accel_error: share of the changing specific force that is wrong (scale,
             linearity, clipping).
         gyro_bias_sigma_radps: prior sigma of the gyro's bias; 2.9 deg/s.
         gyro_matrix_sigma: of each element of its scale and misalignment.
@@ -78,8 +78,8 @@ class SmootherParameters:
     node_samples: int = 32
     rate_noise_rad_per_sqrt_s: float = 0.0011
     rotation_error: float = 0.0021
-    force_noise_mps_per_sqrt_s: float = 0.01
-    force_error: float = 0.037
+    accel_noise_mps_per_sqrt_s: float = 0.01
+    accel_error: float = 0.037
     gyro_bias_sigma_radps: float = 0.05
     gyro_matrix_sigma: float = 0.0065
     accel_bias_sigma_mps2: float = 0.14

@@ -26,8 +26,8 @@ from hapticplayer.motion.smoother.vehicle import (
     with_body_velocity,
 )
 
-# Error of the specific force where it is in doubt, and rotation rate where it is lost.
-DOUBTFUL_FORCE_SIGMA_MPS2, LOST_RATE_SIGMA_RADPS = 5.0, 1.0
+# Sigmas of the specific force where it is in doubt, and of the rate where it is lost.
+DOUBTFUL_ACCEL_SIGMA_MPS2, LOST_RATE_SIGMA_RADPS = 5.0, 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -177,11 +177,11 @@ def _tilt_noise(nodes: Nodes, p: SmootherParameters) -> Floats:
 
 def _velocity_noise(nodes: Nodes, bound_mps: Floats, p: SmootherParameters) -> Floats:
     """Return the variance of the velocity's change from node to node, (m/s)^2."""
-    doubt = (DOUBTFUL_FORCE_SIGMA_MPS2 * nodes.doubt_s) ** 2
+    doubt = (DOUBTFUL_ACCEL_SIGMA_MPS2 * nodes.doubt_s) ** 2
     # a velocity that is bounded on both sides of a gap changes no more than this
     doubt = np.minimum(doubt, bound_mps[1:] ** 2 + bound_mps[:-1] ** 2)
     return np.asarray(
-        p.force_noise_mps_per_sqrt_s**2 * nodes.duration_s
-        + p.force_error**2 * nodes.power_m2ps3 * nodes.duration_s
+        p.accel_noise_mps_per_sqrt_s**2 * nodes.duration_s
+        + p.accel_error**2 * nodes.power_m2ps3 * nodes.duration_s
         + doubt
     )
