@@ -18,6 +18,7 @@ from hapticplayer.errors import Message, UsageError
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.friedman import chi_squares
 from hapticplayer.study.analysis.scores import Sample
+from hapticplayer.study.analysis.statistic import holm_of_columns
 
 FRIEDMAN, ALL_PAIRS = "friedman", "all pairs"
 MOST_PARTICIPANTS, MOST_STUDIES = 300, 100_000
@@ -162,24 +163,14 @@ def _sizes(largest: int) -> tuple[int, ...]:
 
 
 def _significant(values: Floats, pairs: list[tuple[int, int]], alpha: float) -> Floats:
-    """Return the number of studies (D, n, F) in which each test is significant.
-
-    Holm's correction is vectorised over studies, which statsmodels is not.
-    """
+    """Return the number of studies (D, n, F) in which each test is significant."""
     values = np.round(values, 9)
     feedbacks = values.shape[2]
     chi2 = np.nan_to_num(chi_squares(values))
     omnibus = chi2 > stats.chi2.isf(alpha, feedbacks - 1)
     p = np.stack([_pair_p(values[:, :, j] - values[:, :, i]) for i, j in pairs])
-    # Holm: significant while each sorted p is below alpha / remaining tests
-    order = np.argsort(p, axis=0)
-    limits = alpha / np.arange(len(pairs), 0, -1)[:, None]
-    passed = np.logical_and.accumulate(
-        np.take_along_axis(p, order, axis=0) <= limits, axis=0
-    )
-    significant = np.zeros_like(passed)
-    np.put_along_axis(significant, order, passed, axis=0)
-    rows = np.concatenate([omnibus[None], significant, passed[-1:]])
+    significant = holm_of_columns(p) <= alpha
+    rows = np.stack([omnibus, *significant, significant.all(axis=0)])
     return np.asarray(rows.sum(axis=1), np.float64)
 
 
