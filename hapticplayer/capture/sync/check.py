@@ -13,7 +13,7 @@ from hapticplayer.capture.sync.events import (
     sound_events,
     sound_onsets,
 )
-from hapticplayer.capture.sync.shifts import INTERVAL_S
+from hapticplayer.capture.sync.shifts import INTERVAL_S, unevenness
 from hapticplayer.capture.sync.synchronize import ClipSound
 from hapticplayer.model import ImuLog
 
@@ -21,7 +21,6 @@ _RAREST = 24
 _RARE_HZ = 0.25  # weaker pats are found by chance as easily
 _MOST_CHANCE = 0.1
 _GAPS_S = INTERVAL_S[1] - INTERVAL_S[0]
-_RHYTHM = 0.16
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,8 +73,8 @@ def _check(events: Events, duration_s: float = 0.0) -> StreamCheck:
         gaps_s = np.diff(rare.time_s[list(rows)])
         if not (INTERVAL_S[0] <= gaps_s.min() and gaps_s.max() <= INTERVAL_S[1]):
             continue
-        rhythm = float(np.log(gaps_s[1] / gaps_s[0])) / _RHYTHM
         rarity_hz = rare.rarity_hz[list(rows)]
+        rhythm = float(unevenness(gaps_s))
         cost = 0.5 * rhythm**2 + 2.0 * float(np.log(rarity_hz).sum())
         if cost < best_cost:
             times = tuple(rare.time_s[list(rows)].tolist())

@@ -226,7 +226,12 @@ def _triple_weight(
     # the mean is fitted and has the density of one pair's shift
     fit = -0.5 * apart - 2.0 * np.log(np.sqrt(2 * np.pi) * match.sigma_s)
     gaps_s = np.diff(time_s, axis=1)
-    rhythm = np.log(gaps_s[:, 1] / gaps_s[:, 0]) / _RHYTHM
+    rhythm = unevenness(gaps_s)
     steady = -0.5 * rhythm**2 - np.log(np.sqrt(2 * np.pi) * _RHYTHM * gaps_s[:, 1])
     first = -np.log(INTERVAL_S[1] - INTERVAL_S[0])
     return np.asarray(pairs.pat[rows].sum(axis=1) + fit + steady + first)
+
+
+def unevenness(gaps_s: Floats) -> Floats:
+    """Return how much the rhythm of pats (..., 2) changes, in standard deviations."""
+    return np.asarray(np.log(gaps_s[..., 1] / gaps_s[..., 0]) / _RHYTHM)
