@@ -176,7 +176,6 @@ def _force_n(
     count = -(-data.frames * up // down)
     if count > MAX_SAMPLES:
         raise InputError("holds too many values", where=where, remedy=_ANOTHER)
-    low_pass = _low_pass(up, down)
     width = data.form.channels * data.form.bits // 8
     force_n = np.zeros((count, 3), dtype=np.float32)
     size = down * max(1, _AT_ONCE // down)
@@ -189,7 +188,7 @@ def _force_n(
         if way is not None:
             samples = samples.sum(axis=1)[:, None]
         if margin:
-            samples = _slower(samples, up, down, low_pass)
+            samples = _slower(samples, up, down)
         row = first * up // down
         last = min(len(force_n), row + size * up // down)
         skipped = (first - begin) * up // down
@@ -216,18 +215,7 @@ def _samples(form: _Form, data: bytes) -> Floats:
     return np.asarray(values).reshape(-1, form.channels)
 
 
-def _low_pass(up: int, down: int) -> Floats:
-    """Return the filter that `scipy.signal.resample_poly` would make."""
-    if down == 1:
-        return np.ones(1)
-    from scipy.signal import firwin
-
-    most = max(up, down)
-    taps = firwin(2 * _REACH * most + 1, 1.0 / most, window=("kaiser", 5.0))
-    return np.asarray(taps)
-
-
-def _slower(samples: Floats, up: int, down: int, low_pass: Floats) -> Floats:
+def _slower(samples: Floats, up: int, down: int) -> Floats:
     from scipy.signal import resample_poly
 
-    return np.asarray(resample_poly(samples, up, down, axis=0, window=low_pass))
+    return np.asarray(resample_poly(samples, up, down, axis=0))
