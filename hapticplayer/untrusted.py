@@ -52,6 +52,7 @@ MAX_BYTES_KEPT = 64 << 20
 
 _CONTROLS = (*range(0x20), *range(0x7F, 0xA0))
 
+ANOTHER = Message("choose another file")
 COPY_AGAIN = Message("copy it again from the camera, or choose another file")
 
 _KINDS = (
@@ -124,7 +125,7 @@ def read_regular(
         raise error(
             Message("is too large (limit: {most_bytes} bytes)", most_bytes=most_bytes),
             where=str(path),
-            remedy=remedy or Message("choose another file"),
+            remedy=remedy or ANOTHER,
         )
     return content
 

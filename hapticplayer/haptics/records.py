@@ -24,6 +24,7 @@ from hapticplayer.clock import SystemClock, utc_now_iso
 from hapticplayer.errors import InputError, Message
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import RING_TICKS, TICK
+from hapticplayer.untrusted import ANOTHER
 
 MAGIC = b"\x89HPREC\r\n"  # no text survives its first and last bytes
 VERSION = 1
@@ -37,7 +38,6 @@ FRAME = struct.Struct("<4sIQQI")  # marker, ticks, first, lost before, CRC of ti
 CRC = struct.Struct("<I")
 FRAME_BYTES = FRAME.size + CRC.size
 MAX_NUMBER = 1 << 53
-_REMEDY = Message("choose another file")
 _MAX_FIELDS, _MAX_ITEMS = 64, 16
 _TYPES = {f"<{kind}" for kind in ("f4", "f8", "u2", "u4", "u8", "i2", "i4", "i8")}
 _TYPES |= {"|u1", "|i1"}
@@ -79,13 +79,13 @@ def open_record(path: Path) -> int:
     try:
         return os.open(path, flags, 0o666)
     except FileExistsError as problem:
-        raise InputError("already exists", where=str(path), remedy=_REMEDY) from problem
+        raise InputError("already exists", where=str(path), remedy=ANOTHER) from problem
     except (OSError, ValueError) as problem:
         raise InputError(
             "the record cannot be written ({reason})",
             reason=problem,
             where=str(path),
-            remedy=_REMEDY,
+            remedy=ANOTHER,
         ) from problem
 
 

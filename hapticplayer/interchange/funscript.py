@@ -31,6 +31,7 @@ from hapticplayer.interchange.thinning import Polyline, thin
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence.excursion import travel_m
+from hapticplayer.untrusted import ANOTHER
 
 REACH_M = limits_of(FALCON).workspace_m
 MAX_ACTIONS = 900_000
@@ -42,7 +43,6 @@ _CHANNELS = {"stroke": "L0", "surge": "L1", "sway": "L2"}
 _SUFFIXES = {".surge": "L1", ".sway": "L2"}
 _OTHER_SUFFIXES = (".twist", ".roll", ".pitch")
 _MARK = b"written by hapticplayer"
-_ANOTHER = Message("choose another file")
 
 
 def is_ours(head: bytes) -> bool:
@@ -93,7 +93,7 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
     stem = path.name.lower().removesuffix(".funscript")
     if stem.endswith(_OTHER_SUFFIXES):
         raise InputError(
-            "holds rotations, which are not read", where=str(path), remedy=_ANOTHER
+            "holds rotations, which are not read", where=str(path), remedy=ANOTHER
         )
     main = next((one for end, one in _SUFFIXES.items() if stem.endswith(end)), "L0")
     lists = {main: root}
@@ -111,7 +111,7 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
         elif one.items("actions"):
             curves.append((*_AXES[name], *_positions(one)))
     if not curves:
-        raise InputError("holds no positions", where=str(path), remedy=_ANOTHER)
+        raise InputError("holds no positions", where=str(path), remedy=ANOTHER)
     time_s = np.unique(np.concatenate([curve[2] for curve in curves]))
     force_n = np.zeros((len(time_s), 3))
     for column, sign, at_s, place in curves:
@@ -141,7 +141,7 @@ def _positions(one: Fields) -> tuple[Floats, Floats]:
     )
     rows = rows[rows[:, 0] >= 0.0]
     if not len(rows):
-        raise InputError("holds no positions", where=one.where, remedy=_ANOTHER)
+        raise InputError("holds no positions", where=one.where, remedy=ANOTHER)
     at_ms, first = np.unique(rows[:, 0], return_index=True)
     place = np.clip(rows[first, 1], 0.0, 100.0)
     return at_ms / 1000.0, 100.0 - place if one.values.get(

@@ -14,11 +14,10 @@ from hapticplayer.interchange.force_files import MAX_SECONDS
 from hapticplayer.interchange.hjif_signals import EffectCurve, HjifEffect, Keyframes
 from hapticplayer.interchange.hjif_wavelet import block_height
 from hapticplayer.interchange.json_fields import Fields
+from hapticplayer.untrusted import ANOTHER
 
 MAX_SAMPLES = 3_000_000
 """Milliseconds of waves in a file: 50 min."""
-
-_ANOTHER = Message("choose another file")
 
 
 class Bands:
@@ -37,7 +36,7 @@ class Bands:
 
     def __init__(self, timescale: float) -> None:
         if not timescale >= 1.0:
-            raise InputError("timescale must be 1 or more", remedy=_ANOTHER)
+            raise InputError("timescale must be 1 or more", remedy=ANOTHER)
         self.assumed: list[Message] = []
         self.unread: Counter[str] = Counter()
         self._timescale, self._left = timescale, MAX_SAMPLES
@@ -127,7 +126,7 @@ class Bands:
             raise InputError(
                 "waves of more than {most_s:.0f} s",
                 where=band.where,
-                remedy=_ANOTHER,
+                remedy=ANOTHER,
                 most_s=MAX_SAMPLES / 1000.0,
             )
 
@@ -153,7 +152,7 @@ class Bands:
             raise InputError(
                 "a keyframe lies outside of any clip",
                 where=effect.where,
-                remedy=_ANOTHER,
+                remedy=ANOTHER,
             )
         return HjifEffect(
             self._begin_s(effect),
@@ -166,6 +165,6 @@ class Bands:
         begin_s = effect.number("position", 0.0) / self._timescale
         if not abs(begin_s) <= MAX_SECONDS:
             raise InputError(
-                "position lies outside of any clip", where=effect.where, remedy=_ANOTHER
+                "position lies outside of any clip", where=effect.where, remedy=ANOTHER
             )
         return begin_s

@@ -20,10 +20,10 @@ from hapticplayer.interchange.hjif_signals import EffectCurve
 from hapticplayer.interchange.json_fields import Fields, read_crowd
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
+from hapticplayer.untrusted import ANOTHER
 
 FORCE = ("Force", "Kinesthetic")
 VIBRATION = ("Vibrotactile", "Vibration")
-_ANOTHER = Message("choose another file")
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
@@ -34,7 +34,7 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
     """
     root = Fields.of(read_crowd(path), str(path))
     if "perceptions" not in root.values:
-        raise InputError("holds no perceptions", where=str(path), remedy=_ANOTHER)
+        raise InputError("holds no perceptions", where=str(path), remedy=ANOTHER)
     reader = _ChannelReader(choices, root.number("timescale", 1000.0))
     for perception in root.objects("perceptions"):
         reader.add(perception)
@@ -87,7 +87,7 @@ class _ChannelReader:
                 raise InputError(
                     "holds no force that is understood ({first})",
                     where=str(path),
-                    remedy=_ANOTHER,
+                    remedy=ANOTHER,
                     first=unread[0],
                 )
             time_s, force_n = np.zeros(1), np.zeros((1, 3))
@@ -98,7 +98,7 @@ class _ChannelReader:
                 force_n += np.interp(time_s, *shape)[:, None] * vector_n
         kept = time_s >= 0.0
         if not kept.any():
-            raise InputError("ends before 0 s", where=str(path), remedy=_ANOTHER)
+            raise InputError("ends before 0 s", where=str(path), remedy=ANOTHER)
         refuse_large(force_n, str(path), Message("give another full scale"))
         track = ForceTrack(
             time_s[kept],

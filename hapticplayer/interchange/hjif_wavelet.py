@@ -9,7 +9,8 @@ reference decodes it (MPEGGroup, 2de9ff1); the coefficients themselves are not r
 import base64
 import binascii
 
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError
+from hapticplayer.untrusted import ANOTHER
 
 _RANGE, _DIGITS = 1024, 10
 _BIT_PLANES, _HEIGHT = 4, 8
@@ -28,7 +29,7 @@ def block_height(stream: str) -> float:
         content = base64.b64decode(stream.encode()[:32] + b"====")
     except (binascii.Error, ValueError) as problem:
         raise InputError(
-            "the wavelet stream is not base64", remedy=Message("choose another file")
+            "the wavelet stream is not base64", remedy=ANOTHER
         ) from problem
     if not content:
         return 0.0

@@ -3,14 +3,12 @@
 from typing import Any, NamedTuple
 
 from hapticplayer.errors import InputError, Message
-from hapticplayer.untrusted import PathLike, parse_json, read_regular
+from hapticplayer.untrusted import ANOTHER, PathLike, parse_json, read_regular
 
 MAX_BYTES = 96 << 20
 MAX_COMMAS = 3_000_000
 MAX_BRACKETS = 1_000_000
 """So many values and lists fit into 400 MB once they are read."""
-
-_ANOTHER = Message("choose another file")
 
 
 def read_crowd(path: PathLike) -> Any:
@@ -22,8 +20,8 @@ def read_crowd(path: PathLike) -> Any:
     content = read_regular(path, MAX_BYTES)
     crowd = max(content.count(b",") / MAX_COMMAS, content.count(b"{") / MAX_BRACKETS)
     if max(crowd, content.count(b"[") / MAX_BRACKETS) > 1.0:
-        raise InputError("holds too many values", where=str(path), remedy=_ANOTHER)
-    return parse_json(content, str(path), InputError, _ANOTHER)
+        raise InputError("holds too many values", where=str(path), remedy=ANOTHER)
+    return parse_json(content, str(path), InputError, ANOTHER)
 
 
 class Fields(NamedTuple):
@@ -45,7 +43,7 @@ class Fields(NamedTuple):
             InputError: when it is not an object.
         """
         if not isinstance(value, dict):
-            raise InputError("is not an object", where=where, remedy=_ANOTHER)
+            raise InputError("is not an object", where=where, remedy=ANOTHER)
         return cls(value, where)
 
     def number(
@@ -86,6 +84,6 @@ class Fields(NamedTuple):
         return InputError(
             "must be {wanted}",
             where=f"{self.where}, {name}",
-            remedy=_ANOTHER,
+            remedy=ANOTHER,
             wanted=wanted,
         )

@@ -29,14 +29,13 @@ from hapticplayer.interchange.force_files import (
 from hapticplayer.interchange.hjif_signals import STEP_S
 from hapticplayer.model import ForceTrack, Mapping
 from hapticplayer.model.arrays import Floats
-from hapticplayer.untrusted import read_regular
+from hapticplayer.untrusted import ANOTHER, read_regular
 
 MAX_BYTES = 24 << 20
 MAX_TAGS, MAX_ROWS = 200_000, 1_500_000
 _VIBRATION_HZ = 50.0
 _XSI = "{http://www.w3.org/2001/XMLSchema-instance}type"
 _SI = "{urn:mpeg:mpeg21:2003:01-DIA-XSI-NS}"
-_ANOTHER = Message("choose another file")
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
@@ -54,18 +53,18 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
 def _parsed(path: Path) -> Element:
     content = read_regular(path, MAX_BYTES)
     if content.count(b"<") > MAX_TAGS:
-        raise InputError("holds too many values", where=str(path), remedy=_ANOTHER)
+        raise InputError("holds too many values", where=str(path), remedy=ANOTHER)
     try:
         root: Element = ElementTree.fromstring(content, forbid_dtd=True)
     except (ParseError, DefusedXmlException, ValueError, LookupError) as problem:
         raise InputError(
             "is not valid XML ({reason})",
             where=str(path),
-            remedy=_ANOTHER,
+            remedy=ANOTHER,
             reason=str(problem) or type(problem).__name__,
         ) from problem
     if _name(root.tag) != "SEM":
-        raise InputError("is not MPEG-V (SEM)", where=str(path), remedy=_ANOTHER)
+        raise InputError("is not MPEG-V (SEM)", where=str(path), remedy=ANOTHER)
     return root
 
 
@@ -232,7 +231,7 @@ class _EffectReader:
         return value
 
     def _refusal(self, what: Message) -> InputError:
-        return InputError(what, where=self._where, remedy=_ANOTHER)
+        return InputError(what, where=self._where, remedy=ANOTHER)
 
 
 def _summed(parts: list[tuple[Floats, Floats]]) -> tuple[Floats, Floats]:

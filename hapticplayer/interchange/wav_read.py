@@ -23,7 +23,7 @@ from hapticplayer.interchange.force_files import (
 )
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.untrusted import open_regular
+from hapticplayer.untrusted import ANOTHER, open_regular
 
 MAX_BYTES, MAX_SAMPLES = 160 << 20, 9_000_000
 """Of a file, and of the force it becomes: 2 h 30 min of our own at 1 kHz, in 512 MB."""
@@ -42,7 +42,6 @@ _KINDS = {
 _AT_ONCE = 1 << 18  # samples of each channel
 _REACH = 10  # periods of the lower rate, to each side of the filter
 _LOOP_HZ = 1000
-_ANOTHER = Message("choose another file")
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
@@ -56,7 +55,7 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
             return _read(reader, path, choices)
     except OSError as problem:
         what = Message("cannot be read ({reason})", reason=problem)
-        raise InputError(what, where=str(path), remedy=_ANOTHER) from problem
+        raise InputError(what, where=str(path), remedy=ANOTHER) from problem
 
 
 def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
@@ -120,11 +119,11 @@ def _data(reader: BinaryIO, where: str) -> _Data:
         raise InputError(
             Message("is too large (limit: {most_bytes} bytes)", most_bytes=MAX_BYTES),
             where=where,
-            remedy=_ANOTHER,
+            remedy=ANOTHER,
         )
     head = reader.read(12)
     if head[:4] != b"RIFF" or head[8:12] != b"WAVE":
-        raise InputError("is not a WAV file", where=where, remedy=_ANOTHER)
+        raise InputError("is not a WAV file", where=where, remedy=ANOTHER)
     at, form, scale_n = 12, None, None
     while len(head := reader.read(8)) == 8:
         name, size = head[:4], struct.unpack_from("<I", head, 4)[0]
@@ -143,7 +142,7 @@ def _data(reader: BinaryIO, where: str) -> _Data:
             scale_n = _number(found[1])
         at += 8 + size + size % 2
         reader.seek(at)
-    raise InputError("holds no samples", where=where, remedy=_ANOTHER)
+    raise InputError("holds no samples", where=where, remedy=ANOTHER)
 
 
 def _form(body: bytes, where: str) -> _Form:
@@ -152,7 +151,7 @@ def _form(body: bytes, where: str) -> _Form:
         code = struct.unpack_from("<H", body, 24)[0]
     is_usual = 1 <= channels <= 8 and 100 <= rate <= 192_000
     if not is_usual or (code, bits) not in _KINDS:
-        raise InputError("has no usual format", where=where, remedy=_ANOTHER)
+        raise InputError("has no usual format", where=where, remedy=ANOTHER)
     return _Form(code, channels, rate, bits)
 
 
@@ -175,7 +174,7 @@ def _force_n(
         margin = down * (1 + _REACH * max(up, down) // (up * down))
     count = -(-data.frames * up // down)
     if count > MAX_SAMPLES:
-        raise InputError("holds too many values", where=where, remedy=_ANOTHER)
+        raise InputError("holds too many values", where=where, remedy=ANOTHER)
     width = data.form.channels * data.form.bits // 8
     force_n = np.zeros((count, 3), dtype=np.float32)
     size = down * max(1, _AT_ONCE // down)
@@ -184,7 +183,7 @@ def _force_n(
         reader.seek(data.at + begin * width)
         samples = _samples(data.form, reader.read((end - begin) * width))
         if not np.isfinite(samples).all():
-            raise InputError("holds no numbers", where=where, remedy=_ANOTHER)
+            raise InputError("holds no numbers", where=where, remedy=ANOTHER)
         if way is not None:
             samples = samples.sum(axis=1)[:, None]
         if margin:
