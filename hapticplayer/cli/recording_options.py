@@ -19,8 +19,7 @@ from hapticplayer.cli.common import add_number, add_overwrite
 from hapticplayer.cli.plots import is_plot
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ranges
-from hapticplayer.motion import METHODS
-from hapticplayer.motion.methods import DEFAULT_METHOD
+from hapticplayer.motion import DEFAULT_METHOD, METHODS
 from hapticplayer.outputs import FILE, IsOurs, refuse_existing
 from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.processing import Processing

@@ -14,6 +14,9 @@ from hapticplayer.model.arrays import (
 )
 from hapticplayer.model.imu import Sampling
 
+DEFAULT_METHOD = "smoother"
+"""Of gravity removal, see hapticplayer.motion.METHODS, which is slow to import."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MotionTrack:

@@ -3,6 +3,7 @@
 A pure room: no I/O, no threads, no clocks.
 """
 
+from hapticplayer.model.motion import DEFAULT_METHOD
 from hapticplayer.motion.ekf import EkfParameters
 from hapticplayer.motion.gravity import (
     GravityRemoval,
@@ -10,7 +11,7 @@ from hapticplayer.motion.gravity import (
     estimate_orientation,
     remove_gravity,
 )
-from hapticplayer.motion.methods import DEFAULT_METHOD, METHODS
+from hapticplayer.motion.methods import METHODS
 from hapticplayer.motion.repair import Repaired, repair_samples
 from hapticplayer.motion.smoother import SmootherParameters
 

@@ -14,9 +14,9 @@ from hapticplayer.errors import InputError, Message, entry_named
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
+from hapticplayer.model.motion import DEFAULT_METHOD
 from hapticplayer.motion.flaws import find_flaws
 from hapticplayer.motion.methods import (
-    DEFAULT_METHOD,
     METHODS,
     Estimate,
     Parameters,

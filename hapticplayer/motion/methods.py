@@ -287,8 +287,6 @@ METHODS: dict[str, Method] = {
 }
 """Orientation estimators by name."""
 
-DEFAULT_METHOD = "smoother"
-
 
 def _even(task: Task) -> tuple[Task, grid.EvenLog]:
     """Return the task without long gaps, and its log on an even grid."""

@@ -20,15 +20,13 @@ from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
+from hapticplayer.model.motion import DEFAULT_METHOD
 from hapticplayer.sequence import files
 from hapticplayer.sequence.excursion import predict
 
 if TYPE_CHECKING:
     from hapticplayer.motion import SmootherParameters
     from hapticplayer.sequence.calibration import StoredCalibration
-
-DEFAULT_METHOD = "smoother"
-"""That of hapticplayer.motion."""
 
 _RUNS, _ENOUGH_S = 3, 3.0  # a method is timed again while that is quick
 

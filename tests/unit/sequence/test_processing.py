@@ -10,11 +10,10 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.clock import ManualClock
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
-from hapticplayer.motion import conditioning
+from hapticplayer.motion import DEFAULT_METHOD, conditioning
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.sequence.processing import (
-    DEFAULT_METHOD,
     Processing,
     compare_methods,
     describe_motion,
