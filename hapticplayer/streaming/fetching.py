@@ -1,12 +1,13 @@
 """What fetches of force and clip share: a thread that asks until it is closed."""
 
+import abc
 import threading
 
 from hapticplayer.clock import Clock
 from hapticplayer.streaming.asking import Asking, Place
 
 
-class Fetching:
+class Fetching(abc.ABC):
     """Asks in a thread of its own, which who inherits starts when it is ready.
 
     Args:
@@ -30,8 +31,9 @@ class Fetching:
         self._thread.join()
         self._asking.drop()
 
+    @abc.abstractmethod
     def _run(self) -> None:
-        raise NotImplementedError
+        """Fetch until it is closed."""
 
     def _wait(self, duration_s: float) -> None:
         """Wait, unless there is something else to fetch."""
