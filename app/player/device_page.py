@@ -39,7 +39,7 @@ class DevicePage(QDialog):
         self.force_player: ForcePlayer | None = None
         self._unhomed_polls = 0
         entry = find_device(device)
-        self._record = entry.capabilities
+        self._record, self._is_falcon = entry.capabilities, bool(entry.direct)
         self._track, self._steps = demonstration(self._record)
         self.picture, self.text = DevicePicture(), paragraph(is_centred=True, lines=4)
         self.progress = QProgressBar()
@@ -131,8 +131,7 @@ class DevicePage(QDialog):
     def _wait_for_homing(self) -> None:
         """After a second, show how: the first answers know of no homing either."""
         self._unhomed_polls += 1
-        is_falcon = self._device.startswith("falcon")
-        if is_falcon and self._unhomed_polls * POLL_MS > HOMING_AFTER_MS:
+        if self._is_falcon and self._unhomed_polls * POLL_MS > HOMING_AFTER_MS:
             self.reject()
             self.homing_wanted.emit()
 

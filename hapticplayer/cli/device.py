@@ -142,7 +142,7 @@ def info(options: argparse.Namespace) -> int:
     report: dict[str, Any] = {"device": entry.name, "title": entry.title}
     report["capabilities"] = asdict(entry.capabilities)
     report["needs"] = [check._asdict() for check in checks_of(entry)]
-    if entry.name.startswith("falcon"):
+    if entry.direct:
         report |= _falcon_report(reach_of(entry.name))
     if options.json:
         say(json.dumps(report))

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import DEVICES, find_device, load
+from hapticplayer.devices import find_device, installed_devices, load
 from hapticplayer.devices.falcon.driver import FalconDriver, opening
 from hapticplayer.devices.falcon.firmware import FirmwareImage, find_image
 from hapticplayer.devices.falcon.ftdi import Ftdi
@@ -43,7 +43,7 @@ def reach_of(name: str, line: int = NO_LINE) -> Reach:
     Raises:
         UsageError: when it is not the name of a Falcon.
     """
-    entry = DEVICES.get(name.partition(":")[0])
+    entry = installed_devices().get(name.partition(":")[0])
     if entry is None or not entry.direct:
         raise UsageError(
             "{name!r} is not a Falcon; use falcon, or falcon:SERIAL", name=name
