@@ -6,11 +6,11 @@ from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
 from app.player.homing_view import leg_names
+from hapticplayer.devices import UDEV_RULE
 from hapticplayer.devices.falcon.firmware import FirmwareMissingError
 from hapticplayer.devices.falcon.homing import Advice
 from hapticplayer.devices.falcon.setting_up import Progress, Step
 from hapticplayer.devices.falcon.transport import (
-    UDEV_RULE,
     FalconBusyError,
     FalconDriverError,
     FalconForbiddenError,

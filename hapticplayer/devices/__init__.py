@@ -28,6 +28,7 @@ from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
 NO_DEVICE = "none"
 ENTRY_POINTS = "hapticplayer.devices"
+UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
 
 
 class HapticDevice(Protocol):

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from hapticplayer.devices import DeviceEntry, load
+from hapticplayer.devices import UDEV_RULE, DeviceEntry, load
 from hapticplayer.devices import buttplug as _intiface
 from hapticplayer.devices import tcode as _tcode
 from hapticplayer.devices.checks import (
@@ -25,7 +25,7 @@ from hapticplayer.devices.evdev.options import parse
 from hapticplayer.devices.evdev.ports import DEVICES as _NODES
 from hapticplayer.devices.evdev.ports import list_devices
 from hapticplayer.devices.falcon import firmware
-from hapticplayer.devices.falcon.transport import UDEV_RULE, list_falcons
+from hapticplayer.devices.falcon.transport import list_falcons
 from hapticplayer.devices.falcon.usbfs import NODE
 from hapticplayer.devices.gamepad.ports import list_pads
 from hapticplayer.devices.inverse3 import driver as _inverse3

@@ -3,7 +3,8 @@
 import re
 from pathlib import Path
 
-from hapticplayer.devices.falcon.transport import PRODUCT_ID, UDEV_RULE, VENDOR_ID
+from hapticplayer.devices import UDEV_RULE
+from hapticplayer.devices.falcon.transport import PRODUCT_ID, VENDOR_ID
 from hapticplayer.doctor import ROOT
 
 PATH = ROOT / UDEV_RULE

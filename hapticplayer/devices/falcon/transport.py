@@ -12,12 +12,12 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from hapticplayer.devices import UDEV_RULE
 from hapticplayer.errors import DeviceError, Message
 
 VENDOR_ID = 0x0403
 PRODUCT_ID = 0xCB48
 PACKET_BYTES = 64
-UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
 
 _INTERFACE = 0
 ENDPOINT_OUT = 0x02

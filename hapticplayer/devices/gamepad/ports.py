@@ -5,6 +5,7 @@ import sys
 from dataclasses import dataclass
 from typing import Any
 
+from hapticplayer.devices import UDEV_RULE
 from hapticplayer.devices.gamepad.reports import (
     VENDOR_ID,
     Layout,
@@ -14,7 +15,6 @@ from hapticplayer.devices.gamepad.reports import (
 from hapticplayer.devices.paced import Port
 from hapticplayer.errors import DeviceError
 
-UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
 _BLUETOOTH = 2  # of hidapi's bus types
 _INPUT_BYTES = 64
 
