@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFrame, QVBoxLayout
 
 from app.player.health import device_name, mode_text, stop_reason
 from app.plots.grip_scene import (
+    ACTIVITIES,
     TRAIL_S,
     Activity,
     Grip,
@@ -37,11 +38,6 @@ from hapticplayer.clock import Clock
 translate = QCoreApplication.translate
 
 SIMULATED = "simulated"
-_ACTIVITIES = {
-    Mode.IDLE: Activity.OFF,
-    Mode.FOLLOWING: Activity.ACTIVE,
-    Mode.TRIPPED: Activity.STOPPED,
-}
 
 
 def grip_of(now: Snapshot, ticks_since: TicksSince) -> Grip:
@@ -99,7 +95,7 @@ def _is_off(mode: Mode, feedback: str) -> bool:
 def _activity(mode: Mode, feedback: str) -> Activity:
     if _is_off(mode, feedback):
         return Activity.OFF
-    return _ACTIVITIES.get(mode, Activity.CHANGING)
+    return ACTIVITIES.get(mode, Activity.CHANGING)
 
 
 def _state(mode: Mode, cause: Cause, feedback: str) -> str:

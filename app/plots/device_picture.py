@@ -15,6 +15,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QStackedLayout, QWidget
 
 from app.plots.grip_scene import (
+    ACTIVITIES,
     Activity,
     Grip,
     force_of,
@@ -77,7 +78,7 @@ class GripPicture(GripView):
                 Grip(
                     title,
                     translate("DevicePicture", "Test"),
-                    _ACTIVITIES.get(mode, Activity.CHANGING),
+                    ACTIVITIES.get(mode, Activity.CHANGING),
                     position_of(last),
                     force_of(last, "force_n"),
                     force_of(last, "planned_n"),
@@ -95,13 +96,6 @@ class GripPicture(GripView):
             radius_m=record.workspace_radius_m or grip.radius_m,
             full_force_n=record.continuous_force_n or grip.full_force_n,
         )
-
-
-_ACTIVITIES = {
-    Mode.IDLE: Activity.OFF,
-    Mode.FOLLOWING: Activity.ACTIVE,
-    Mode.TRIPPED: Activity.STOPPED,
-}
 
 
 class RigPicture(RigView):

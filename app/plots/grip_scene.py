@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.devices.falcon.matrix3 import cross, dot
+from hapticplayer.haptics.contract import Mode
 from hapticplayer.model.device import Vector
 
 Pixel = tuple[float, float]
@@ -146,6 +147,14 @@ class Activity(enum.Enum):
     CHANGING = 1
     ACTIVE = 2
     STOPPED = 3
+
+
+ACTIVITIES = {
+    Mode.IDLE: Activity.OFF,
+    Mode.FOLLOWING: Activity.ACTIVE,
+    Mode.TRIPPED: Activity.STOPPED,
+}
+"""Of the modes of the loop; in the others the force is changing."""
 
 
 @dataclass(frozen=True, slots=True)
