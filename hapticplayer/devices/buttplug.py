@@ -97,7 +97,7 @@ class ButtplugPort:
             self._socket, self._version, self._ping_s = self._greeted(3)
         try:
             listed = self._asked(self._socket, "RequestDeviceList", {}, "DeviceList")
-            motors, self._gap_s = _motors(listed, self._version)
+            motors, self._gap_s = motors_of(listed, self._version)
         except DeviceError:
             self._socket.close()
             raise
@@ -180,7 +180,7 @@ class _OlderServerError(DeviceError):
     """The server does not speak version 4."""
 
 
-def _motors(listed: dict[str, Any], version: int) -> tuple[list[Motor], float]:
+def motors_of(listed: dict[str, Any], version: int) -> tuple[list[Motor], float]:
     """Return the motors of a DeviceList, and the longest gap between messages, s."""
     motors, gap_s = [], 0.0
     try:

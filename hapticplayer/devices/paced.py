@@ -142,7 +142,7 @@ class PacedDriver:
         make_writer: Callable[[Port], Writer] = NewestWriter,
     ) -> None:
         self.name, self.capabilities = name, capabilities
-        self._open_port, self._make_writer = open_port, make_writer
+        self.open_port, self.make_writer = open_port, make_writer
         self._period_s, self._refresh_s = 1.0 / capabilities.rate_hz, refresh_s
         self._port: Port | None = None
         self._writer: Writer | None = None
@@ -152,7 +152,7 @@ class PacedDriver:
     def open(self) -> None:
         """Find the device; raises DeviceError with what to do."""
         self.close()
-        self._port = self._open_port()
+        self._port = self.open_port()
         self._reading = None
         self._sent, self._sent_s = self._port.translator.off, 0.0
         atexit.register(self.close)
@@ -164,7 +164,7 @@ class PacedDriver:
             raise DeviceError("the device is not open; choose the device again")
         writer = self._writer
         if writer is None:  # not earlier, so that it runs with the loop's scheduling
-            writer = self._writer = self._make_writer(port)
+            writer = self._writer = self.make_writer(port)
         reading = self._listen(port, writer, now_s)
         command = port.translator.command(force_n, now_s)
         age_s = now_s - self._sent_s

@@ -39,7 +39,9 @@ _KINDS = {
     (FLOAT, 32): "<f4",
     (FLOAT, 64): "<f8",
 }
-_AT_ONCE = 1 << 18  # samples of each channel
+SAMPLES_AT_ONCE = 1 << 18
+"""Of each channel."""
+
 _REACH = 10  # periods of the lower rate, to each side of the filter
 _LOOP_HZ = 1000
 
@@ -177,7 +179,7 @@ def _force_n(
         raise InputError("holds too many values", where=where, remedy=ANOTHER)
     width = data.form.channels * data.form.bits // 8
     force_n = np.zeros((count, 3), dtype=np.float32)
-    size = down * max(1, _AT_ONCE // down)
+    size = down * max(1, SAMPLES_AT_ONCE // down)
     for first in range(0, data.frames, size):
         begin, end = max(0, first - margin), min(data.frames, first + size + margin)
         reader.seek(data.at + begin * width)

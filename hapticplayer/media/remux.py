@@ -28,7 +28,8 @@ _OPTIONS = {
     MATROSKA: {"cluster_time_limit": "2000"},
     MP4: {"movflags": "+faststart+use_metadata_tags"},
 }
-_REPORT_BYTES = 4 << 20
+REPORT_BYTES = 4 << 20
+"""Between two reports."""
 
 Report = Callable[[float], None]
 """Called with the done fraction; raises Cancelled to stop."""
@@ -104,7 +105,7 @@ def video_payload(
             if packet.size:
                 counter.add(packet)
                 done += packet.size
-                if done % _REPORT_BYTES < packet.size:
+                if done % REPORT_BYTES < packet.size:
                     report(min(1.0, done / whole))
     return counter.payload()
 
@@ -215,7 +216,7 @@ def _copy(
         done += packet.size
         packet.stream = streams[packet.stream_index]
         copy.mux(packet)
-        if done % _REPORT_BYTES < packet.size:
+        if done % REPORT_BYTES < packet.size:
             report(done)
     return counter.payload()
 

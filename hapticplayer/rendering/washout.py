@@ -44,12 +44,15 @@ RUN_UP_S = 8.0
 LOOK_AHEAD_S = 4.0
 """Of a piece after it has counted."""
 
+MOST_ITERATIONS = 400
+"""Of the solver, for each piece."""
+
 _OVERLAP_S = RUN_UP_S + BLEND_S + LOOK_AHEAD_S
 _PAD_S = 8.0  # zeros in which the slowest hand comes back
 _TAPER_S = 1.0  # a piece begins and ends without a step that the track does not have
 _OVERSAMPLING = 8  # before the low-pass that comes before 50 Hz
 _RELAXATION, _FIRST_PENALTY, _PENALTY_STEP = 1.7, 2.0, 1.6
-_CHECK_EVERY, _LEAST_ITERATIONS, _MOST_ITERATIONS = 10, 40, 400
+_CHECK_EVERY, _LEAST_ITERATIONS = 10, 40
 _EXCESS_SHARE, _ERROR_STEP = 0.005, 0.0005
 _KNOWN_VERSIONS = 4  # so that undo, and before and after, are quick
 
@@ -215,7 +218,7 @@ def solve(force_n: Floats, washout: Washout) -> Floats:
     copies = np.zeros((len(ways), 3, size), np.float32)
     duals = np.zeros_like(copies)
     scale, error = max(_energy(weight, wanted), 1e-12), math.inf
-    for iteration in range(1, _MOST_ITERATIONS + 1):
+    for iteration in range(1, MOST_ITERATIONS + 1):
         own = fft.irfft(ways * least.spectrum(fft.rfft(copies - duals)), size)
         before = copies
         duals += _RELAXATION * own + (1.0 - _RELAXATION) * before
@@ -231,7 +234,7 @@ def solve(force_n: Floats, washout: Washout) -> Floats:
         is_done = is_done and abs(error - last) < _ERROR_STEP
         if is_done and iteration >= _LEAST_ITERATIONS:
             break
-        if iteration <= _MOST_ITERATIONS // 2:
+        if iteration <= MOST_ITERATIONS // 2:
             for rows in (slice(0, 1), slice(1, None)):
                 residuals = own[rows] - copies[rows], copies[rows] - before[rows]
                 size_n = max(_size(own[rows]), _size(copies[rows]))

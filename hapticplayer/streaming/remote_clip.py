@@ -15,9 +15,13 @@ from hapticplayer.streaming.manifest import Manifest
 from hapticplayer.untrusted import MAX_BYTES_AT_ONCE, MAX_BYTES_KEPT, PATIENCE_S
 
 BLOCK_BYTES = 128 << 10
-_MOST_BLOCKS = MAX_BYTES_AT_ONCE // BLOCK_BYTES
-_KEPT_BLOCKS = MAX_BYTES_KEPT // BLOCK_BYTES
-_AHEAD_BLOCKS = 2 * _MOST_BLOCKS
+FIRST_BLOCKS = 2
+"""Of the first answer; the others are as large as the network is fast."""
+MOST_BLOCKS = MAX_BYTES_AT_ONCE // BLOCK_BYTES
+"""Of one answer."""
+KEPT_BLOCKS = MAX_BYTES_KEPT // BLOCK_BYTES
+"""In memory."""
+AHEAD_BLOCKS = 2 * MOST_BLOCKS
 """8 MB ahead of each decoder: 8 s of 8 Mbit/s."""
 
 _FAST_S, _SLOW_S = 0.6, 1.2
@@ -39,7 +43,7 @@ class RemoteClip(Fetching, ClipBytes):
         self._readers = itertools.count()
         self._waiting: dict[int, int] = {}
         self._under_way = range(0)
-        self._at_once = 2
+        self._at_once = FIRST_BLOCKS
         self._problem: HapticPlayerError | None = None
         self._thread.start()
 
@@ -80,7 +84,7 @@ class RemoteClip(Fetching, ClipBytes):
 
     def is_ahead(self, count_bytes: float) -> bool:
         """Whether so much of what decoders will read next is there, or nothing comes."""
-        blocks = min(int(count_bytes / BLOCK_BYTES) + 1, _AHEAD_BLOCKS // 2)
+        blocks = min(int(count_bytes / BLOCK_BYTES) + 1, AHEAD_BLOCKS // 2)
         with self._news:
             if self._problem or self._is_closed:
                 return True
@@ -129,7 +133,7 @@ class RemoteClip(Fetching, ClipBytes):
         with self._news:
             while not self._is_closed:
                 # who asked last waits most probably; then what lies ahead of each
-                for ahead in (1, _AHEAD_BLOCKS):
+                for ahead in (1, AHEAD_BLOCKS):
                     for wanted in reversed(self._wanted.values()):
                         if span := self._missing(wanted, ahead):
                             self._under_way = range(*span)
@@ -153,13 +157,13 @@ class RemoteClip(Fetching, ClipBytes):
             for at in range(0, len(content), BLOCK_BYTES):
                 number = first + at // BLOCK_BYTES
                 self._blocks[number] = content[at : at + BLOCK_BYTES]
-            while len(self._blocks) > _KEPT_BLOCKS:
+            while len(self._blocks) > KEPT_BLOCKS:
                 self._blocks.popitem(last=False)
             self._news.notify_all()
 
     def _adapt(self, took_s: float, blocks: int) -> None:
         if took_s < _FAST_S:
-            self._at_once = min(2 * max(blocks, self._at_once), _MOST_BLOCKS)
+            self._at_once = min(2 * max(blocks, self._at_once), MOST_BLOCKS)
         elif took_s > _SLOW_S:
             self._at_once = max(blocks // 2, 1)
 

@@ -111,8 +111,8 @@ def test_the_force_fades_but_never_steps_or_trips(name, url, packed):
 
 def test_a_clip_that_stalls_stops_the_force_and_goes_on(url, monkeypatch):
     monkeypatch.setattr(remote_clip, "BLOCK_BYTES", 8 << 10)
-    monkeypatch.setattr(remote_clip, "_MOST_BLOCKS", 2)
-    monkeypatch.setattr(remote_clip, "_AHEAD_BLOCKS", 2)
+    monkeypatch.setattr(remote_clip, "MOST_BLOCKS", 2)
+    monkeypatch.setattr(remote_clip, "AHEAD_BLOCKS", 2)
     with BadNetwork(url, NetworkFaults(), CLOCK) as network, Viewer(network.url) as one:
         one.until(is_felt)
         network.holds = "clip"

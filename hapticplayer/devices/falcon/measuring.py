@@ -23,12 +23,13 @@ MOST_N = 1.5
 RAMP_N_PER_S = 0.5
 MOVED_M = 0.001
 SILENCES_S = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)
+TRIES = 20
+"""Of a silence: a busy computer stalls for 15 ms every few seconds."""
 _SETTLE_S, _LOOK_S, _RISE_S = 1.0, 0.1, 0.3
 _PERIOD_S = 0.001
 _TOO_FAST_MPS, _TOO_FAR_M = 0.5, 0.030
 _SPEED_OVER = 10  # periods; one step of an encoder in one is 0.05 m/s
 _FIRST_ANSWERS = 100
-_TRIES = 20  # a busy computer stalls for 15 ms every few seconds
 _ZERO: Vector = (0.0, 0.0, 0.0)
 _ZERO_WORDS = (0, 0, 0)
 _AXES: dict[str, Vector] = {
@@ -154,7 +155,7 @@ def force_after_silence(
     left: dict[str, float] = {}
     at_least_s, within_s = 0.0, math.inf
     for silence_s in SILENCES_S:
-        for _ in range(_TRIES):
+        for _ in range(TRIES):
             share = _share_left(driver, clock, silence_s, was_disturbed)
             if not was_disturbed():
                 break

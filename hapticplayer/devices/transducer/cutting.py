@@ -15,8 +15,10 @@ from pathlib import Path
 
 from hapticplayer.devices.handing_over import hand_over, take_over
 
+CARD = "/dev/snd/pcm"
+"""How the path of a sound card's stream begins."""
+
 _OPEN = Path("/proc/self/fd")
-_CARD = "/dev/snd/pcm"
 _DROP = 0x4143
 """SNDRV_PCM_IOCTL_DROP, _IO('A', 0x43): stop, and forget what is held."""
 
@@ -90,6 +92,6 @@ def _is_connected(descriptor: int) -> bool:
 
 def _is_card(descriptor: int) -> bool:
     try:
-        return str((_OPEN / str(descriptor)).readlink()).startswith(_CARD)
+        return str((_OPEN / str(descriptor)).readlink()).startswith(CARD)
     except OSError:
         return False

@@ -11,7 +11,6 @@ from hapticplayer.simulation.falcon.simulation import Simulation
 
 _ALL_HOMED = 7
 _OUT_M, _IN_M = 0.038, -0.038  # the ends of the way, less a little
-_DECIDING_S = 0.5
 
 
 class Mechanics(Protocol):
@@ -29,9 +28,13 @@ class Homing:
 
     Once the program asks for homing, the person pulls the grip out, then pushes it in,
     and brings it to the middle; the device knows its place from the inner end on.
+
+    Args:
+        deciding_s: time before the person begins.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, deciding_s: float = 0.5) -> None:
+        self.deciding_s = deciding_s
         self._since_s: float | None = None
         self._was_out = self._is_done = False
 
@@ -48,7 +51,7 @@ class Homing:
             simulation.is_homed = self._is_done = True
         if self._is_done:
             simulation.aim((0.0, 0.0, 0.0))
-        elif at_s - self._since_s > _DECIDING_S:
+        elif at_s - self._since_s > self.deciding_s:
             simulation.aim((0.0, 0.0, -0.06 if self._was_out else 0.06))
 
 

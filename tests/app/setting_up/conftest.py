@@ -8,7 +8,6 @@ from app.player.setup_page import SetupPage
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.simulation.usb import mechanics
 from hapticplayer.simulation.usb.board import Stage, synthetic_image
 from hapticplayer.simulation.usb.driver import make_set
 from hapticplayer.simulation.usb.mechanics import Homing
@@ -20,10 +19,15 @@ def small_image():
 
 
 @pytest.fixture
-def falcon(monkeypatch):
-    """A simulated one, just plugged in, with an owner who soon homes it."""
-    monkeypatch.setattr(mechanics, "_DECIDING_S", 0.2)
-    return make_set(stage=Stage.DARK, homing=Homing())
+def owner():
+    """Somebody who soon homes the Falcon."""
+    return Homing(deciding_s=0.2)
+
+
+@pytest.fixture
+def falcon(owner):
+    """A simulated one, just plugged in."""
+    return make_set(stage=Stage.DARK, homing=owner)
 
 
 @pytest.fixture

@@ -11,14 +11,13 @@ from app.player.firmware_dialog import offer_firmware
 from app.player.homing_view import HomingView
 from app.player.question import Question
 from hapticplayer.devices.falcon.firmware import find_image
-from hapticplayer.simulation.usb import mechanics
 from tests.app.setting_up.conftest import small_image
 
 
 @pytest.fixture
-def _undecided(falcon, monkeypatch):
+def _undecided(owner):
     """The owner holds the grip, and does not pull it yet."""
-    monkeypatch.setattr(mechanics, "_DECIDING_S", 1e9)
+    owner.deciding_s = 1e9
 
 
 def test_from_power_up_to_a_grip_that_is_followed(make_page, wait_for):

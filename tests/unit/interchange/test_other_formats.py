@@ -82,7 +82,7 @@ def test_wav_of_others_acts_along_the_chosen_direction(tmp_path, kind):
 
 @pytest.mark.parametrize("rate", [8001, 12345, 44100, 48000])
 def test_wav_is_slowed_down_in_blocks_as_in_one(tmp_path, rng, monkeypatch, rate):
-    monkeypatch.setattr("hapticplayer.interchange.wav_read._AT_ONCE", 20000)
+    monkeypatch.setattr("hapticplayer.interchange.wav_read.SAMPLES_AT_ONCE", 20000)
     samples = rng.normal(0.0, 0.1, (70001, 3)).astype(np.float32)
     wavfile.write(tmp_path / "a.wav", rate, samples)
     common = math.gcd(rate, 1000)

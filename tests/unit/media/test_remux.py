@@ -140,7 +140,7 @@ def test_a_cancelled_checksum_stops(clip: Path, monkeypatch) -> None:
     def stop(_share: float) -> None:
         raise Cancelled
 
-    monkeypatch.setattr("hapticplayer.media.remux._REPORT_BYTES", 1)
+    monkeypatch.setattr("hapticplayer.media.remux.REPORT_BYTES", 1)
     with pytest.raises(Cancelled):
         video_payload(clip, stop)
 

@@ -44,7 +44,7 @@ RIDE = ride()
 @pytest.fixture
 def short_solutions(monkeypatch):
     """Few iterations: how good a solution is has its own tests."""
-    monkeypatch.setattr(washout, "_MOST_ITERATIONS", 12)
+    monkeypatch.setattr(washout, "MOST_ITERATIONS", 12)
 
 
 starts = st.floats(0.0, LENGTH_S)

@@ -12,7 +12,6 @@ from hapticplayer.errors import NetworkError
 from hapticplayer.playback.source import open_source
 from hapticplayer.streaming.offer import Offer, wanted_bytes
 from hapticplayer.streaming.packets import PACKET_BYTES, decoded
-from hapticplayer.streaming.server import _Handler
 from hapticplayer.untrusted import (
     CONNECTION_S,
     MAX_CONNECTIONS_OF_ONE,
@@ -173,13 +172,15 @@ def test_ending_hangs_up_on_everybody(packed):
 
 
 def test_who_takes_no_bytes_is_hung_up_on(packed, monkeypatch):
-    monkeypatch.setattr(_Handler, "timeout", 0.3)
     source = open_source(packed)
     os.truncate(packed, 64 << 20)  # more than any buffer on the way
-    with served(Offer(source)) as server, connected(server) as lazy:
+    with served(Offer(source)) as server, monkeypatch.context() as patch:
+        patch.setattr(server.RequestHandlerClass, "timeout", 0.3)
+        lazy = connected(server)
         lazy.sendall(f"GET /{server.token}/clip HTTP/1.1\r\n\r\n".encode())
         assert lazy.recv(15) == b"HTTP/1.1 200 OK"
         wait_for(lambda: not server.connections)
+        lazy.close()
 
 
 def test_noise_in_place_of_requests_does_no_harm(server, ask, rng):

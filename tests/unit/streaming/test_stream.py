@@ -66,11 +66,11 @@ def test_the_clip_reads_like_the_file(server, packed, rng, monkeypatch, block_by
 
 def test_a_network_that_becomes_thin_is_asked_for_less(server, packed, monkeypatch):
     monkeypatch.setattr(remote_clip, "BLOCK_BYTES", 500)
+    monkeypatch.setattr(remote_clip, "FIRST_BLOCKS", 200)  # take 2.5 s
     monkeypatch.setattr(asking, "ANSWER_S", 0.5)
     thin = NetworkFaults(bytes_per_s=40_000.0)
     with BadNetwork(server.url, thin, CLOCK) as network:
         clip = RemoteClip(Place.of(network.url), server.offer.manifest, CLOCK)
-        clip._at_once = 200  # takes 2.5 s
         with clip.open() as reader:
             assert reader.read(20_000) == packed.read_bytes()[:20_000]
         clip.close()
@@ -78,9 +78,9 @@ def test_a_network_that_becomes_thin_is_asked_for_less(server, packed, monkeypat
 
 def test_memory_for_the_clip_is_limited(server, packed, monkeypatch):
     monkeypatch.setattr(remote_clip, "BLOCK_BYTES", 100)
-    monkeypatch.setattr(remote_clip, "_KEPT_BLOCKS", 20)
-    monkeypatch.setattr(remote_clip, "_AHEAD_BLOCKS", 5)
-    monkeypatch.setattr(remote_clip, "_MOST_BLOCKS", 5)
+    monkeypatch.setattr(remote_clip, "KEPT_BLOCKS", 20)
+    monkeypatch.setattr(remote_clip, "AHEAD_BLOCKS", 5)
+    monkeypatch.setattr(remote_clip, "MOST_BLOCKS", 5)
     clip = remote(server)
     with clip.open() as reader:
         assert reader.read() == packed.read_bytes()
@@ -90,7 +90,7 @@ def test_memory_for_the_clip_is_limited(server, packed, monkeypatch):
 
 def test_a_clip_says_whether_enough_of_it_is_there(server, packed, monkeypatch):
     monkeypatch.setattr(remote_clip, "BLOCK_BYTES", 500)
-    monkeypatch.setattr(remote_clip, "_MOST_BLOCKS", 2)
+    monkeypatch.setattr(remote_clip, "MOST_BLOCKS", 2)
     clip = remote(server)
     with clip.open() as reader:
         reader.read(1)

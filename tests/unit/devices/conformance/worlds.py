@@ -158,7 +158,7 @@ class EventDevice(World):
         self.kernel = FakeInput(self.clock, self.patch)
         self.name, self.is_stuck = name, False
         self.device = DEVICES[name].make(-1)
-        self.device._make_writer = lambda port: Stuckable(port, self)
+        self.device.make_writer = lambda port: Stuckable(port, self)
 
     def press(self, _buttons):
         self.kernel.press(0x122)
@@ -278,7 +278,7 @@ class Toy(World):
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self.lines = ours, theirs
         self.device = DEVICES["buttplug"].make(ours.fileno())
-        self.device._open_port = lambda: buttplug.ButtplugPort(
+        self.device.open_port = lambda: buttplug.ButtplugPort(
             self.server.where, ours.fileno(), self.clock, overdue_s=0.01
         )
 
@@ -324,8 +324,8 @@ class Board(World):
         self.strength, self.sender, self.is_stuck = 0, None, False
         self.babbles = False
         self.device = DEVICES["tcode"].make(-1)
-        self.device._open_port = lambda: tcode.open_board(self.where)
-        self.device._make_writer = lambda port: Stuckable(port, self)
+        self.device.open_port = lambda: tcode.open_board(self.where)
+        self.device.make_writer = lambda port: Stuckable(port, self)
 
     def wait(self):
         super().wait()

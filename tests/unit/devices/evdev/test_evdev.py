@@ -129,7 +129,7 @@ def test_a_device_that_takes_nothing_grows_old(wheel, kernel, clock):
         def post(self, _command):
             self.is_waiting = True
 
-    wheel._make_writer = Stuck
+    wheel.make_writer = Stuck
     wheel.open()
     first = drive(wheel, clock, ZERO, 10)
     assert clock.now_s() - first.replied_s < 0.002

@@ -71,7 +71,7 @@ def test_the_time_until_the_motors_let_go_is_bracketed(hold_s, at_least_s, withi
 
 def test_a_silence_broken_by_other_traffic_is_measured_again(monkeypatch):
     monkeypatch.setattr(measuring, "SILENCES_S", (0.01, 0.1))
-    monkeypatch.setattr(measuring, "_TRIES", 3)
+    monkeypatch.setattr(measuring, "TRIES", 3)
     answers = iter([False, True] + [False] * 100)
     with Lab() as lab:
         began_s = lab.clock.now_s()

@@ -118,7 +118,7 @@ def test_without_a_server_it_says_what_to_do():
 )
 def test_a_device_that_is_described_wrongly_is_refused(devices):
     with pytest.raises(DeviceError):
-        buttplug._motors({"Devices": devices}, 4)
+        buttplug.motors_of({"Devices": devices}, 4)
 
 
 @given(st.text() | st.binary())

@@ -64,7 +64,7 @@ def test_what_was_open_before_stays_with_its_owner(line, server):
 def test_a_card_without_a_server_is_told_to_drop(line, tmp_path, monkeypatch):
     card, asked = tmp_path / "pcmC0D0p", []
     card.touch()
-    monkeypatch.setattr(cutting, "_CARD", str(card))
+    monkeypatch.setattr(cutting, "CARD", str(card))
     monkeypatch.setattr(fcntl, "ioctl", lambda file, what: asked.append((file, what)))
     before = open_files()
     with card.open() as file:
@@ -80,7 +80,7 @@ def test_a_card_without_a_server_is_told_to_drop(line, tmp_path, monkeypatch):
 def test_what_refuses_is_left_alone(line, tmp_path, monkeypatch):
     card = tmp_path / "pcmC0D0p"
     card.touch()
-    monkeypatch.setattr(cutting, "_CARD", str(card))
+    monkeypatch.setattr(cutting, "CARD", str(card))
     before = open_files()
     with card.open():
         hand_over_sound(line[0], before)
