@@ -112,12 +112,13 @@ class FeedbackDialog(QDialog):
         self.key.setToolTip(self.tr("In data and figures: a to z, 0 to 9, _ and -"))
         named = QWidget()
         QFormLayout(named).addRow(self.tr("Key"), self.key)
-        add = text_button(self.tr("&Add"), "", "primary")
-        add.setDefault(True)
-        add.clicked.connect(self._add)
+        self.add_button = text_button(self.tr("&Add"), "", "primary")
+        self.add_button.setDefault(True)
+        self.add_button.clicked.connect(self._add)
         cancel = text_button(self.tr("&Cancel"), "")
         cancel.clicked.connect(self.reject)
-        fill_page(self, self.form, named, STRETCH, row_of(STRETCH, cancel, add))
+        buttons = row_of(STRETCH, cancel, self.add_button)
+        fill_page(self, self.form, named, STRETCH, buttons)
 
     def _add(self) -> None:
         chosen, key = self.form.chosen(), self.key.text().strip()

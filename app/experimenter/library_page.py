@@ -57,7 +57,7 @@ class LibraryPage(JobDialog):
         self.library = library
         self._job: Job[list[Thumbnail | None]] | None = None
         self._pictured: list[Path] = []
-        self._thumbnails: dict[Path, QIcon] = {}
+        self.thumbnails: dict[Path, QIcon] = {}
         self._binned: tuple[Path, Path] | None = None
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Search"))
@@ -172,7 +172,7 @@ class LibraryPage(JobDialog):
             item.setForeground(
                 QColor(theme.TEXT if mark is Mark.GOOD else colour_of(mark))
             )
-            item.setIcon(self._thumbnails.get(entry.folder, _nothing()))
+            item.setIcon(self.thumbnails.get(entry.folder, _nothing()))
             self.list.addItem(item)
             if entry.folder == held:
                 self.list.setCurrentItem(item)
@@ -389,11 +389,11 @@ class LibraryPage(JobDialog):
             self._job = None
             made = job.result or [None] * len(self._pictured)
             for folder, one in zip(self._pictured, made, strict=True):
-                self._thumbnails[folder] = _nothing() if one is None else _icon(one)
+                self.thumbnails[folder] = _nothing() if one is None else _icon(one)
             self._show_pictures()
             return
         held = [self.list.item(row).data(_ENTRY) for row in range(self.list.count())]
-        wanted = [e for e in held if e.folder not in self._thumbnails and e.clip][:16]
+        wanted = [e for e in held if e.folder not in self.thumbnails and e.clip][:16]
         if wanted and not self.is_leaving:
             self._pictured = [entry.folder for entry in wanted]
             clips = [entry.clip for entry in wanted]
@@ -408,9 +408,7 @@ class LibraryPage(JobDialog):
     def _show_pictures(self) -> None:
         for row in range(self.list.count()):
             item = self.list.item(row)
-            if (
-                thumbnail := self._thumbnails.get(item.data(_ENTRY).folder)
-            ) is not None:
+            if (thumbnail := self.thumbnails.get(item.data(_ENTRY).folder)) is not None:
                 item.setIcon(thumbnail)
 
     # --- the end -------------------------------------------------------------

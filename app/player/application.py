@@ -76,7 +76,7 @@ def run(options: argparse.Namespace) -> int:
         if source:
             player.set_outlets(options.outlets)
         else:
-            _restore_outlets(window, device)
+            restore_outlets(window, device)
         if source and is_hardware(device):
             player.wait_ready()  # it may not be there: nothing is shown then
         _show(window, options, source, feedback)
@@ -188,7 +188,7 @@ def _run_until_closed(
     return 0
 
 
-def _restore_outlets(window: PlayerWindow, device: str) -> None:
+def restore_outlets(window: PlayerWindow, device: str) -> None:
     """Play beside the device on what was chosen last; say why where that fails."""
     kept = outlets_of(window.settings)
     kept.pop(device, None)

@@ -176,14 +176,14 @@ class ConditionDialog(QDialog):
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         offered = [one for one in FEEDBACKS if one.is_derived or one.parameters]
         self.form = ConditionForm(tracks, offered=offered)
-        play = text_button(
+        self.play_button = text_button(
             self.tr("&Play"), self.tr("Make this force and play it"), "primary"
         )
-        play.setDefault(True)
-        play.clicked.connect(self._play)
+        self.play_button.setDefault(True)
+        self.play_button.clicked.connect(self._play)
         cancel = text_button(self.tr("&Cancel"), "")
         cancel.clicked.connect(self.reject)
-        fill_page(self, (self.form, 1), row_of(STRETCH, cancel, play))
+        fill_page(self, (self.form, 1), row_of(STRETCH, cancel, self.play_button))
 
     def _play(self) -> None:
         self.wanted.emit(self.form.chosen())

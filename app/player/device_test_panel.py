@@ -44,7 +44,7 @@ class DeviceTestPanel(QWidget):
 
     def __init__(self, clock: Clock, is_free: Callable[[], bool] = _always) -> None:
         super().__init__()
-        self._clock, self._is_free = clock, is_free
+        self._clock, self.is_free = clock, is_free
         self._name, self._is_waiting, self._had_focus = "", False, False
         self.test: DeviceTest | None = None
         self.question: Question | None = None
@@ -126,7 +126,7 @@ class DeviceTestPanel(QWidget):
     def poll(self) -> None:
         """Go on, and show what is done."""
         if self._is_waiting:
-            if self._is_free():
+            if self.is_free():
                 self._start()
             return
         test = self.test

@@ -256,12 +256,12 @@ def torques(_folder: Path, _clip: Path, _stack: ExitStack) -> Case:
 
 def poses(_folder: Path, _clip: Path, _stack: ExitStack) -> Case:
     """Grip of the Falcon at rest: Newton's method."""
-    tracker, reply = Tracker(Kinematics()), Reply((40, -25, 10), 0, 7)
+    tracker = Tracker(Kinematics())
+    replies = Reply((40, -25, 10), 0, 7), Reply((40, -25, 11), 0, 7)
 
     def work(with_skip: bool) -> int:
         for number in range(TICKS):
-            if not with_skip and tracker._counts is not None:
-                tracker._counts = (40, -25, 11)  # as if it had moved
+            reply = replies[0 if with_skip else number & 1]
             tracker.take(reply, 1e-3 * number)
         return TICKS
 

@@ -79,6 +79,7 @@ class DeviceTest:
         problem: what is wrong with the device, "" for nothing.
         mode, cause: of its loop, last.
         was_stopped: whether a person has stopped it.
+        player: what moves the device; None while nothing does.
 
     Raises:
         DeviceError: for a name or settings that are not allowed.
@@ -95,7 +96,7 @@ class DeviceTest:
         self._before_s, self.end_s = 0.0, sum(one.end_s for one in parts)
         self.problem: Message | str = ""
         self.mode, self.cause, self.was_stopped = Mode.IDLE, Cause.NONE, False
-        self._player: ForcePlayer | None = None
+        self.player: ForcePlayer | None = None
         self._releaser: threading.Thread | None = None
         self._ages_s: list[NDArray[Any]] = []
         self._begin(self.part)
@@ -104,29 +105,29 @@ class DeviceTest:
     def is_over(self) -> bool:
         """Whether all of it is done, and the device can be opened by others."""
         is_released = self._releaser is None or not self._releaser.is_alive()
-        return self._player is None and is_released and not self._next
+        return self.player is None and is_released and not self._next
 
     @property
     def is_acting(self) -> bool:
         """Whether a part is tested, or another one is still to come."""
-        return self._player is not None or bool(self._next)
+        return self.player is not None or bool(self._next)
 
     @property
     def done_s(self) -> float:
         """How much of `end_s` is over."""
-        return self._before_s + (self._player.media_s if self._player else 0.0)
+        return self._before_s + (self.player.media_s if self.player else 0.0)
 
     @property
     def step(self) -> Step | None:
         """What is done now, None in between."""
-        media_s = self._player.media_s if self._player else -1.0
+        media_s = self.player.media_s if self.player else -1.0
         steps = (s for s in self.part.steps if s.begin_s <= media_s < s.end_s)
         return next(steps, None)
 
     @property
     def levels(self) -> tuple[ChannelLevel, ...]:
         """How loud the channels of a sound card are."""
-        return self._player.levels if self._player else ()
+        return self.player.levels if self.player else ()
 
     @property
     def latency_s(self) -> float | None:
@@ -139,7 +140,7 @@ class DeviceTest:
 
     def poll(self) -> NDArray[Any]:
         """Advance, and return the ticks since the last call (see TICK)."""
-        player = self._player
+        player = self.player
         if player is None:
             is_released = self._releaser is None or not self._releaser.is_alive()
             if is_released and self._next:
@@ -162,8 +163,8 @@ class DeviceTest:
         """Take the force away at once, and let go of the device."""
         self.was_stopped = self.was_stopped or self.is_acting
         self._next.clear()
-        if self._player is not None:
-            self._player.stop()
+        if self.player is not None:
+            self.player.stop()
             self._end()
 
     def wait(self) -> None:
@@ -172,7 +173,7 @@ class DeviceTest:
             self._releaser.join()
 
     def _begin(self, part: DevicePart) -> None:
-        self._player = self._make(self._clock, part.device, part.track)
+        self.player = self._make(self._clock, part.device, part.track)
         self._limit_s = self._clock.now_s() + self._patience_s
 
     def _go_on(self) -> None:
@@ -185,7 +186,7 @@ class DeviceTest:
 
     def _end(self) -> None:
         """Let the device come to rest, in a thread of its own."""
-        player, self._player = self._player, None
+        player, self.player = self.player, None
         if player is None:
             return
         self._before_s += player.media_s

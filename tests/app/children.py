@@ -38,7 +38,7 @@ class Threads:
 
 
 @pytest.fixture(autouse=True)
-def _threads_for_children(request, monkeypatch) -> None:
+def threads_for_children(request, monkeypatch) -> None:
     """Use threads, but where a test wants `real_children`."""
     if "real_children" not in request.fixturenames:
         monkeypatch.setattr("app.bridge.jobs.multiprocessing", Threads())

@@ -30,7 +30,7 @@ from hapticplayer.playback.source import Source, open_source
 from hapticplayer.simulation.rides.shaken import write_shaken_sequence
 
 sys.path.insert(0, str(Path(__file__).parent))  # helpers beside these tests
-from children import _threads_for_children, real_children  # noqa: F401 - fixtures
+from children import real_children, threads_for_children  # noqa: F401 - fixtures
 from private_bus import address, bus, bus_daemon  # noqa: F401 - fixtures
 from sitting import make_study, sit  # noqa: F401 - fixtures
 

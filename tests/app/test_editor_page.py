@@ -1,7 +1,6 @@
 """The editor of effects over a sequence: what it shows, plays and stops."""
 
 import shutil
-from functools import partial
 
 import numpy as np
 import pytest
@@ -11,12 +10,14 @@ from PySide6.QtTest import QTest
 
 from app.editor.page import EditorPage
 from app.editor.playing import Means
+from app.experimenter.library_page import LibraryPage
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence.editing import set_effects
+from tests.conftest import clip_of
 
 EFFECTS = EffectList(
     (Effect("gain", 0.2, 1.0), Effect("mute", 0.5, 0.8), Effect("sine", 1.2, 1.9))
@@ -175,10 +176,9 @@ def test_menu_and_library_open_it(window, source, folder, wait_for):
     wait_for(lambda: page.loaded is not None)
     page.reject()
     wait_for(lambda: window.findChild(EditorPage) is None)
-    open_library = partial(window.dialogs.library, window.clock)
-    open_library()
-    library = window.dialogs._working[-1]
-    library._take_library(str(folder.parent))
+    window.settings.keep("library", str(folder.parent))
+    window.dialogs.library(window.clock)
+    library = window.findChild(LibraryPage)
     library.buttons["edit"].click()
     page = window.findChild(EditorPage)
     assert page.folder == folder
@@ -194,7 +194,7 @@ def test_it_is_as_loud_as_the_window(make_page, folder, settings, kept, gain):
     for name, value in kept.items():
         settings.keep(name, value)
     player = make_page(folder).playing.session.player
-    assert player._clip.sound.ring.gain == pytest.approx(gain)
+    assert clip_of(player).sound.ring.gain == pytest.approx(gain)
 
 
 def test_the_window_plays_what_was_saved(window, folder, wait_for):

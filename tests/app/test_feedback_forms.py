@@ -83,7 +83,7 @@ def test_the_dialog_says_what_is_wanted(application, qtbot):
         *("realistic", "shuffled", "delayed", "inverted", "scaled", "edited"),
     ]
     choose(dialog.form, "inverted")
-    dialog._play()
+    dialog.play_button.click()
     assert wanted == [ChosenFeedback("inverted", {})]
 
 
@@ -107,12 +107,12 @@ def test_feedbacks_are_added_to_a_study_and_removed(editor, qtbot):
     choose(dialog.form, "scaled")
     dialog.form.findChild(QDoubleSpinBox, "gain").setValue(1.5)
     dialog.key.setText("strong")
-    dialog._add()
+    dialog.add_button.click()
     choose(dialog.form, "shuffled")
     dialog.key.clear()
     combo = dialog.form.findChild(QComboBox, "of")
     assert [combo.itemData(i) for i in range(combo.count())] == ["", "bike", "horse"]
-    dialog._add()
+    dialog.add_button.click()
     listed.list.setCurrentRow(2)
     listed.remove_button.click()
     rows = [listed.list.item(row).text() for row in range(listed.list.count())]

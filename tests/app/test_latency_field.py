@@ -26,7 +26,7 @@ def enter(field, value_ms):
     field.number.editingFinished.emit()
 
 
-def test_what_is_entered_is_kept_at_once_and_told(field, settings):
+def test_what_is_entered_is_kept_at_once_and_told(field, tmp_path):
     field.follow("gamepad")
     assert shown(field) == (10.0, "assumed, as is typical")
     field.number.editingFinished.emit()  # nothing was entered
@@ -34,7 +34,7 @@ def test_what_is_entered_is_kept_at_once_and_told(field, settings):
     enter(field, 25.0)
     assert shown(field) == (25.0, "entered")
     assert field.changes == [25.0]
-    again = latencies_of(Settings(settings._path), "")
+    again = latencies_of(Settings(tmp_path / "window.json"), "")
     assert again.of_device("gamepad").latency_s == pytest.approx(0.025)
     enter(field, 0.0)
     assert shown(field) == (0.0, "entered")

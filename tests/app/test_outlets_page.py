@@ -156,7 +156,7 @@ def test_escape_stops_a_test_and_everything_else(window, page, wait_for):
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
     page.look()
     begin_test(page, name, wait_for)
-    player = page.panel.test._player
+    player = page.panel.test.player
     QTest.keyClick(page, Qt.Key.Key_Escape)
     assert player.health is Health.GONE
     wait_for(lambda: playing_on(window)[name].mode is Mode.TRIPPED)
@@ -253,14 +253,14 @@ def test_escape_and_stop_bring_device_and_outlet_to_rest(
 # --- what is remembered --------------------------------------------------------
 
 
-def test_what_is_chosen_and_muted_is_kept(window, page, ears, settings, wait_for):
+def test_what_is_chosen_and_muted_is_kept(window, page, ears, settings, tmp_path):
     name = add_rig(page, ears)
     assert outlets_of(settings) == {name: False}
     page.look()
     page.mutes[name].click()
-    assert Settings(settings._path).table(OUTLETS) == {name: True}
+    assert Settings(tmp_path / "window.json").table(OUTLETS) == {name: True}
     page.remove(name)
-    assert Settings(settings._path).table(OUTLETS) == {}
+    assert Settings(tmp_path / "window.json").table(OUTLETS) == {}
 
 
 def test_an_outlet_that_becomes_the_device_is_none_any_more(window, page, settings):
@@ -323,9 +323,9 @@ def test_the_window_begins_with_what_was_chosen(
 def test_kept_outlets_that_clash_are_said_and_the_window_opens(window, settings):
     alike = {"rig:outsim": False, "rig:outsim,gain=0.5": False}
     keep_outlets(settings, alike)
-    program._restore_outlets(window, "none")
+    program.restore_outlets(window, "none")
     assert "two outlets send outsim to 127.0.0.1:4123" in window.messages.text()
     assert playing_on(window) == {}
     keep_outlets(settings, {"simulated": False})
-    program._restore_outlets(window, "simulated")  # it leads
+    program.restore_outlets(window, "simulated")  # it leads
     assert playing_on(window) == {}

@@ -33,7 +33,7 @@ def test_a_stream_plays_and_is_not_remembered(window, stream, wait_for):
     player.play()
     wait_for(lambda: player.snapshot().media_s > 0.3)
     assert player.snapshot().frames_shown
-    window.extras.thumbnails._on_hovered(0.5)
+    window.transport.slider.hovered.emit(0.5)
     assert not window.extras.thumbnails.is_busy
     window.extras.history.note_position(player)
     window.session.show_source(stream)

@@ -35,7 +35,7 @@ def pictures(stage: Stage) -> Pictures:
         page.document.select(3)
         page.panel.fields["amplitude"].box.setValue(20.0)
         yield "editor-zoomed", stage.picture(page, 1500)
-        yield "editor-asks", stage.asked(page._may_close)
+        yield "editor-asks", stage.asked(page.reject)
         page.document.stack.setClean()
     long_named = stage.material.library / "sequence-2"
     for name, folder in (("long", long_named), ("damaged", stage.folder / "nowhere")):

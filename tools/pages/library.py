@@ -56,7 +56,7 @@ def _import(stage: Stage) -> Pictures:
             lambda progress: _go_on(progress, is_over),
             lambda _none: None,
         )
-        wizard._show_buttons()
+        wizard.sync.decided.emit()
         yield "import-busy", stage.picture(wizard, 200)
         is_over.append(True)
         stage.wait_until(lambda: not wizard.jobs.is_busy)
@@ -81,14 +81,14 @@ def _library(stage: Stage) -> Pictures:
     page = LibraryPage(stage.material.library)
     page.place.set_text(SHOWN)
     with stage.shown(page):
-        stage.wait_until(lambda: len(page._thumbnails) >= 3)
+        stage.wait_until(lambda: len(page.thumbnails) >= 3)
         for row in range(page.list.count()):
             page.list.setCurrentRow(row)
             yield f"library-{row + 1}", stage.picture(page)
         page.list.setCurrentRow(page.list.count() - 1)
         entry = page.chosen()
         yield "library-delete", stage.asked(lambda: page.is_sure(entry))
-        yield "library-rename", stage.asked(page._rename)
+        yield "library-rename", stage.asked(page.buttons["rename"].click)
         page.status.show_text(
             page.tr("Moved {title} to the bin.").format(title=entry.title)
         )

@@ -31,7 +31,7 @@ def test_a_device_is_tested_after_asking_and_stopped_by_escape(make_page, wait_f
     assert not page.use.isEnabled()
     assert not page.device.isEnabled()
     assert page.focusWidget() is page.panel.stop_button
-    player = page.panel.test._player
+    player = page.panel.test.player
     QTest.keyClick(page, Qt.Key.Key_Escape)
     assert not page.panel.is_acting
     wait_for(lambda: player.health is Health.GONE)
@@ -49,8 +49,8 @@ def test_a_falcon_is_tested_only_when_it_is_homed(make_page, wait_for):
     wait_for(lambda: page.is_ready)
     wait_for(page.panel.test_button.isEnabled)
     page.panel.begin()
-    assert not page.panel._is_free()  # before the page has let go of it
-    wait_for(page.panel._is_free)
+    assert not page.panel.is_free()  # before the page has let go of it
+    wait_for(page.panel.is_free)
     page.panel.stop()
     wait_for(lambda: page.is_ready)  # and holds it again
 

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from hapticplayer.clock import ManualClock
+from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
+from hapticplayer.playback.feeders import QUEUE_FRAMES
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_ring import AudioRing
 from hapticplayer.playback.source import Source
@@ -50,6 +51,15 @@ def source_of(info):
     other = ForceTrack([0.0, SECONDS], [[0, -1.0, 0], [0, -1.0, 0]])
     tracks = {"realistic": track, "other": other}
     return Source("short", info.path, info, tracks, None, "realistic")
+
+
+def wait_for(is_so):
+    """Wait for what another thread does."""
+    clock = SystemClock()
+    end_s = clock.now_s() + 30.0
+    while not is_so():
+        assert clock.now_s() < end_s, "it did not happen"
+        clock.sleep_until(clock.now_s() + 0.0005)
 
 
 class RecordingSink:
@@ -106,17 +116,15 @@ class Theatre:
 
     def settle(self):
         """Wait until the decoders have nothing left to do."""
+        self.settle_video()
+        sound = clip_of(self.player).sound
+        if sound.feeder is not None:
+            wait_for(lambda: sound.feeder.is_at_end or sound.ring.buffered_s() > 0.5)
+
+    def settle_video(self):
+        """Wait until the queue of frames is full, or holds the last one."""
         feeder = clip_of(self.player).video.feeder
-        with feeder._wake:
-            assert feeder._wake.wait_for(
-                lambda: feeder._target is None and not feeder._has_work(), timeout=30
-            )
-        sound = clip_of(self.player).sound.feeder
-        while sound is not None and not sound.is_at_end:
-            if clip_of(self.player).sound.ring.buffered_s() > 0.5:
-                break
-            with sound._wake:
-                sound._wake.wait(0.01)
+        wait_for(lambda: feeder.is_at_end or feeder.peek(QUEUE_FRAMES - 1))
 
     def run(self, seconds):
         """Let virtual time pass; the DAC takes its samples."""

@@ -302,15 +302,17 @@ def test_when_the_picture_stops_the_force_does_until_it_is_back(theatre, monkeyp
     player.play()
     theatre.run(0.5)
     assert set(tracks()) == {"realistic"}
-    feeder = clip_of(player).video.feeder
+    goes_on, decode = threading.Event(), VideoDecoder.next_frame
     with monkeypatch.context() as stall:
-        stall.setattr(feeder, "_has_work", lambda: False)
+        stall.setattr(
+            VideoDecoder, "next_frame", lambda it: goes_on.wait(30.0) and decode(it)
+        )
+        stall.setattr(theatre, "settle_video", lambda: None)
         theatre.run(2 * FRAME_S + 0.15)  # so much is queued at least, 5 at most
         assert set(tracks()) == {"realistic"}
         theatre.run(3 * FRAME_S + 0.2)
         assert tracks()[-1] == ""
-    with feeder._wake:
-        feeder._wake.notify_all()
+    goes_on.set()
     theatre.run(0.1)
     assert tracks()[-1] == "realistic"
     assert player.snapshot().phase is Phase.PLAYING
