@@ -25,7 +25,7 @@ from app.player import commands
 ROOT = Path(__file__).resolve().parents[1]
 LANGUAGES = ("de", "fr")
 CONTEXT = "engine"
-ONLY_ON_A_TERMINAL = ("cli/", "console/", "doctor.py")
+ONLY_ON_A_TERMINAL = ("cli/", "doctor.py")
 VALUES = (  # that become messages, or parts of them, only when the program runs
     *("relaxed", "normal", "firm", "simulated camera"),
     *("fifo", "slice", "starting", "gone"),

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.languages import translated
 from app.experimenter.rendering_fields import RenderingFields
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -207,19 +208,8 @@ class MountingPage(QWidget):
         self.mounting.currentIndexChanged.connect(self._on_mounting)
 
     def _fill(self) -> None:
-        names = {
-            "forward": self.tr("Facing forward, upright"),
-            "upside-down": self.tr("Facing forward, upside down"),
-            "backward": self.tr("Facing backward, upright"),
-            "to-the-right": self.tr("Facing right, upright"),
-            "to-the-left": self.tr("Facing left, upright"),
-            "left-side-up": self.tr("Facing forward, left side up"),
-            "right-side-up": self.tr("Facing forward, right side up"),
-            "to-the-sky": self.tr("Lying on its back, facing up"),
-            "to-the-ground": self.tr("Facing down"),
-        }
-        for name, axes in MOUNTINGS.items():
-            self.mounting.addItem(names[name], axes)
+        for one in MOUNTINGS.values():
+            self.mounting.addItem(translated(one.text), one.axes)
         text = self.tr("Right {right}, front {front}, up {up}")
         for axes in all_mountings()[len(MOUNTINGS) :]:
             right, front, up = axes.split(",")

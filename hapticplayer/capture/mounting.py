@@ -6,6 +6,7 @@ right, front and up axes; the samples show which axis was up.
 
 import dataclasses
 import itertools
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,19 +17,31 @@ from hapticplayer.model.arrays import Floats
 
 AS_RECORDED = "x,y,z"
 
+
+class Mounting(NamedTuple):
+    """A common mounting.
+
+    Attributes:
+        axes: right, front and up of the actor in the recorder's axes (x to its right,
+            y where it looks, z to its top).
+        text: for people.
+    """
+
+    axes: str
+    text: Message
+
+
 MOUNTINGS = {
-    "forward": AS_RECORDED,
-    "upside-down": "-x,y,-z",
-    "backward": "-x,-y,z",
-    "to-the-right": "y,-x,z",
-    "to-the-left": "-y,x,z",
-    "left-side-up": "z,y,-x",
-    "right-side-up": "-z,y,x",
-    "to-the-sky": "x,-z,y",
-    "to-the-ground": "x,z,-y",
+    "forward": Mounting(AS_RECORDED, Message("Facing forward, upright")),
+    "upside-down": Mounting("-x,y,-z", Message("Facing forward, upside down")),
+    "backward": Mounting("-x,-y,z", Message("Facing backward, upright")),
+    "to-the-right": Mounting("y,-x,z", Message("Facing right, upright")),
+    "to-the-left": Mounting("-y,x,z", Message("Facing left, upright")),
+    "left-side-up": Mounting("z,y,-x", Message("Facing forward, left side up")),
+    "right-side-up": Mounting("-z,y,x", Message("Facing forward, right side up")),
+    "to-the-sky": Mounting("x,-z,y", Message("Lying on its back, facing up")),
+    "to-the-ground": Mounting("x,z,-y", Message("Facing down")),
 }
-"""Common ones: right, front and up of the actor in the recorder's axes (x to its right,
-y where it looks, z to its top)."""
 
 BY_FRAMES = "auto"
 """In place of a mounting: the one that the frames of the clip tell."""
@@ -140,7 +153,7 @@ def all_mountings() -> list[str]:
     signed = [sign + axis for axis in "xyz" for sign in ("", "-")]
     made = (",".join(three) for three in itertools.permutations(signed, 3))
     proper = [axes for axes in made if _is_proper(axes)]
-    usual = list(MOUNTINGS.values())
+    usual = [one.axes for one in MOUNTINGS.values()]
     return usual + [axes for axes in proper if axes not in usual]
 
 
@@ -150,7 +163,8 @@ def mounting_axes(text: str) -> str:
     Raises:
         UsageError: for an unknown mounting.
     """
-    axes = MOUNTINGS.get(text.strip().lower(), text)
+    usual = MOUNTINGS.get(text.strip().lower())
+    axes = usual.axes if usual else text
     try:
         axes_matrix(axes)
     except UsageError:
@@ -174,7 +188,7 @@ def ask_for_mounting(imu: ImuLog, where: str) -> None:
     if up is None or up[2] >= UPRIGHT:
         return
     axes = proposed_mounting(up)
-    name = next(name for name, usual in MOUNTINGS.items() if usual == axes)
+    name = next(name for name, one in MOUNTINGS.items() if one.axes == axes)
     raise UsageError(
         "{file}: {what}; give --mounting {name}, or another of {known}, or "
         "--mounting forward to keep its axes",
@@ -246,6 +260,7 @@ def proposed_mounting(up: tuple[float, float, float] | None) -> str:
     """Return the axes of the common mounting with this up; the front is a guess."""
     if up is None:
         return AS_RECORDED
-    fits = {axes: float(up_in_frame_a(up, axes)[2]) for axes in MOUNTINGS.values()}
+    usual = [one.axes for one in MOUNTINGS.values()]
+    fits = {axes: float(up_in_frame_a(up, axes)[2]) for axes in usual}
     best = max(fits.values())
     return next(axes for axes, fit in fits.items() if fit > best - 1e-9)

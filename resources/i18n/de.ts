@@ -2360,42 +2360,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Für kurze Aufnahmen: was eine längere desselben Sensors über ihn verrät, aus process --save-calibration</translation>
     </message>
     <message>
-        <source>Facing forward, upright</source>
-        <translation>Nach vorn gerichtet, aufrecht</translation>
-    </message>
-    <message>
-        <source>Facing forward, upside down</source>
-        <translation>Nach vorn gerichtet, kopfüber</translation>
-    </message>
-    <message>
-        <source>Facing backward, upright</source>
-        <translation>Nach hinten gerichtet, aufrecht</translation>
-    </message>
-    <message>
-        <source>Facing right, upright</source>
-        <translation>Nach rechts gerichtet, aufrecht</translation>
-    </message>
-    <message>
-        <source>Facing left, upright</source>
-        <translation>Nach links gerichtet, aufrecht</translation>
-    </message>
-    <message>
-        <source>Facing forward, left side up</source>
-        <translation>Nach vorn gerichtet, linke Seite oben</translation>
-    </message>
-    <message>
-        <source>Facing forward, right side up</source>
-        <translation>Nach vorn gerichtet, rechte Seite oben</translation>
-    </message>
-    <message>
-        <source>Lying on its back, facing up</source>
-        <translation>Auf dem Rücken liegend, nach oben gerichtet</translation>
-    </message>
-    <message>
-        <source>Facing down</source>
-        <translation>Nach unten gerichtet</translation>
-    </message>
-    <message>
         <source>Choose another library folder</source>
         <translation>Anderen Ordner für die Bibliothek wählen</translation>
     </message>
@@ -6124,6 +6088,38 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Geben Sie HOST:PORT einer Platine oder eines Programms ein, das TCode per UDP annimmt, oder eine serielle Schnittstelle wie /dev/ttyUSB0.</translation>
     </message>
     <message>
+        <source>Facing backward, upright</source>
+        <translation>Nach hinten gerichtet, aufrecht</translation>
+    </message>
+    <message>
+        <source>Facing down</source>
+        <translation>Nach unten gerichtet</translation>
+    </message>
+    <message>
+        <source>Facing forward, left side up</source>
+        <translation>Nach vorn gerichtet, linke Seite oben</translation>
+    </message>
+    <message>
+        <source>Facing forward, right side up</source>
+        <translation>Nach vorn gerichtet, rechte Seite oben</translation>
+    </message>
+    <message>
+        <source>Facing forward, upright</source>
+        <translation>Nach vorn gerichtet, aufrecht</translation>
+    </message>
+    <message>
+        <source>Facing forward, upside down</source>
+        <translation>Nach vorn gerichtet, kopfüber</translation>
+    </message>
+    <message>
+        <source>Facing left, upright</source>
+        <translation>Nach links gerichtet, aufrecht</translation>
+    </message>
+    <message>
+        <source>Facing right, upright</source>
+        <translation>Nach rechts gerichtet, aufrecht</translation>
+    </message>
+    <message>
         <source>First sudden rise</source>
         <translation>Erster plötzlicher Anstieg</translation>
     </message>
@@ -6230,6 +6226,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Low-pass</source>
         <translation>Tiefpass</translation>
+    </message>
+    <message>
+        <source>Lying on its back, facing up</source>
+        <translation>Auf dem Rücken liegend, nach oben gerichtet</translation>
     </message>
     <message>
         <source>MPEG haptics (ISO/IEC 23090-31), as JSON</source>

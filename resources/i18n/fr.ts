@@ -2360,42 +2360,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Pour les enregistrements courts&#xa0;: ce qu’un plus long du même capteur dit de lui, écrit par process --save-calibration</translation>
     </message>
     <message>
-        <source>Facing forward, upright</source>
-        <translation>Vers l’avant, à l’endroit</translation>
-    </message>
-    <message>
-        <source>Facing forward, upside down</source>
-        <translation>Vers l’avant, à l’envers</translation>
-    </message>
-    <message>
-        <source>Facing backward, upright</source>
-        <translation>Vers l’arrière, à l’endroit</translation>
-    </message>
-    <message>
-        <source>Facing right, upright</source>
-        <translation>Vers la droite, à l’endroit</translation>
-    </message>
-    <message>
-        <source>Facing left, upright</source>
-        <translation>Vers la gauche, à l’endroit</translation>
-    </message>
-    <message>
-        <source>Facing forward, left side up</source>
-        <translation>Vers l’avant, côté gauche en haut</translation>
-    </message>
-    <message>
-        <source>Facing forward, right side up</source>
-        <translation>Vers l’avant, côté droit en haut</translation>
-    </message>
-    <message>
-        <source>Lying on its back, facing up</source>
-        <translation>Sur le dos, vers le haut</translation>
-    </message>
-    <message>
-        <source>Facing down</source>
-        <translation>Vers le bas</translation>
-    </message>
-    <message>
         <source>Choose another library folder</source>
         <translation>Choisir un autre dossier de bibliothèque</translation>
     </message>
@@ -6124,6 +6088,38 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Entrez HOST:PORT d&apos;une carte ou d&apos;un programme qui reçoit le TCode par UDP, ou un port série comme /dev/ttyUSB0.</translation>
     </message>
     <message>
+        <source>Facing backward, upright</source>
+        <translation>Vers l’arrière, à l’endroit</translation>
+    </message>
+    <message>
+        <source>Facing down</source>
+        <translation>Vers le bas</translation>
+    </message>
+    <message>
+        <source>Facing forward, left side up</source>
+        <translation>Vers l’avant, côté gauche en haut</translation>
+    </message>
+    <message>
+        <source>Facing forward, right side up</source>
+        <translation>Vers l’avant, côté droit en haut</translation>
+    </message>
+    <message>
+        <source>Facing forward, upright</source>
+        <translation>Vers l’avant, à l’endroit</translation>
+    </message>
+    <message>
+        <source>Facing forward, upside down</source>
+        <translation>Vers l’avant, à l’envers</translation>
+    </message>
+    <message>
+        <source>Facing left, upright</source>
+        <translation>Vers la gauche, à l’endroit</translation>
+    </message>
+    <message>
+        <source>Facing right, upright</source>
+        <translation>Vers la droite, à l’endroit</translation>
+    </message>
+    <message>
         <source>First sudden rise</source>
         <translation>Première hausse soudaine</translation>
     </message>
@@ -6230,6 +6226,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Low-pass</source>
         <translation>Passe-bas</translation>
+    </message>
+    <message>
+        <source>Lying on its back, facing up</source>
+        <translation>Sur le dos, vers le haut</translation>
     </message>
     <message>
         <source>MPEG haptics (ISO/IEC 23090-31), as JSON</source>

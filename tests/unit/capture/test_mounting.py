@@ -30,7 +30,7 @@ def lying(up: tuple[float, float, float], rng) -> ImuLog:
 
 @pytest.mark.parametrize("name", MOUNTINGS)
 def test_gravity_goes_up_once_a_mounting_is_applied(name):
-    axes = MOUNTINGS[name]
+    axes = MOUNTINGS[name].axes
     up = tuple(axes_matrix(axes)[2])  # of the actor, in the recorder's axes
     imu = lying(up, np.random.default_rng(1))
     found = mean_up(imu)
@@ -48,12 +48,9 @@ def test_gravity_goes_up_once_a_mounting_is_applied(name):
 def test_a_camera_that_looks_to_the_right_sees_the_right():
     """Its y is the actor's right; its x, to its own right, is the actor's back."""
     push = np.array([[0.0, 1.0, 0.0]])  # along where it looks
-    assert (axes_matrix(MOUNTINGS["to-the-right"]) @ push[0]).tolist() == [
-        1.0,
-        0.0,
-        0.0,
-    ]
-    back = axes_matrix(MOUNTINGS["to-the-right"]) @ [1.0, 0.0, 0.0]
+    axes = axes_matrix(MOUNTINGS["to-the-right"].axes)
+    assert (axes @ push[0]).tolist() == [1.0, 0.0, 0.0]
+    back = axes @ [1.0, 0.0, 0.0]
     assert back.tolist() == [0.0, -1.0, 0.0]
 
 
