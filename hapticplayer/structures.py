@@ -3,10 +3,19 @@
 import re
 from collections.abc import Iterable
 from types import UnionType
-from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+from typing import (
+    Annotated,
+    Any,
+    Literal,
+    TypeVar,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
 import msgspec
-from msgspec import Struct, structs
+from msgspec import Struct
 
 from hapticplayer.errors import InputError, Message, joined
 
@@ -93,7 +102,7 @@ def _reworded(said: str, kind: Any) -> Refusal:
     if what == "Object missing required field ":
         return missing(named[0])
     if what == "Object contains unknown field ":
-        return unknown(named[0], [one.encode_name for one in structs.fields(kind)])
+        return unknown(named[0], get_type_hints(kind))
     if what == "Invalid enum value ":
         is_literal = get_origin(kind) is Literal
         known = sorted(get_args(kind)) if is_literal else list(kind)
@@ -136,8 +145,7 @@ def _entry(value: Any, kind: Any, place: str) -> tuple[str, Any]:
     for name, number in re.findall(r"\.(\w+)|\[([\d.]+)\]", place):
         kind = _meant(kind, value)
         if name:
-            fields = {one.encode_name: one.type for one in structs.fields(kind)}
-            kind, value = fields[name], value[name]
+            kind, value = get_type_hints(kind, include_extras=True)[name], value[name]
             field = f"{field}.{name}" if field else name
         elif number == "...":
             kind = get_args(kind)[1]

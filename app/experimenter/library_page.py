@@ -192,7 +192,7 @@ class LibraryPage(JobDialog):
 
     def _text(self, entry: Entry) -> str:
         if entry.problem:
-            problem = entry.problem.removeprefix(f"{entry.folder}: ")
+            problem = entry.problem.removeprefix(f"{entry.folder}/")
             return f"{entry.title}\n\u25a0 {translated(problem)}"
         parts = [
             time_text(entry.duration_s),

@@ -7,11 +7,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import InputError, Message, SequenceError, message_of
+from hapticplayer.errors import InputError, Message, message_of
 from hapticplayer.model import PresetName, rendered_feedback
 from hapticplayer.sequence import files
+from hapticplayer.sequence.description import (
+    Description,
+    TrackEntry,
+    checked_description,
+)
 from hapticplayer.sequence.report import Finding, quality_report
-from hapticplayer.sequence.store import DESCRIPTION, SCHEMA
+from hapticplayer.sequence.store import DESCRIPTION
 from hapticplayer.untrusted import without_controls
 
 MAX_FOLDERS = 5000
@@ -93,76 +98,47 @@ def entries(folder: Path) -> list[Entry]:
 
 def read_entry(folder: Path) -> Entry:
     """Return the entry of a sequence from its description; other files are not read."""
+    path = folder / DESCRIPTION
     try:
-        description = files.read_json(folder / DESCRIPTION)
-        if description.get("schema") != SCHEMA:
-            raise SequenceError(
-                "is not the description of a sequence", where=str(folder)
-            )
-        return _entry(folder, description)
+        content = files.read_json(path)
+        return _entry(folder, checked_description(content, str(path)), content)
     except InputError as problem:
         return Entry(folder, folder.name, problem=message_of(problem))
-    except (KeyError, TypeError, ValueError, AttributeError) as problem:
-        what = Message(
-            "an entry is missing or of the wrong kind ({reason})", reason=problem
-        )
-        error = SequenceError(what, where=str(folder / DESCRIPTION))
-        return Entry(folder, folder.name, problem=message_of(error))
 
 
-def _entry(folder: Path, description: Mapping[str, Any]) -> Entry:
-    clip = folder / Path(str(description["clip"]["file"])).name
-    made_of = description.get("provenance", {})
+def _entry(folder: Path, described: Description, content: Mapping[str, Any]) -> Entry:
+    clip = folder / Path(described.clip.file).name
+    gain, made_of = described.mapping.gain_n_per_mps2, described.provenance
     return Entry(
         folder=folder,
-        title=without_controls(str(description["title"])),
+        title=without_controls(described.title),
         clip=clip,
-        duration_s=_finite(description["clip"]["duration_s"]),
-        size_bytes=sum(int(one["size_bytes"]) for one in description["files"].values()),
+        duration_s=described.clip.duration_s,
+        size_bytes=sum(one.size_bytes for one in described.files.values()),
         camera=str(made_of.get("camera", "")),
         created_utc=str(made_of.get("created_utc", "")),
-        gain_n_per_mps2=_one_gain(description["mapping"]["gain_n_per_mps2"]),
-        preset=_preset(description["feedbacks"]),
+        gain_n_per_mps2=gain if isinstance(gain, float) else None,
+        preset=_preset(described.feedbacks),
         tracks=tuple(
             _track(name, entry)
-            for name, entry in description["feedbacks"].items()
-            if "file" in entry
+            for name, entry in described.feedbacks.items()
+            if entry.file is not None
         ),
-        findings=quality_report(description),
+        findings=quality_report(content),
         problem="" if clip.is_file() else Message("{name} is missing", name=clip.name),
     )
 
 
-def _track(name: str, entry: Mapping[str, Any]) -> Track:
-    rms_n = math.sqrt(sum(_finite(value) ** 2 for value in entry["rms_n"]))
-    hands = (entry.get("excursion") or {}).get("hands", {})
-    reach = hands.get("normal", {}).get("reach")
-    return Track(
-        name,
-        _finite(entry["peak_n"]),
-        rms_n,
-        None if reach is None else _finite(reach),
-    )
+def _track(name: str, entry: TrackEntry) -> Track:
+    hands = entry.excursion.hands if entry.excursion else {}
+    reach = hands["normal"].reach if "normal" in hands else None
+    return Track(name, entry.peak_n, math.hypot(*entry.rms_n), reach)
 
 
-def _preset(feedbacks: Mapping[str, Any]) -> str:
+def _preset(feedbacks: Mapping[str, TrackEntry]) -> str:
     """Return the preset of the rendered track; earlier versions had one."""
-    made_of = feedbacks.get(rendered_feedback(feedbacks), {}).get("provenance", {})
-    return without_controls(str(made_of.get("preset", PresetName.FAITHFUL)))
-
-
-def _one_gain(value: Any) -> float | None:
-    if isinstance(value, list):
-        _, _, _ = map(_finite, value)
-        return None
-    return _finite(value)
-
-
-def _finite(value: Any) -> float:
-    number = float(value)
-    if not math.isfinite(number):
-        raise ValueError(Message("{value} is not a number", value=repr(value)))
-    return number
+    rendered = feedbacks.get(rendered_feedback(feedbacks), TrackEntry())
+    return without_controls(str(rendered.provenance.get("preset", PresetName.FAITHFUL)))
 
 
 def name_from(title: str) -> str:

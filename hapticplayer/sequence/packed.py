@@ -12,12 +12,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from msgspec import Struct, structs
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError, Message, SequenceError
 from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import files, store
+from hapticplayer.sequence.description import FileEntry
+from hapticplayer.structures import convert
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, parse_json, without_controls
 
 MANIFEST = "hapticplayer.json"
@@ -45,23 +48,34 @@ class Packed:
     small: Mapping[str, bytes]
 
 
+class _Video(Struct):
+    sha256: str
+    packets: int
+    size_bytes: int
+
+
+class _Manifest(Struct):
+    files: dict[str, FileEntry]
+    video: _Video
+
+
 class _AttachedFiles:
     """The small files of a sequence, attached to a video; see `store.SmallFiles`."""
 
     def __init__(self, carrier: Path, attached: Mapping[str, Attachment]) -> None:
         self.where, self._attached = str(carrier), attached
 
-    def arrays(self, name: Any, listed: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
+    def arrays(self, name: str, listed: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
         content = self.content(name, listed)
         return files.arrays_of(
             io.BytesIO(content), f"{self.where}: {name}", MAX_ATTACHED_BYTES
         )
 
-    def content(self, name: Any, listed: Mapping[str, Any]) -> bytes:
+    def content(self, name: str, listed: Mapping[str, Any]) -> bytes:
         """Return a file whose size and checksum are as listed."""
-        entry, one = listed[name], self._attached.get(name)
+        entry, one = listed.get(name), self._attached.get(name)
         where = f"{self.where}: {name}"
-        if one is None:
+        if entry is None or one is None:
             raise SequenceError("is missing", where=where, remedy=_ASK_AGAIN)
         digest = hashlib.sha256(one.content).hexdigest()
         if (len(one.content), digest) != (entry["size_bytes"], entry["sha256"]):
@@ -119,19 +133,10 @@ def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Pack
     small = _AttachedFiles(carrier, attached)
     manifest = _object(attached[MANIFEST].content, f"{carrier}: {MANIFEST}")
     _check_version(manifest, carrier)
-    try:
-        listed, said = manifest["files"], manifest["video"]
-        payload = VideoDigest(
-            str(said["sha256"]), int(said["packets"]), int(said["size_bytes"])
-        )
-        content = small.content(store.DESCRIPTION, listed)
-    except (KeyError, TypeError, ValueError, AttributeError) as problem:
-        raise SequenceError(
-            "an entry is missing or of the wrong kind ({reason})",
-            where=f"{carrier}: {MANIFEST}",
-            remedy=_ASK_AGAIN,
-            reason=problem,
-        ) from problem
+    where = f"{carrier}: {MANIFEST}"
+    given = convert(manifest, _Manifest, where, SequenceError, _ASK_AGAIN)
+    payload = VideoDigest(*structs.astuple(given.video))
+    content = small.content(store.DESCRIPTION, manifest["files"])
     description = _object(content, f"{carrier}: {store.DESCRIPTION}")
     sequence = store.sequence_of(description, small, video.parent, video)
     clip, listed = description["clip"]["file"], description["files"]

@@ -1,13 +1,16 @@
 """Opens, checks and describes a sequence."""
 
+from collections.abc import Iterator
 from collections.abc import Mapping as Dict
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
 
+from msgspec import structs
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError, Message, SequenceError
+from hapticplayer.errors import InputError, Message, SequenceError, message_of
 from hapticplayer.model import (
     ClockMap,
     ForceTrack,
@@ -21,6 +24,12 @@ from hapticplayer.model import (
 from hapticplayer.rendering import FEEDBACKS, Ingredients, effects
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence import files
+from hapticplayer.sequence.description import (
+    IMPORT_AGAIN,
+    TrackEntry,
+    checked_description,
+)
+from hapticplayer.structures import convert
 from hapticplayer.untrusted import (
     HeldFile,
     parse_json,
@@ -28,8 +37,6 @@ from hapticplayer.untrusted import (
     without_controls,
 )
 
-SCHEMA = "hapticplayer.sequence"
-VERSION = 1
 DESCRIPTION = "sequence.json"
 MOTION = "motion.npz"
 IMU = "imu.npz"
@@ -73,12 +80,11 @@ class SmallFiles(Protocol):
 
     where: str
 
-    def arrays(self, name: Any, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
+    def arrays(self, name: str, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
         """Return the arrays of a file, whose size and checksum are as listed.
 
         Raises:
-            InputError: when it is missing, damaged or another one.
-            LookupError: when it is not listed.
+            InputError: when it is missing, damaged, not listed or another one.
         """
 
 
@@ -88,10 +94,9 @@ class FolderFiles:
     def __init__(self, folder: Path) -> None:
         self._folder, self.where = folder, str(folder / DESCRIPTION)
 
-    def arrays(self, name: Any, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
+    def arrays(self, name: str, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
         """Return the arrays of a file; see `SmallFiles`."""
-        path = inside(self._folder, name)
-        return files.read_arrays(checked(self._folder, path.name, listed[path.name]))
+        return files.read_arrays(checked(self._folder, name, listed))
 
 
 def open_sequence(folder: str | Path) -> Sequence:
@@ -132,33 +137,18 @@ def sequence_of(
     Raises:
         SequenceError: when an entry or a file is missing, or of the wrong kind.
     """
-    _check_schema(small.where, description)
-    try:
-        listed = description["files"]
+    described = checked_description(description, small.where)
+    listed = description["files"]
+    with _named_as_damaged(small.where):
         if clip is None:
-            clip = inside(folder, description["clip"]["file"])
-            _check_file(folder, clip.name, listed[clip.name], with_checksum=False)
-        tracks = _read_tracks(small, description["feedbacks"], listed)
-        mapping = _mapping_of(description["mapping"])
+            name = described.clip.file
+            clip = _check_file(folder, name, listed, with_checksum=False)
+        tracks = _read_tracks(small, described.feedbacks, listed)
+        mapping = Mapping(**structs.asdict(described.mapping))
         motion = None
         if MOTION in listed:
             motion = MotionTrack(**_motion_fields(small.arrays(MOTION, listed)))
-        title = without_controls(str(description["title"]))
-        float(description["clip"]["duration_s"])
-        dict(description.get("provenance", {}))
-    except (KeyError, TypeError, ValueError, AttributeError) as problem:
-        raise SequenceError(
-            "an entry is missing or of the wrong kind ({reason})",
-            where=small.where,
-            remedy="import it again",
-            reason=problem,
-        ) from problem
-    except SequenceError:
-        raise
-    except InputError as problem:
-        raise SequenceError(
-            str(problem), where=small.where, remedy="import it again"
-        ) from problem
+    title = without_controls(described.title)
     return Sequence(folder, title, clip, motion, tracks, mapping, description)
 
 
@@ -173,9 +163,9 @@ def verify_sequence(
     folder = Path(folder)
     sequence = open_sequence(folder)
     listed = sequence.description["files"]
-    for number, (name, entry) in enumerate(listed.items()):
+    for number, name in enumerate(listed):
         progress(number / len(listed), Message("checking {name}", name=name))
-        _check_file(folder, name, entry, with_checksum=True)
+        _check_file(folder, name, listed, with_checksum=True)
 
 
 def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
@@ -186,17 +176,16 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
     """
     folder = Path(folder)
     description = files.read_json(folder / DESCRIPTION)
-    _check_schema(str(folder / DESCRIPTION), description)
-    if IMU not in description.get("files", ()):
+    described = checked_description(description, str(folder / DESCRIPTION))
+    if IMU not in described.files:
         raise SequenceError(
             "holds no recorded samples",
             where=str(folder),
             remedy="import a recording, or ask for a file that was packed --with-motion",
         )
-    try:
-        _check_file(folder, IMU, description["files"][IMU], with_checksum=True)
-        made_of = dict(description["provenance"])
-        arrays = files.read_arrays(folder / IMU)
+    _check_file(folder, IMU, description["files"], with_checksum=True)
+    arrays, made_of = files.read_arrays(folder / IMU), described.provenance
+    with _named_as_damaged(str(folder)):
         imu = ImuLog(
             time_s=arrays["time_s"],
             specific_force_mps2=arrays["specific_force_mps2"],
@@ -205,16 +194,27 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
             source=str(made_of["motion_source"]),
             **{name: arrays.get(name) for name in OPTIONAL_IMU_FIELDS},
         )
+    return imu, made_of
+
+
+@contextmanager
+def _named_as_damaged(where: str) -> Iterator[None]:
+    """Raise SequenceError for what arrays lack, and for values that are not allowed."""
+    try:
+        yield
     except SequenceError:
         raise
-    except (InputError, KeyError, TypeError, ValueError) as problem:
+    except InputError as problem:
         raise SequenceError(
-            "an entry is missing or of the wrong kind ({reason})",
-            where=str(folder),
-            remedy="import it again",
+            message_of(problem), where=where, remedy=IMPORT_AGAIN
+        ) from problem
+    except (LookupError, TypeError, ValueError) as problem:
+        raise SequenceError(
+            "an array is missing or of the wrong kind ({reason})",
+            where=where,
+            remedy=IMPORT_AGAIN,
             reason=problem,
         ) from problem
-    return imu, made_of
 
 
 def motion_of(sequence: Sequence) -> MotionTrack:
@@ -242,12 +242,7 @@ def effects_of(sequence: Sequence) -> EffectList:
     name = sequence.description.get(EFFECTS)
     if name is None:
         return NO_EFFECTS
-    entry = sequence.description["files"].get(name)
-    if not isinstance(entry, dict):
-        raise SequenceError(
-            "is missing", where=str(sequence.folder / EFFECTS), remedy=_COPY_AGAIN
-        )
-    return read_effects(checked(sequence.folder, name, entry))
+    return read_effects(checked(sequence.folder, name, sequence.description["files"]))
 
 
 def read_effects(path: Path) -> EffectList:
@@ -270,15 +265,14 @@ def recorded_log(sequence: Sequence) -> ImuLog:
         SequenceError: when they are missing or damaged.
     """
     imu, _ = read_recorded(sequence.folder)
-    try:
-        return in_media_time(imu, ClockMap(**sequence.description["clock_map"]))
-    except (KeyError, TypeError, ValueError) as problem:
-        raise SequenceError(
-            "an entry is missing or of the wrong kind ({reason})",
-            where=str(sequence.folder / DESCRIPTION),
-            remedy="import it again",
-            reason=problem,
-        ) from problem
+    clock = convert(
+        sequence.description.get("clock_map"),
+        ClockMap,
+        f"{sequence.folder / DESCRIPTION}, clock_map",
+        SequenceError,
+        IMPORT_AGAIN,
+    )
+    return in_media_time(imu, clock)
 
 
 def in_media_time(imu: ImuLog, clock: ClockMap) -> ImuLog:
@@ -299,7 +293,7 @@ def copy_files(
     whole = sum(entry["size_bytes"] for entry in listed.values())
     before = 0
     for name, entry in listed.items():
-        _check_file(folder, name, entry, with_checksum=False)
+        _check_file(folder, name, listed, with_checksum=False)
 
         def report(share: float, before: int = before, entry: Any = entry) -> None:
             done = (before + share * entry["size_bytes"]) / max(1, whole)
@@ -313,15 +307,13 @@ def copy_files(
     files.write_json(target / DESCRIPTION, dict(description))
 
 
-def checked(folder: Path, name: Any, entry: Dict[str, Any]) -> Path:
-    """Return the path of a file whose size and checksum are those of its entry.
+def checked(folder: Path, name: str, listed: Dict[str, Any]) -> Path:
+    """Return the path of a file whose size and checksum are as listed.
 
     Raises:
         SequenceError: when it is missing or another one.
     """
-    path = inside(folder, name)
-    _check_file(folder, name, entry, with_checksum=True)
-    return path
+    return _check_file(folder, name, listed, with_checksum=True)
 
 
 def changed(path: Path) -> SequenceError:
@@ -366,41 +358,13 @@ def describe_mapping(mapping: Mapping) -> dict[str, Any]:
     }
 
 
-def _mapping_of(entry: dict[str, Any]) -> Mapping:
-    # earlier versions had neither knee nor lever arm
-    return Mapping(
-        entry["axes"],
-        entry["gain_n_per_mps2"],
-        entry["force_limit_n"],
-        entry.get("soft_knee_n"),
-        entry.get("lever_arm_m", Mapping().lever_arm_m),
-    )
-
-
-def _check_schema(where: str, description: dict[str, Any]) -> None:
-    if description.get("schema") != SCHEMA:
-        raise SequenceError(
-            "is not the description of a sequence",
-            where=where,
-            remedy="give the folder of a sequence",
-        )
-    if description.get("version") != VERSION:
-        raise SequenceError(
-            "has version {found}, this program reads {version}",
-            where=where,
-            remedy="update hapticplayer",
-            found=description.get("version"),
-            version=VERSION,
-        )
-
-
-def inside(folder: Path, name: Any) -> Path:
+def inside(folder: Path, name: str) -> Path:
     """Return the path of a file directly in the folder.
 
     Raises:
         SequenceError: when the name is not that of such a file.
     """
-    if not isinstance(name, str) or Path(name).name != name or name in ("", ".", ".."):
+    if Path(name).name != name or name in ("", ".", ".."):
         raise SequenceError(
             "{name!r} is not a plain file name",
             where=str(folder / DESCRIPTION),
@@ -411,10 +375,10 @@ def inside(folder: Path, name: Any) -> Path:
 
 
 def _check_file(
-    folder: Path, name: str, entry: Dict[str, Any], *, with_checksum: bool
-) -> None:
-    path = inside(folder, name)
-    if path.is_symlink() or not path.is_file():
+    folder: Path, name: str, listed: Dict[str, Any], *, with_checksum: bool
+) -> Path:
+    path, entry = inside(folder, name), listed.get(name)
+    if entry is None or path.is_symlink() or not path.is_file():
         raise SequenceError("is missing", where=str(path), remedy=_COPY_AGAIN)
     size = path.stat().st_size
     if size != entry["size_bytes"]:
@@ -427,21 +391,22 @@ def _check_file(
         )
     if with_checksum and files.sha256_of(path) != entry["sha256"]:
         raise changed(path)
+    return path
 
 
 def _read_tracks(
-    small: SmallFiles, feedbacks: dict[str, Any], listed: dict[str, Any]
+    small: SmallFiles, feedbacks: dict[str, TrackEntry], listed: dict[str, Any]
 ) -> dict[str, ForceTrack]:
     tracks = {}
     for name, entry in feedbacks.items():
-        if "file" not in entry:
+        if entry.file is None:
             continue
-        arrays = small.arrays(entry["file"], listed)
+        arrays = small.arrays(entry.file, listed)
         tracks[name] = ForceTrack(
             arrays["time_s"],
             arrays["force_n"],
             Reconstruction(str(arrays["reconstruction"])),
-            entry.get("provenance", {}),
+            entry.provenance,
         )
     realistic = tracks[rendered_feedback(tracks)]
     for condition in FEEDBACKS:

@@ -109,7 +109,7 @@ def travelling(
 
 
 def _content(sequence: store.Sequence, name: str) -> bytes:
-    path = store.checked(sequence.folder, name, sequence.description["files"][name])
+    path = store.checked(sequence.folder, name, sequence.description["files"])
     return read_regular(path, MAX_ATTACHED_BYTES, SequenceError)
 
 

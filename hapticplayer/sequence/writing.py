@@ -22,6 +22,7 @@ from hapticplayer.model import (
     rendered_feedback,
 )
 from hapticplayer.sequence import files, store
+from hapticplayer.sequence.description import SCHEMA, VERSION
 from hapticplayer.sequence.editing import describe_rendering
 from hapticplayer.sequence.excursion import excursion_texts, predict
 from hapticplayer.sequence.presets import render_preset
@@ -82,8 +83,8 @@ def write_folder(
             *excursion_texts(excursions[rendered_feedback(tracks)]),
         ]
         description = {
-            "schema": store.SCHEMA,
-            "version": store.VERSION,
+            "schema": SCHEMA,
+            "version": VERSION,
             "title": choices.title or clip.path.stem,
             "clip": _describe_clip(clip, clip_name),
             "clock_map": dataclasses.asdict(content.clock_map),

@@ -4740,10 +4740,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Effekt vom {share:g}-fachen der Veröffentlichung verlässt die Skala von {low} bis {high}; einen kleineren wählen</translation>
     </message>
     <message>
-        <source>an entry is missing or of the wrong kind ({reason})</source>
-        <translation>ein Eintrag fehlt oder ist von der falschen Art ({reason})</translation>
-    </message>
-    <message>
         <source>an object</source>
         <translation>ein Objekt</translation>
     </message>
@@ -6482,6 +6478,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>add a sequence</source>
         <translation>fügen Sie eine Sequenz hinzu</translation>
+    </message>
+    <message>
+        <source>an array is missing or of the wrong kind ({reason})</source>
+        <translation>ein Datenfeld fehlt oder ist von der falschen Art ({reason})</translation>
     </message>
     <message>
         <source>an effect lies outside of any clip</source>
@@ -9234,10 +9234,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{total_s:.4g} s of samples are less than one window of {window_s:.4g} s</source>
         <translation>{total_s:.4g} s Werte sind weniger als ein Fenster von {window_s:.4g} s</translation>
-    </message>
-    <message>
-        <source>{value} is not a number</source>
-        <translation>{value} ist keine Zahl</translation>
     </message>
     <message>
         <source>{what} ({reason})</source>

@@ -4740,10 +4740,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un effet de {share:g} fois celui de l’article sort de l’échelle de {low} à {high}&#xa0;; choisissez-en un plus petit</translation>
     </message>
     <message>
-        <source>an entry is missing or of the wrong kind ({reason})</source>
-        <translation>une entrée manque ou n’est pas du bon type ({reason})</translation>
-    </message>
-    <message>
         <source>an object</source>
         <translation>un objet</translation>
     </message>
@@ -6482,6 +6478,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>add a sequence</source>
         <translation>ajoutez une séquence</translation>
+    </message>
+    <message>
+        <source>an array is missing or of the wrong kind ({reason})</source>
+        <translation>un tableau manque ou n’est pas du bon type ({reason})</translation>
     </message>
     <message>
         <source>an effect lies outside of any clip</source>
@@ -9234,10 +9234,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{total_s:.4g} s of samples are less than one window of {window_s:.4g} s</source>
         <translation>{total_s:.4g} s de mesures font moins qu’une fenêtre de {window_s:.4g} s</translation>
-    </message>
-    <message>
-        <source>{value} is not a number</source>
-        <translation>{value} n’est pas un nombre</translation>
     </message>
     <message>
         <source>{what} ({reason})</source>

@@ -182,10 +182,14 @@ def signed(attached):
     [
         (MANIFEST, lambda c: c.update(version=9), "has version 9"),
         (MANIFEST, lambda c: c.update(schema="x\x1b[2J"), "this program reads"),
-        (MANIFEST, lambda c: c.pop("video"), "an entry is missing"),
-        (MANIFEST, lambda c: c.update(files=3), "an entry is missing"),
-        (MANIFEST, lambda c: c["video"].update(packets="many"), "an entry is missing"),
-        (MANIFEST, lambda c: c["files"].pop("sequence.json"), "an entry is missing"),
+        (MANIFEST, lambda c: c.pop("video"), "missing entry 'video'"),
+        (MANIFEST, lambda c: c.update(files=3), "files: must be an object"),
+        (
+            MANIFEST,
+            lambda c: c["video"].update(packets="many"),
+            "video.packets: must be a",
+        ),
+        (MANIFEST, lambda c: c["files"].pop("sequence.json"), "is missing"),
         ("sequence.json", lambda c: c.update(title="other"), "has changed"),
     ],
 )
@@ -205,8 +209,8 @@ def outside(content):
     ("change", "says"),
     [
         (outside, "not a plain file name"),
-        (lambda c: c.update(files=[]), "an entry is missing"),
-        (lambda c: c["clip"].update(duration_s="long"), "an entry is missing"),
+        (lambda c: c.update(files=[]), "files: must be an object"),
+        (lambda c: c["clip"].update(duration_s="long"), "clip.duration_s: must be"),
         (lambda c: c["feedbacks"]["random"].update(file="imu.npz"), "is missing"),
     ],
 )
