@@ -23,7 +23,7 @@ from hapticplayer.motion import DEFAULT_METHOD, METHODS
 from hapticplayer.outputs import FILE, IsOurs, refuse_existing
 from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.processing import Processing
-from hapticplayer.sequence.synchronizing import SyncChoices, checked_skew, stored_skews
+from hapticplayer.sequence.synchronizing import SyncChoices, stored_skews
 
 PLOT_FORMATS = (".png", ".svg")
 
@@ -177,7 +177,7 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
     return SyncChoices(
         method=options.sync_method,
         offset_s=options.offset,
-        sound_late_s=None if late_s is None else checked_skew(late_s),
+        sound_late_s=late_s,
     )
 
 

@@ -1,19 +1,23 @@
 """Synchronises a recording with its clip; uncertain results need a person."""
 
 import dataclasses
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Annotated
+
+from msgspec import Meta, Struct
 
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
 from hapticplayer.capture.sync.synchronize import ClipSound, SyncInput, read_sound
 from hapticplayer.capture.vision import FrameRotation, is_available, rotation
-from hapticplayer.errors import InputError, Message, UsageError
+from hapticplayer.errors import InputError, Message, SequenceError, UsageError
 from hapticplayer.media.clip_info import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
 from hapticplayer.model.ranges import SKEW_S
 from hapticplayer.sequence import files
+from hapticplayer.structures import convert
 
 SKEWS = "cameras.json"
 """In the settings folder: how much later than its frames each camera's sound comes, s."""
@@ -225,41 +229,24 @@ def _doubtful_frames(found: Synchronisation, clip: str) -> str:
     return Message("{look}; {brings}", look=doubt, brings=_EXTRA)
 
 
+class _Skews(Struct):
+    sound_late_s: dict[str, Annotated[float, Meta(ge=SKEW_S.least, le=SKEW_S.largest)]]
+
+
 def stored_skews() -> dict[str, float]:
     """Return the stored skew of each camera, in s.
 
     Raises:
-        SequenceError: when the file is damaged.
-        InputError: when it holds anything but skews.
+        SequenceError: when the file is damaged, or holds anything but skews.
     """
     path = files.config_home() / SKEWS
     if not path.is_file():
         return {}
     content = files.read_json(path)
-    held = content.get("sound_late_s")
-    if not isinstance(held, Mapping):
-        raise InputError("lacks the object sound_late_s", where=str(path))
-    return {str(name): checked_skew(late_s) for name, late_s in held.items()}
+    return convert(content, _Skews, str(path), SequenceError).sound_late_s
 
 
 def store_skew(camera: str, late_s: float) -> None:
     """Store the skew of a camera."""
-    skews = {**stored_skews(), camera: checked_skew(late_s)}
+    skews = {**stored_skews(), camera: late_s}
     files.replace_json(files.config_home() / SKEWS, {"sound_late_s": skews})
-
-
-def checked_skew(late_s: object) -> float:
-    """Return a valid skew.
-
-    Raises:
-        InputError: for anything else.
-    """
-    is_number = isinstance(late_s, int | float) and not isinstance(late_s, bool)
-    if not is_number or not abs(float(late_s)) <= SKEW_S.largest:  # type: ignore[arg-type]
-        raise InputError(
-            "{late_s!r} is not a skew of sound and frames; it must be between "
-            "-{largest_skew_s:g} and {largest_skew_s:g}",
-            late_s=late_s,
-            largest_skew_s=SKEW_S.largest,
-        )
-    return float(late_s)  # type: ignore[arg-type]

@@ -5780,10 +5780,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{key} ist {value!r}, keine Zahl über null</translation>
     </message>
     <message>
-        <source>lacks the object sound_late_s</source>
-        <translation>das Objekt sound_late_s fehlt</translation>
-    </message>
-    <message>
         <source>lacks {missing}</source>
         <translation>es fehlt {missing}</translation>
     </message>
@@ -8310,10 +8306,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{key} has {count} samples, too many</source>
         <translation>{key} hat {count} Werte, mehr als gelesen werden</translation>
-    </message>
-    <message>
-        <source>{late_s!r} is not a skew of sound and frames; it must be between -{largest_skew_s:g} and {largest_skew_s:g}</source>
-        <translation>{late_s!r} ist kein Versatz von Ton und Bild; geben Sie Sekunden zwischen -{largest_skew_s:g} und {largest_skew_s:g} an</translation>
     </message>
     <message>
         <source>{leak_mps2:.2f} m/s2 of gravity remain while the recorder is stationary</source>

@@ -5780,10 +5780,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>son {key} est {value!r}, pas un nombre supérieur à zéro</translation>
     </message>
     <message>
-        <source>lacks the object sound_late_s</source>
-        <translation>l’objet sound_late_s manque</translation>
-    </message>
-    <message>
         <source>lacks {missing}</source>
         <translation>il manque {missing}</translation>
     </message>
@@ -8310,10 +8306,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{key} has {count} samples, too many</source>
         <translation>{key} a {count} mesures, plus qu’on n’en lit</translation>
-    </message>
-    <message>
-        <source>{late_s!r} is not a skew of sound and frames; it must be between -{largest_skew_s:g} and {largest_skew_s:g}</source>
-        <translation>{late_s!r} n’est pas un écart entre le son et l’image&#xa0;; donnez des secondes entre -{largest_skew_s:g} et {largest_skew_s:g}</translation>
     </message>
     <message>
         <source>{leak_mps2:.2f} m/s2 of gravity remain while the recorder is stationary</source>
