@@ -11,7 +11,7 @@ from typing import Any, Self
 import numpy as np
 
 from hapticplayer.clock import Clock
-from hapticplayer.streaming.asking import Place
+from hapticplayer.streaming.client import StreamAddress
 from hapticplayer.streaming.manifest import MANIFEST
 from hapticplayer.streaming.packets import PACKET_BYTES
 from hapticplayer.streaming.server import LOOPBACK
@@ -60,7 +60,7 @@ class BadNetwork(ThreadingHTTPServer):
         self, url: str, faults: NetworkFaults, clock: Clock, seed: int = 1
     ) -> None:
         super().__init__((LOOPBACK, 0), _BadNetworkHandler)
-        self.place, self.faults, self.clock = Place.of(url), faults, clock
+        self.address, self.faults, self.clock = StreamAddress.of(url), faults, clock
         self.holds = ""
         self._seed, self._rng = seed, np.random.default_rng(seed)
         self._lock = threading.Lock()  # a generator is for one thread at a time
@@ -70,7 +70,7 @@ class BadNetwork(ThreadingHTTPServer):
     def url(self) -> str:
         """Return the address of the stream behind this network."""
         host, port = self.server_address[:2]
-        return f"http://{host!s}:{port}/{self.place.token}/{MANIFEST}"
+        return f"http://{host!s}:{port}/{self.address.token}/{MANIFEST}"
 
     def __enter__(self) -> Self:
         self._thread.start()
@@ -135,8 +135,8 @@ class _BadNetworkHandler(BaseHTTPRequestHandler):
         self._send(status, headers, content)
 
     def _ask(self) -> tuple[int, Iterable[tuple[str, str]], bytes]:
-        place = self.server.place
-        connection = HTTPConnection(place.host, place.port, timeout=ANSWER_S)
+        address = self.server.address
+        connection = HTTPConnection(address.host, address.port, timeout=ANSWER_S)
         span = self.headers.get("Range")
         try:
             connection.request(

@@ -6,8 +6,8 @@ from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.arriving import PACKET_SAMPLES, RATE_HZ
 from hapticplayer.haptics.filling import FillingTrack
-from hapticplayer.streaming.asking import Aborted, Place, Unreachable
-from hapticplayer.streaming.fetching import Fetching
+from hapticplayer.streaming.client import Aborted, StreamAddress, Unreachable
+from hapticplayer.streaming.fetch_thread import FetchThread
 from hapticplayer.streaming.manifest import Manifest
 from hapticplayer.streaming.packets import PACKET_BYTES, decoded
 from hapticplayer.untrusted import MAX_PACKETS_AT_ONCE
@@ -21,7 +21,7 @@ FIRST_PACKETS = 8
 _RETRY_S, _SLOWEST_RETRY_S = 0.05, 1.0
 
 
-class ForceFetch(Fetching):
+class ForceFetch(FetchThread):
     """Fills the tracks of a stream in a thread of its own, until it is closed.
 
     Attributes:
@@ -29,13 +29,15 @@ class ForceFetch(Fetching):
         problem: why nothing comes any more, None while it does.
     """
 
-    def __init__(self, place: Place, manifest: Manifest, clock: Clock) -> None:
-        super().__init__(place, clock, "force-fetch")
+    def __init__(
+        self, address: StreamAddress, manifest: Manifest, clock: Clock
+    ) -> None:
+        super().__init__(address, clock, "force-fetch")
         self.tracks = {name: FillingTrack(manifest.samples) for name in manifest.tracks}
         self.problem: HapticPlayerError | None = None
         self._numbers = {name: k for k, name in enumerate(manifest.tracks)}
         self._at = (manifest.feedback, 0)  # track, and packet at the playhead
-        self._is_asking = False
+        self._is_fetching = False
         self._thread.start()
 
     def follow(self, feedback: str, media_s: float) -> None:
@@ -47,8 +49,8 @@ class ForceFetch(Fetching):
                 return
             self._news.notify_all()
             is_leap = feedback != before or not 0 <= at[1] - packet < AHEAD_PACKETS
-            if is_leap and self._is_asking and not self.has(feedback, media_s):
-                self._asking.abort()
+            if is_leap and self._is_fetching and not self.has(feedback, media_s):
+                self._client.abort()
 
     def has(self, feedback: str, media_s: float) -> bool:
         """Whether the force of a time has arrived."""
@@ -74,7 +76,7 @@ class ForceFetch(Fetching):
     def _fetch(self, name: str, first: int, end: int) -> bool:
         """Fill in what comes of some packets; return whether anything does."""
         number, track = self._numbers[name], self.tracks[name]
-        content = self._asking.get(
+        content = self._client.get(
             f"force/{number}/{first}-{end - 1}", (end - first) * PACKET_BYTES
         )
         is_progress = False
@@ -95,8 +97,8 @@ class ForceFetch(Fetching):
                     first = int(lacking[0])
                     most = FIRST_PACKETS if first == 0 else MAX_PACKETS_AT_ONCE
                     end = min(first + most, int(lacking[-1]) + 1)
-                    self._is_asking = True
+                    self._is_fetching = True
                     return name, packet + first, packet + end
-                self._is_asking = False
+                self._is_fetching = False
                 self._news.wait()
             return None

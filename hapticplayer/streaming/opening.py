@@ -6,7 +6,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.errors import Message, NetworkError
 from hapticplayer.media.clip_info import probe
 from hapticplayer.playback.source import Source, no_feedback_for
-from hapticplayer.streaming.asking import Asking, Place, Unreachable
+from hapticplayer.streaming.client import StreamAddress, StreamClient, Unreachable
 from hapticplayer.streaming.force_fetch import ForceFetch
 from hapticplayer.streaming.manifest import MANIFEST, Manifest, read_manifest
 from hapticplayer.streaming.remote_clip import RemoteClip
@@ -18,9 +18,11 @@ SCHEMES = ("http://", "https://")
 class Stream:
     """The clip and the force of a stream while it is played; see `ForceStream`."""
 
-    def __init__(self, place: Place, manifest: Manifest, clock: Clock) -> None:
-        self.force = ForceFetch(place, manifest, clock)
-        self.clip = RemoteClip(place, manifest, clock)
+    def __init__(
+        self, address: StreamAddress, manifest: Manifest, clock: Clock
+    ) -> None:
+        self.force = ForceFetch(address, manifest, clock)
+        self.clip = RemoteClip(address, manifest, clock)
         self.tracks = self.force.tracks
 
     @property
@@ -56,8 +58,8 @@ def open_stream(url: str, clock: Clock) -> Source:
         NetworkError: when it cannot be reached, or is not a stream.
         MediaError: when its clip cannot be shown.
     """
-    place = Place.of(url)
-    stream = Stream(place, manifest := _manifest(place, clock), clock)
+    address = StreamAddress.of(url)
+    stream = Stream(address, manifest := _manifest(address, clock), clock)
     try:
         clip = probe(stream.clip)
     except BaseException:
@@ -74,17 +76,17 @@ def open_stream(url: str, clock: Clock) -> Source:
     )
 
 
-def _manifest(place: Place, clock: Clock) -> Manifest:
-    asking = Asking(place, clock)
+def _manifest(address: StreamAddress, clock: Clock) -> Manifest:
+    client = StreamClient(address, clock)
     try:
-        content = asking.get(MANIFEST, MAX_MANIFEST_BYTES)
+        content = client.get(MANIFEST, MAX_MANIFEST_BYTES)
     except Unreachable as problem:
         raise NetworkError(
             "cannot be reached ({reason})",
-            where=str(place),
+            where=str(address),
             remedy="check the address, and that `hapticplayer serve` runs there",
             reason=str(problem),
         ) from problem
     finally:
-        asking.drop()
-    return read_manifest(content, f"{place}: {MANIFEST}")
+        client.drop()
+    return read_manifest(content, f"{address}: {MANIFEST}")

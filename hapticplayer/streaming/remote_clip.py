@@ -9,8 +9,8 @@ from typing import Any, BinaryIO
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError, MediaError, Message, message_of
 from hapticplayer.media.clip_bytes import ClipBytes
-from hapticplayer.streaming.asking import Aborted, Place, Unreachable
-from hapticplayer.streaming.fetching import Fetching
+from hapticplayer.streaming.client import Aborted, StreamAddress, Unreachable
+from hapticplayer.streaming.fetch_thread import FetchThread
 from hapticplayer.streaming.manifest import Manifest
 from hapticplayer.untrusted import MAX_BYTES_AT_ONCE, MAX_BYTES_KEPT, PATIENCE_S
 
@@ -30,12 +30,14 @@ _FAST_S, _SLOW_S = 0.6, 1.2
 _RETRY_S = 0.2
 
 
-class RemoteClip(Fetching, ClipBytes):
+class RemoteClip(FetchThread, ClipBytes):
     """Fetches blocks in a thread of its own and keeps the latest 64 MB; `close` ends it."""
 
-    def __init__(self, place: Place, manifest: Manifest, clock: Clock) -> None:
+    def __init__(
+        self, address: StreamAddress, manifest: Manifest, clock: Clock
+    ) -> None:
         ClipBytes.__init__(self, manifest.clip_name, manifest.clip_bytes)
-        Fetching.__init__(self, place, clock, "clip-fetch")
+        FetchThread.__init__(self, address, clock, "clip-fetch")
         self._clock = clock
         self._blocks: OrderedDict[int, bytes] = OrderedDict()
         self._count = -(-self.size_bytes // BLOCK_BYTES)
@@ -71,7 +73,7 @@ class RemoteClip(Fetching, ClipBytes):
         self._waiting[reader] = number
         is_coming = any(block in self._under_way for block in self._waiting.values())
         if self._under_way and not is_coming:
-            self._asking.abort()
+            self._client.abort()
         until_s = self._clock.now_s() + PATIENCE_S
         try:
             while number not in self._blocks:
@@ -113,7 +115,7 @@ class RemoteClip(Fetching, ClipBytes):
             at, size = first * BLOCK_BYTES, self.size_bytes
             until = min(end * BLOCK_BYTES, size)
             try:
-                content = self._asking.get("clip", until - at, (at, until, size))
+                content = self._client.get("clip", until - at, (at, until, size))
             except Aborted:
                 continue
             except Unreachable:

@@ -16,8 +16,8 @@ from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
 from hapticplayer.simulation.network import BadNetwork, NetworkFaults
-from hapticplayer.streaming import asking, remote_clip
-from hapticplayer.streaming.asking import Place
+from hapticplayer.streaming import client, remote_clip
+from hapticplayer.streaming.client import StreamAddress
 from hapticplayer.streaming.force_fetch import FIRST_PACKETS, ForceFetch
 from hapticplayer.streaming.opening import open_stream
 from hapticplayer.streaming.remote_clip import RemoteClip
@@ -47,7 +47,7 @@ def asked(server, monkeypatch):
 
 
 def remote(server):
-    return RemoteClip(Place.of(server.url), server.offer.manifest, CLOCK)
+    return RemoteClip(StreamAddress.of(server.url), server.offer.manifest, CLOCK)
 
 
 @pytest.mark.parametrize("block_bytes", [100, 1000, 1 << 17])
@@ -67,10 +67,10 @@ def test_the_clip_reads_like_the_file(server, packed, rng, monkeypatch, block_by
 def test_a_network_that_becomes_thin_is_asked_for_less(server, packed, monkeypatch):
     monkeypatch.setattr(remote_clip, "BLOCK_BYTES", 500)
     monkeypatch.setattr(remote_clip, "FIRST_BLOCKS", 200)  # take 2.5 s
-    monkeypatch.setattr(asking, "ANSWER_S", 0.5)
+    monkeypatch.setattr(client, "ANSWER_S", 0.5)
     thin = NetworkFaults(bytes_per_s=40_000.0)
     with BadNetwork(server.url, thin, CLOCK) as network:
-        clip = RemoteClip(Place.of(network.url), server.offer.manifest, CLOCK)
+        clip = RemoteClip(StreamAddress.of(network.url), server.offer.manifest, CLOCK)
         with clip.open() as reader:
             assert reader.read(20_000) == packed.read_bytes()[:20_000]
         clip.close()
@@ -142,7 +142,7 @@ def test_only_the_chosen_track_is_fetched(source, asked):
 def test_a_seek_asks_for_its_packets_first(server, asked):
     manifest = replace(server.offer.manifest, samples=600_000)
     server.offer.manifest = manifest
-    fetch = ForceFetch(Place.of(server.url), manifest, CLOCK)
+    fetch = ForceFetch(StreamAddress.of(server.url), manifest, CLOCK)
     fetch.follow("realistic", 0.0)
     wait_for(lambda: fetch.has("realistic", 10.0))
     before = len(asked)

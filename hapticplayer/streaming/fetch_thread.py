@@ -1,23 +1,23 @@
-"""What fetches of force and clip share: a thread that asks until it is closed."""
+"""The thread in which force and clip of a stream are fetched, until it is closed."""
 
 import abc
 import threading
 
 from hapticplayer.clock import Clock
-from hapticplayer.streaming.asking import Asking, Place
+from hapticplayer.streaming.client import StreamAddress, StreamClient
 
 
-class Fetching(abc.ABC):
-    """Asks in a thread of its own, which who inherits starts when it is ready.
+class FetchThread(abc.ABC):
+    """Fetches in a thread of its own; a subclass starts it when it is ready.
 
     Args:
-        place: of the stream.
+        address: of the stream.
         clock: of the machine.
         name: of the thread.
     """
 
-    def __init__(self, place: Place, clock: Clock, name: str) -> None:
-        self._asking = Asking(place, clock)
+    def __init__(self, address: StreamAddress, clock: Clock, name: str) -> None:
+        self._client = StreamClient(address, clock)
         self._news = threading.Condition()
         self._is_closed = False
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
@@ -27,9 +27,9 @@ class Fetching(abc.ABC):
         with self._news:
             self._is_closed = True
             self._news.notify_all()
-        self._asking.close()
+        self._client.close()
         self._thread.join()
-        self._asking.drop()
+        self._client.drop()
 
     @abc.abstractmethod
     def _run(self) -> None:

@@ -36,7 +36,7 @@ class Aborted(Unreachable):
     """Something else is more urgent."""
 
 
-class Place(NamedTuple):
+class StreamAddress(NamedTuple):
     """Where a stream is: host, port and token."""
 
     host: str
@@ -45,10 +45,10 @@ class Place(NamedTuple):
 
     @classmethod
     def of(cls, url: str) -> Self:
-        """Return the place in the URL that `serve` prints.
+        """Return the address in the URL that `serve` prints.
 
         Raises:
-            NetworkError: when it is another one.
+            NetworkError: when it is not the address of a stream.
         """
         shown = without_controls(url[:200])
         try:
@@ -77,11 +77,11 @@ class Place(NamedTuple):
         return f"http://{host}:{self.port}"
 
 
-class Asking:
+class StreamClient:
     """A connection to the server of a stream, for one thread; opened when needed."""
 
-    def __init__(self, place: Place, clock: Clock) -> None:
-        self._place, self._clock = place, clock
+    def __init__(self, address: StreamAddress, clock: Clock) -> None:
+        self._address, self._clock = address, clock
         self._connection: HTTPConnection | None = None
         self._is_closed = self._is_aborted = False
 
@@ -136,7 +136,7 @@ class Asking:
         connection = self._connected()
         cast("_TimedSocket", connection.sock).until_s = self._clock.now_s() + ANSWER_S
         headers = {"Range": f"bytes={span[0]}-{span[1] - 1}"} if span else {}
-        path = f"/{self._place.token}/{resource}"
+        path = f"/{self._address.token}/{resource}"
         connection.request("GET", path, headers=headers)
         with connection.getresponse() as response:
             self._check(response.status, is_part=span is not None)
@@ -169,13 +169,15 @@ class Asking:
             raise self._wrong(Message("sends another part than was asked for"))
 
     def _wrong(self, what: Message) -> NetworkError:
-        return NetworkError(what, where=str(self._place), remedy=_AGAIN)
+        return NetworkError(what, where=str(self._address), remedy=_AGAIN)
 
     def _connected(self) -> HTTPConnection:
         if self._is_closed:
             raise ConnectionError("closed")
         if self._connection is None:
-            made = HTTPConnection(self._place.host, self._place.port, timeout=ANSWER_S)
+            made = HTTPConnection(
+                self._address.host, self._address.port, timeout=ANSWER_S
+            )
             made.connect()
             made.sock = cast("Any", _TimedSocket(made.sock, self._clock.now_s))
             self._connection = made

@@ -7,8 +7,8 @@ import pytest
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import NetworkError
-from hapticplayer.streaming import asking
-from hapticplayer.streaming.asking import Asking, Place, Unreachable
+from hapticplayer.streaming import client
+from hapticplayer.streaming.client import StreamAddress, StreamClient, Unreachable
 from hapticplayer.streaming.manifest import MANIFEST
 from hapticplayer.streaming.opening import is_address, open_stream
 
@@ -16,17 +16,17 @@ TOKEN = "t" * 22
 
 
 @pytest.mark.parametrize(
-    ("url", "place"),
+    ("url", "address"),
     [
         (f"http://127.0.0.1:8000/{TOKEN}/manifest.json", ("127.0.0.1", 8000, TOKEN)),
         (f"http://ride.local/{TOKEN}/", ("ride.local", 80, TOKEN)),
         (f"HTTP://[::1]:9/{TOKEN}/manifest.json", ("::1", 9, TOKEN)),
     ],
 )
-def test_the_address_that_serve_prints_is_understood(url, place):
+def test_the_address_that_serve_prints_is_understood(url, address):
     assert is_address(url)
-    assert Place.of(url) == place
-    assert TOKEN not in str(Place.of(url))
+    assert StreamAddress.of(url) == address
+    assert TOKEN not in str(StreamAddress.of(url))
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_the_address_that_serve_prints_is_understood(url, place):
     ],
 )
 def test_other_addresses_are_refused_before_any_is_asked(url, monkeypatch):
-    monkeypatch.setattr(asking, "HTTPConnection", None)
+    monkeypatch.setattr(client, "HTTPConnection", None)
     with pytest.raises(NetworkError, match="is not the address of a stream") as caught:
         open_stream(url, SystemClock())
     assert "\n" not in str(caught.value)
@@ -79,8 +79,8 @@ class hostile:  # noqa: N801 - used as a function
         self._thread = threading.Thread(target=self._run, daemon=True)
 
     @property
-    def place(self):
-        return Place("127.0.0.1", self._listener.getsockname()[1], TOKEN)
+    def address(self):
+        return StreamAddress("127.0.0.1", self._listener.getsockname()[1], TOKEN)
 
     def __enter__(self):
         self._thread.start()
@@ -111,7 +111,7 @@ class hostile:  # noqa: N801 - used as a function
 
 
 def got(server, most_bytes=100, span=None):
-    one = Asking(server.place, SystemClock())
+    one = StreamClient(server.address, SystemClock())
     try:
         return one.get("clip", most_bytes, span)
     finally:
@@ -166,7 +166,7 @@ def test_an_answer_that_is_broken_may_be_whole_next_time(answer):
     ],
 )
 def test_bytes_that_trickle_in_are_given_up_in_time(pieces, monkeypatch):
-    monkeypatch.setattr(asking, "ANSWER_S", 0.3)
+    monkeypatch.setattr(client, "ANSWER_S", 0.3)
     slow = hostile(*pieces, pause_s=0.05)
     with slow as server, pytest.raises(Unreachable, match="timed out"):
         got(server)
@@ -179,9 +179,9 @@ def test_another_part_than_was_asked_for_is_refused():
 
 
 def test_what_is_waited_for_can_be_given_up(monkeypatch):
-    monkeypatch.setattr(asking, "ANSWER_S", 60.0)
+    monkeypatch.setattr(client, "ANSWER_S", 60.0)
     with hostile(OK, pause_s=60.0) as server:
-        one = Asking(server.place, SystemClock())
+        one = StreamClient(server.address, SystemClock())
         threading.Timer(0.2, one.close).start()
         with pytest.raises(Unreachable):
             one.get("clip", 100)
@@ -193,7 +193,7 @@ def test_what_is_waited_for_can_be_given_up(monkeypatch):
 def test_a_manifest_of_another_kind_is_refused(content):
     answer = OK + b"Content-Length: %d\r\n\r\n" % len(content) + content
     with hostile(answer) as server:
-        url = f"{server.place}/{TOKEN}/{MANIFEST}"
+        url = f"{server.address}/{TOKEN}/{MANIFEST}"
         with pytest.raises(NetworkError, match=r"manifest\.json"):
             open_stream(url, SystemClock())
 
