@@ -21,7 +21,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices.rig.packets import FORMATS
 from hapticplayer.errors import InputError, message_of
 from hapticplayer.model.rig import RigMotion
-from hapticplayer.simulation.rig.receiver import Ears
+from hapticplayer.simulation.rig.receiver import PacketReceiver
 
 POLL_MS = 33
 _WIDTH_PX, _HEIGHT_PX = 520, 480
@@ -38,20 +38,20 @@ class RigPanel(QDialog):
         self._followers: dict[int, Follower] = {}
         self.view, self.state = RigView(), QLabel()
         self.hint = paragraph("", theme.DIM)
-        self.ears: Ears | None = None
+        self.receiver: PacketReceiver | None = None
         wanted = ports or tuple(kind.port for kind in FORMATS.values())
         try:
-            self.ears = Ears(clock, wanted)
+            self.receiver = PacketReceiver(clock, wanted)
         except InputError as problem:
             self.hint.setText(translated(message_of(problem)))
         else:
-            # also with its window; a partial holds the ears, a bound method would not
-            self.destroyed.connect(partial(Ears.close, self.ears))
+            # also with its window; a partial holds the receiver, a bound method would not
+            self.destroyed.connect(partial(PacketReceiver.close, self.receiver))
             self.hint.setText(
                 self.tr(
                     "Listening on this computer at the ports {ports}. Play with "
                     "--device rig:outsim, or let a game send its telemetry here."
-                ).format(ports=", ".join(map(str, self.ears.rigs)))
+                ).format(ports=", ".join(map(str, self.receiver.rigs)))
             )
         self._lay_out()
         self._timer = QTimer(self)
@@ -62,11 +62,11 @@ class RigPanel(QDialog):
 
     def poll(self) -> None:
         """Take the packets that have come, and show where the platform is."""
-        if self.ears is None:
+        if self.receiver is None:
             self.state.setText(self.tr("Not listening"))
             return
         newest = None
-        for port, at_s, heard in self.ears.listen(0.0):
+        for port, at_s, heard in self.receiver.listen(0.0):
             follower = self._followers.setdefault(port, Follower())
             angles = heard.pitch_rad, heard.roll_rad, heard.heading_rad
             motion = RigMotion(*heard.acceleration_mps2, *angles)
@@ -82,8 +82,8 @@ class RigPanel(QDialog):
     def done(self, result: int) -> None:
         """Close the ports."""
         self._timer.stop()
-        if self.ears is not None:
-            self.ears.close()
+        if self.receiver is not None:
+            self.receiver.close()
         super().done(result)
 
     def _words(self, name: str, share: float) -> str:

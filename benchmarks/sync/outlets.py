@@ -33,7 +33,7 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.rig.decode import DecodedPacket
-from hapticplayer.simulation.rig.receiver import Ears
+from hapticplayer.simulation.rig.receiver import PacketReceiver
 
 Floats = NDArray[np.float64]
 STEP_FRAMES, HELD_S, EDGE_S, STEP = 13, 0.15, 1e-3, 1.0
@@ -103,7 +103,7 @@ def rises(time_s: Floats, values: Floats) -> Floats:
 def play(source: Source, rate: int) -> tuple[dict[str, Floats], Shown, dict[str, Any]]:
     """Play; return when each outlet acted, the frames, and the player's summary."""
     clock, record = SystemClock(), os.memfd_create("outlets")
-    ears = Ears(clock, [0, 0])
+    receiver = PacketReceiver(clock, [0, 0])
     heard: list[tuple[int, float, DecodedPacket]] = []
     device: dict[str, Any] = {
         "device_options": ["--hand", "firm", "--record", str(record)],
@@ -117,7 +117,7 @@ def play(source: Source, rate: int) -> tuple[dict[str, Floats], Shown, dict[str,
     shown = Shown(clock)
     player = Player(clock, shown, device="simulated", haptics=haptics)
     try:
-        kinds = zip(("outsim", "beamng"), ears.rigs, strict=True)
+        kinds = zip(("outsim", "beamng"), receiver.rigs, strict=True)
         names = [f"rig:{kind},127.0.0.1:{port},rate={rate}" for kind, port in kinds]
         player.set_outlets(names)
         player.prepare_sound()
@@ -126,16 +126,16 @@ def play(source: Source, rate: int) -> tuple[dict[str, Floats], Shown, dict[str,
         player.play()
         while player.snapshot().phase is not Phase.ENDED:
             clock.sleep_until(player.poll())
-            heard += ears.listen(0.0)
+            heard += receiver.listen(0.0)
     finally:
         player.close()
     turns = read_record(record)
     acted = {FALCON: rises(turns["monotonic_s"], turns["commanded_n"][:, 1])}
-    for port in ears.rigs:
+    for port in receiver.rigs:
         rows = [(at_s, one.acceleration_mps2[2]) for p, at_s, one in heard if p == port]
         kind = next(one.format for p, _, one in heard if p == port)
         acted[kind] = rises(*np.array(rows).T)
-    ears.close()
+    receiver.close()
     os.close(record)
     return acted, shown, player.summary()
 

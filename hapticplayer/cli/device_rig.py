@@ -35,23 +35,25 @@ def add_monitor_options(action: argparse.ArgumentParser) -> None:
 
 def monitor(options: argparse.Namespace) -> int:
     """Listen, print a line a second for each rig that moves, and report at the end."""
-    from hapticplayer.simulation.rig.receiver import Ears
+    from hapticplayer.simulation.rig.receiver import PacketReceiver
 
     clock = SystemClock()
-    ears = Ears(clock, options.port or [kind.port for kind in FORMATS.values()])
+    receiver = PacketReceiver(
+        clock, options.port or [kind.port for kind in FORMATS.values()]
+    )
     if not options.json:
-        say(f"listening at {', '.join(map(str, ears.rigs))}; Ctrl-C ends")
+        say(f"listening at {', '.join(map(str, receiver.rigs))}; Ctrl-C ends")
     end_s = clock.now_s() + (options.duration or float("inf"))
     next_s = clock.now_s()
     quiet = contextlib.suppress(KeyboardInterrupt)
-    with contextlib.closing(ears), quiet, interruptible():
+    with contextlib.closing(receiver), quiet, interruptible():
         while (now_s := clock.now_s()) < end_s:
-            for _ in ears.listen(_WAIT_S):
+            for _ in receiver.listen(_WAIT_S):
                 pass
             if now_s >= next_s and not options.json:
                 next_s = now_s + LINE_PERIOD_S
-                _show(ears)
-    report = ears.report()
+                _show(receiver)
+    report = receiver.report()
     if options.json:
         say(json.dumps(report))
         return 0
@@ -60,11 +62,11 @@ def monitor(options: argparse.Namespace) -> int:
     return 0
 
 
-def _show(ears: Any) -> None:
-    for port, one in ears.report().items():
+def _show(receiver: Any) -> None:
+    for port, one in receiver.report().items():
         if one["is_silent"]:
             continue
-        last = ears.rigs[port].last
+        last = receiver.rigs[port].last
         x, y, z = last.acceleration_mps2
         say(
             f"{port} {last.format:<12}{one['rate_hz']:6.1f} Hz  "

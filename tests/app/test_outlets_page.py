@@ -33,12 +33,12 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import OutletState
 from hapticplayer.rendering.rig import RigStep
 from hapticplayer.sequence import files
-from hapticplayer.simulation.rig.receiver import Ears
+from hapticplayer.simulation.rig.receiver import PacketReceiver
 
 
 @pytest.fixture
-def ears():
-    with contextlib.closing(Ears(SystemClock(), [0])) as made:
+def receiver():
+    with contextlib.closing(PacketReceiver(SystemClock(), [0])) as made:
         yield made
 
 
@@ -52,16 +52,16 @@ def playing_on(window):
     return {one.name: one for one in window.player.snapshot().outlets}
 
 
-def add_rig(page, ears):
-    (port,) = ears.rigs
+def add_rig(page, receiver):
+    (port,) = receiver.rigs
     page.kind.setCurrentIndex(page.kind.findData("rig:outsim"))
     page.address.setText(f"127.0.0.1:{port}")
     page.add()
     return f"rig:outsim,127.0.0.1:{port},gain=0.25,latency_ms=0"
 
 
-def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, ears, wait_for):
-    name = add_rig(page, ears)
+def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, receiver, wait_for):
+    name = add_rig(page, receiver)
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
     assert playing_on(window)[name].gain == 0.25
     page.look()
@@ -81,8 +81,8 @@ def test_what_cannot_be_reached_or_is_not_allowed_is_said(window, page):
     assert playing_on(window) == {}
 
 
-def test_muting_is_seen_by_the_player(window, page, ears):
-    name = add_rig(page, ears)
+def test_muting_is_seen_by_the_player(window, page, receiver):
+    name = add_rig(page, receiver)
     QTest.mouseClick(page.mutes[name], Qt.MouseButton.LeftButton)
     assert playing_on(window)[name].is_muted == page.mutes[name].isChecked()
     page.mute(name, is_muted=True)
@@ -111,9 +111,9 @@ def begin_test(page, name, wait_for):
 
 
 def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
-    window, page, ears, wait_for, short_test
+    window, page, receiver, wait_for, short_test
 ):
-    name = add_rig(page, ears)
+    name = add_rig(page, receiver)
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
     page.look()
     begin_test(page, name, wait_for)
@@ -132,16 +132,16 @@ def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
     assert max(heights) > 0.01  # the picture has moved
     assert page.problem.text() == "Test finished."
     assert not page.panel.isVisible()
-    list(ears.listen(0.0))
-    (report,) = ears.report().values()
+    list(receiver.listen(0.0))
+    (report,) = receiver.report().values()
     assert report["peak_mps2"] > 0.1
     assert report["is_neutral"]
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
     assert page.chosen() == {name: False}
 
 
-def test_a_person_may_decline(window, page, ears, wait_for):
-    name = add_rig(page, ears)
+def test_a_person_may_decline(window, page, receiver, wait_for):
+    name = add_rig(page, receiver)
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
     page.look()
     page.tests[name].click()
@@ -220,12 +220,12 @@ def test_what_is_wrong_with_an_outlet_is_read_whole(
 @pytest.mark.realtime
 @pytest.mark.parametrize("way", ["escape", "stop"])
 def test_escape_and_stop_bring_device_and_outlet_to_rest(
-    make_window, source, ears, wait_for, way
+    make_window, source, receiver, wait_for, way
 ):
     window = make_window("simulated")
     window.commands.outlets.trigger()
     page, player = window.findChild(OutletsPage), window.player
-    name = add_rig(page, ears)
+    name = add_rig(page, receiver)
     window.session.show_source(source)
     player.set_loop((0.0, 1.5))
     player.play()
@@ -253,8 +253,8 @@ def test_escape_and_stop_bring_device_and_outlet_to_rest(
 # --- what is remembered --------------------------------------------------------
 
 
-def test_what_is_chosen_and_muted_is_kept(window, page, ears, settings, tmp_path):
-    name = add_rig(page, ears)
+def test_what_is_chosen_and_muted_is_kept(window, page, receiver, settings, tmp_path):
+    name = add_rig(page, receiver)
     assert outlets_of(settings) == {name: False}
     page.look()
     page.mutes[name].click()

@@ -21,7 +21,7 @@ def panel(qtbot):
 
 
 def send(panel, **values):
-    (port,) = panel.ears.rigs
+    (port,) = panel.receiver.rigs
     motion = RigMotion(*[0.0] * len(RigMotion._fields))._replace(**values)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
         end.sendto(outsim(motion, 1.0, RigSettings()), ("127.0.0.1", port))
@@ -43,7 +43,7 @@ def test_what_is_out_of_reach_is_held_back_and_told(panel, wait_for):
 
 
 def test_a_port_that_is_taken_is_told(panel, qtbot):
-    other = RigPanel(SystemClock(), None, tuple(panel.ears.rigs))
+    other = RigPanel(SystemClock(), None, tuple(panel.receiver.rigs))
     qtbot.addWidget(other)
     assert other.state.text() == "Not listening"
     assert "cannot be opened" in other.hint.text()

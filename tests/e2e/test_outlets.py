@@ -14,7 +14,7 @@ import pytest
 from hapticplayer.cli import device_forces
 from hapticplayer.clock import SystemClock
 from hapticplayer.model import RigTrack
-from hapticplayer.simulation.rig.receiver import Ears
+from hapticplayer.simulation.rig.receiver import PacketReceiver
 from tests.e2e.command import DISPLAYS, command_line, hapticplayer
 
 pytestmark = pytest.mark.realtime
@@ -25,21 +25,21 @@ class Listener:
     """Two rigs at free ports, heard in a thread."""
 
     def __init__(self):
-        self.ears = Ears(SystemClock(), [0, 0])
-        self.first, self.second = self.ears.rigs
+        self.receiver = PacketReceiver(SystemClock(), [0, 0])
+        self.first, self.second = self.receiver.rigs
         self._is_over = threading.Event()
         self._thread = threading.Thread(target=self._listen)
         self._thread.start()
 
     def _listen(self):
         while not self._is_over.is_set():
-            for _ in self.ears.listen(0.05):
+            for _ in self.receiver.listen(0.05):
                 pass
 
     def close(self):
         self._is_over.set()
         self._thread.join()
-        self.ears.close()
+        self.receiver.close()
 
     @property
     def devices(self):
@@ -101,13 +101,13 @@ def test_a_device_and_two_rigs_play_and_come_to_rest(demo, rigs):
     assert all(one["ticks"] > 100 for one in summary["outlets"].values())
     rigs.close()
     for port, kind in ((rigs.first, "outsim"), (rigs.second, "beamng")):
-        report = rigs.ears.report()[port]
+        report = rigs.receiver.report()[port]
         assert report["format"] == kind
         assert report["peak_mps2"] > 0.5
         assert report["is_neutral"]
         assert report["time_went_back"] == 0
     # by the sender's own clock: two seconds and more of neutral
-    assert rigs.ears.rigs[rigs.first].last.time_s > 2.0 + 0.5 + 2.0 - 0.1
+    assert rigs.receiver.rigs[rigs.first].last.time_s > 2.0 + 0.5 + 2.0 - 0.1
 
 
 def test_a_rig_is_tested_and_left_in_neutral(rigs, monkeypatch):
@@ -122,7 +122,7 @@ def test_a_rig_is_tested_and_left_in_neutral(rigs, monkeypatch):
     assert report["is_heard"]
     assert report["packets"] > 200
     rigs.close()
-    heard = rigs.ears.report()[rigs.first]
+    heard = rigs.receiver.report()[rigs.first]
     assert heard["packets"] >= report["packets"]
     assert heard["is_neutral"]
     assert heard["peak_mps2"] > 0.0
@@ -130,8 +130,8 @@ def test_a_rig_is_tested_and_left_in_neutral(rigs, monkeypatch):
 
 def test_a_dead_loop_is_brought_to_rest_and_the_other_plays_on(demo, rigs):
     player = started(demo, rigs.devices, "--duration", 4)
-    first = rigs.ears.rigs[rigs.first]
-    second = rigs.ears.rigs[rigs.second]
+    first = rigs.receiver.rigs[rigs.first]
+    second = rigs.receiver.rigs[rigs.second]
     wait_for(lambda: first.peak_mps2 > 0.5 and second.peak_mps2 > 0.5)
     os.kill(loop_of(player, rigs.devices[0]), signal.SIGKILL)
     wait_for(lambda: first.last.is_neutral)

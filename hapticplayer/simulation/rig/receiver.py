@@ -82,7 +82,7 @@ def _went_back(before: DecodedPacket, heard: DecodedPacket) -> bool:
     return times[1] < times[0] and not before.is_neutral
 
 
-class Ears:
+class PacketReceiver:
     """Sockets at several ports, and the rig behind each.
 
     Raises:

@@ -13,7 +13,7 @@ from hapticplayer.devices.rig.settings import RigSettings
 from hapticplayer.errors import InputError
 from hapticplayer.model.rig import NEUTRAL, RigMotion
 from hapticplayer.simulation.rig.decode import decode
-from hapticplayer.simulation.rig.receiver import Ears, SimulatedRig
+from hapticplayer.simulation.rig.receiver import PacketReceiver, SimulatedRig
 
 small = st.floats(-1.25, 1.25, width=32)
 vector = st.floats(-20.0, 20.0, width=32)
@@ -82,19 +82,19 @@ def test_time_may_go_back_from_neutral_only():
 
 def test_ears_know_when_a_packet_came():
     clock = SystemClock()
-    with contextlib.closing(Ears(clock, [0, 0])) as ears:
-        first, second = ears.rigs
+    with contextlib.closing(PacketReceiver(clock, [0, 0])) as receiver:
+        first, second = receiver.rigs
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
             before_s = clock.now_s()
             end.sendto(packet("beamng", NEUTRAL), ("127.0.0.1", second))
             end.sendto(b"hello", ("127.0.0.1", first))
             after_s = clock.now_s()
-        heard = list(ears.listen(5.0))
-        heard += list(ears.listen(0.0))
+        heard = list(receiver.listen(5.0))
+        heard += list(receiver.listen(0.0))
         assert [port for port, *_ in heard] == [second]
         # the kernel's clock and ours are two readings, taken one after the other
         assert before_s - 1e-3 <= heard[0][1] <= after_s + 1e-3
-        assert ears.report()[first]["unknown"] == 1
+        assert receiver.report()[first]["unknown"] == 1
 
 
 def test_a_port_that_is_taken_is_named():
@@ -102,4 +102,4 @@ def test_a_port_that_is_taken_is_named():
         end.bind(("127.0.0.1", 0))
         port = end.getsockname()[1]
         with pytest.raises(InputError, match=f"port {port} cannot be opened"):
-            Ears(SystemClock(), [0, port])
+            PacketReceiver(SystemClock(), [0, port])
