@@ -23,7 +23,7 @@ from app.editor.editing_lanes import EditingLanes
 from app.editor.effect_panel import EffectPanel
 from app.editor.kind_list import KindList
 from app.editor.live_force import LiveForce
-from app.editor.playing import Means, Playing
+from app.editor.playing import PlayerSetup, Playing
 from app.editor.view import TimeView
 from app.widgets.layout import (
     column_of,
@@ -74,10 +74,10 @@ class EditorPage(QDialog):
     """The sequence in this folder has other effects and tracks."""
 
     def __init__(
-        self, folder: Path, means: Means, parent: QWidget | None = None
+        self, folder: Path, setup: PlayerSetup, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self.folder, self._means = folder, means
+        self.folder, self._setup = folder, setup
         self.loaded: Loaded | None = None
         self.live: LiveForce | None = None
         self.jobs = Jobs(self._on_failed)
@@ -87,7 +87,7 @@ class EditorPage(QDialog):
         self.lanes = EditingLanes(self.view, self.editing)
         self.kinds, self.panel = KindList(), EffectPanel(self.editing)
         self.messages, self.job_bar = MessageBar(), JobBar()
-        self.playing = Playing(means, self.messages.show_text, self)
+        self.playing = Playing(setup, self.messages.show_text, self)
         self.comparison = Comparison()
         self.play_bar = PlayBar(self.playing, self.view)
         self.view_bar, self.change_bar = ViewBar(self.view), ChangeBar(self.document)
@@ -315,7 +315,7 @@ class EditorPage(QDialog):
     # --- what is shown -------------------------------------------------------
 
     def _poll(self) -> None:
-        self.job_bar.show_state(self.jobs.state(), self._means.clock.now_s())
+        self.job_bar.show_state(self.jobs.state(), self._setup.clock.now_s())
         self.jobs.poll()
         if not self.jobs.is_busy:
             self.job_bar.hide()

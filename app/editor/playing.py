@@ -21,7 +21,7 @@ from hapticplayer.playback.source import Source
 DRAW_HZ, WATCH_HZ = 30.0, 15.0
 
 
-class Means(NamedTuple):
+class PlayerSetup(NamedTuple):
     """What the page plays with: a device by name, and what makes a player."""
 
     clock: Clock
@@ -43,13 +43,13 @@ class Playing(QObject):
     """It plays or not, or the force was stopped or is back."""
 
     def __init__(
-        self, means: Means, show: Callable[[str], None], parent: QObject
+        self, setup: PlayerSetup, show: Callable[[str], None], parent: QObject
     ) -> None:
         super().__init__(parent)
         self.surface, self.session = VideoSurface(), None
         self.track: ForceTrack | None = None
         self._feedback = Feedback.REALISTIC
-        self._means, self._show = means, show
+        self._setup, self._show = setup, show
         self._pump: Pump | None = None
         self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
         self._has_just_stopped = False
@@ -65,19 +65,19 @@ class Playing(QObject):
             return False
         self.session = Session(player, self._show)
         self.session.changed.connect(self.changed)
-        player.set_latencies(latencies_of(self._means.settings, screen))
-        player.set_volume(kept_volume(self._means.settings))
+        player.set_latencies(latencies_of(self._setup.settings, screen))
+        player.set_volume(kept_volume(self._setup.settings))
         self.surface.set_clip_size(source.clip.width, source.clip.height)
         player.open(source)
         self._feedback = rendered_feedback(source.tracks)
         self.track = source.tracks[self._feedback]
-        self._pump = Pump(player.poll, self._means.clock, self._on_gap, self)
+        self._pump = Pump(player.poll, self._setup.clock, self._on_gap, self)
         self._pump.start()
         return True
 
     def _made_player(self) -> Player | None:
         """Return a player, without a device where that cannot be taken."""
-        clock, device, _settings, make = self._means
+        clock, device, _settings, make = self._setup
         sink = SurfaceSink(self.surface)
         for name in (device, NO_DEVICE):
             try:
@@ -177,7 +177,7 @@ class Playing(QObject):
         self._has_just_stopped = False
 
     def _on_gap(self) -> None:
-        session, now_s = self.session, self._means.clock.now_s()
+        session, now_s = self.session, self._setup.clock.now_s()
         if session is None:
             return
         if self._watch_cadence.is_due(now_s):

@@ -147,12 +147,12 @@ class Dialogs(DeviceDialogs):
             self._session.gateway.report(HapticPlayerError(problem))
             return
         from app.editor.page import EditorPage
-        from app.editor.playing import Means
+        from app.editor.playing import PlayerSetup
 
         device = self._session.player.snapshot().device
         self._release()
-        means = Means(clock, device, self._settings, self._own_player)
-        page = EditorPage(folder, means, self._window)
+        setup = PlayerSetup(clock, device, self._settings, self._own_player)
+        page = EditorPage(folder, setup, self._window)
         page.saved.connect(self._show_again)
         page.finished.connect(lambda _: self._session.choose_device(device))
         self._open_working(page)

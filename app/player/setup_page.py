@@ -18,7 +18,7 @@ from app.player.device_test_panel import DeviceTestPanel
 from app.player.firmware_dialog import ask_for_firmware
 from app.player.homing_view import HomingDrawing, TravelEstimate, view_of
 from app.player.latency_field import LatencyField
-from app.player.setup_texts import Trouble, trouble
+from app.player.setup_texts import DeviceProblem, describe_problem
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import (
@@ -81,7 +81,7 @@ class SetupPage(QDialog):
         self._clock, self._find_reach, self._plugged = clock, find_reach, plugged
         self._jobs = Jobs(self._on_trouble)
         self._progress: Progress | None = None
-        self._trouble: Trouble | None = None
+        self._trouble: DeviceProblem | None = None
         self._ways, self._result = TravelEstimate(), 0
         self._is_ending = False
         self.drawing, self.form = HomingDrawing(), DeviceForm(self)
@@ -278,13 +278,13 @@ class SetupPage(QDialog):
     def _on_trouble(self, problem: BaseException) -> None:
         self._progress, self._trouble, self._ways = (
             None,
-            trouble(problem),
+            describe_problem(problem),
             TravelEstimate(),
         )
 
     def on_no_firmware(self, why: str) -> None:
         """Show why a file is not a firmware image."""
-        self._trouble = Trouble(self.tr("That file cannot be used"), why, False)
+        self._trouble = DeviceProblem(self.tr("That file cannot be used"), why, False)
 
     def _on_plugged(self) -> None:
         self.form.fill(self.chosen, self._plugged.falcons())

@@ -1,4 +1,4 @@
-"""What is said while a device is set up: steps, advice, and every kind of trouble."""
+"""What is said while a device is set up: steps, advice, and every problem of a device."""
 
 from typing import NamedTuple
 
@@ -21,7 +21,7 @@ from hapticplayer.errors import message_of
 translate = QCoreApplication.translate
 
 
-class Trouble(NamedTuple):
+class DeviceProblem(NamedTuple):
     """Why the device is not ready, and what to do.
 
     `is_watched` is whether to try again by itself: it may have been done.
@@ -32,7 +32,7 @@ class Trouble(NamedTuple):
     is_watched: bool = True
 
 
-def trouble(problem: BaseException) -> Trouble:
+def describe_problem(problem: BaseException) -> DeviceProblem:
     """Return a problem in words; what is not known keeps the engine's own."""
     for kind, say in (
         (FalconGoneError, _gone),
@@ -44,11 +44,11 @@ def trouble(problem: BaseException) -> Trouble:
         if isinstance(problem, kind):
             return say()
     title = translate("SetupTexts", "The Falcon cannot be used")
-    return Trouble(title, translated(message_of(problem)))
+    return DeviceProblem(title, translated(message_of(problem)))
 
 
-def _gone() -> Trouble:
-    return Trouble(
+def _gone() -> DeviceProblem:
+    return DeviceProblem(
         translate("SetupTexts", "The Falcon is not plugged in"),
         translate(
             "SetupTexts",
@@ -57,18 +57,18 @@ def _gone() -> Trouble:
     )
 
 
-def _forbidden() -> Trouble:
+def _forbidden() -> DeviceProblem:
     text = translate(
         "SetupTexts",
         "Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the Falcon and "
         "plug it in.",
     )
     title = translate("SetupTexts", "Permission denied for the Falcon")
-    return Trouble(title, text.format(rule=UDEV_RULE))
+    return DeviceProblem(title, text.format(rule=UDEV_RULE))
 
 
-def _busy() -> Trouble:
-    return Trouble(
+def _busy() -> DeviceProblem:
+    return DeviceProblem(
         translate("SetupTexts", "The Falcon is in use by another program"),
         translate(
             "SetupTexts", "Close that program; setup then continues automatically."
@@ -76,8 +76,8 @@ def _busy() -> Trouble:
     )
 
 
-def _driver() -> Trouble:
-    return Trouble(
+def _driver() -> DeviceProblem:
+    return DeviceProblem(
         translate("SetupTexts", "The Falcon has the wrong driver"),
         translate(
             "SetupTexts",
@@ -87,8 +87,8 @@ def _driver() -> Trouble:
     )
 
 
-def _firmware() -> Trouble:
-    return Trouble(
+def _firmware() -> DeviceProblem:
+    return DeviceProblem(
         translate("SetupTexts", "The Falcon needs its firmware"),
         translate(
             "SetupTexts",

@@ -29,7 +29,7 @@ from PySide6.QtWidgets import (
 
 from app.editor.lanes import Lanes
 from app.editor.page import EditorPage
-from app.editor.playing import Means
+from app.editor.playing import PlayerSetup
 from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
@@ -174,8 +174,8 @@ def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:
 
 def _editor(window: PlayerWindow) -> EditorPage:
     """Return the editor of the clip that is open, once it is loaded."""
-    means = Means(window.clock, "none", window.settings, make_player)
-    page = EditorPage(window.player.snapshot().source.path, means, window)
+    setup = PlayerSetup(window.clock, "none", window.settings, make_player)
+    page = EditorPage(window.player.snapshot().source.path, setup, window)
     loop = QEventLoop()
     page.ready.connect(loop.quit)
     loop.exec()

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.editor.kind_list import MIME
 from app.editor.page import EditorPage
-from app.editor.playing import Means
+from app.editor.playing import PlayerSetup
 from hapticplayer.clock import SystemClock
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence, store, verify_sequence
@@ -38,7 +38,7 @@ def folder(edited, tmp_path):
 
 @pytest.fixture
 def page(application, qtbot, settings, wait_for, folder):
-    made = EditorPage(folder, Means(SystemClock(), "none", settings, make_player))
+    made = EditorPage(folder, PlayerSetup(SystemClock(), "none", settings, make_player))
     # else it asks
     qtbot.addWidget(made, before_close_func=lambda _: made.document.stack.setClean())
     made.show()

@@ -9,7 +9,7 @@ from faces import make_player
 from app.editor.comparison import Comparison
 from app.editor.live_force import LiveForce
 from app.editor.page import EditorPage
-from app.editor.playing import Means
+from app.editor.playing import PlayerSetup
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
 from hapticplayer.rendering.effects import NO_EFFECTS, Effect, EffectList
@@ -41,8 +41,8 @@ def make_page(application, qtbot, settings, wait_for, folder):
     made = []
 
     def make(device="none"):
-        means = Means(SystemClock(), device, settings, make_player)
-        page = EditorPage(folder, means)
+        setup = PlayerSetup(SystemClock(), device, settings, make_player)
+        page = EditorPage(folder, setup)
         clean = page.document.stack.setClean
         qtbot.addWidget(page, before_close_func=lambda _: clean())  # else it asks
         made.append(page)

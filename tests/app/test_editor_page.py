@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.editor.page import EditorPage
-from app.editor.playing import Means
+from app.editor.playing import PlayerSetup
 from app.experimenter.library_page import LibraryPage
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import DeviceError
@@ -44,7 +44,7 @@ def make_page(application, qtbot, settings, wait_for):
     made = []
 
     def make(folder, device="none", player=make_player):
-        page = EditorPage(folder, Means(SystemClock(), device, settings, player))
+        page = EditorPage(folder, PlayerSetup(SystemClock(), device, settings, player))
         qtbot.addWidget(page)
         made.append(page)
         page.show()

@@ -1,4 +1,4 @@
-"""Pictures of the device's pages: setting up, every trouble, forces, latencies."""
+"""Pictures of the device's pages: setting up, every problem, forces, latencies."""
 
 from app.bridge.settings import Settings
 from app.player import setup_texts

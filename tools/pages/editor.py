@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPixmap
 
 from app.editor.edits import with_curve
 from app.editor.page import EditorPage
-from app.editor.playing import Means
+from app.editor.playing import PlayerSetup
 from app.player.video_surface import SurfaceSink
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.playback.player import Player
@@ -46,7 +46,9 @@ def pictures(stage: Stage) -> Pictures:
 
 
 def _page(stage: Stage, folder: Path) -> EditorPage:
-    return EditorPage(folder, Means(SystemClock(), "none", stage.settings, _player))
+    return EditorPage(
+        folder, PlayerSetup(SystemClock(), "none", stage.settings, _player)
+    )
 
 
 def _player(clock: Clock, sink: SurfaceSink, device: str) -> Player:

@@ -1,4 +1,4 @@
-"""Setting a Falcon up in the window: found, loaded, homed, and every trouble said."""
+"""Setting a Falcon up in the window: found, loaded, homed, and every problem said."""
 
 import errno
 
