@@ -284,7 +284,7 @@ class Grip:
         self, hands: Sequence[Hand], limits: Limits, centring: Centring
     ) -> None:
         self._limits, self._centring = limits, centring
-        mass, viscous, self._dry_n = felt(Mechanism())
+        mass, viscous, self._dry_n = mechanism_at_grip(Mechanism())
         self._step_per_kg = (1.0 / RATE_HZ) / np.stack(
             [mass + hand.mass_kg for hand in hands], axis=1
         )[:, :, None]
@@ -364,8 +364,10 @@ def pull_n(radius_m: Floats, centring: Centring) -> Floats:
     )
 
 
-def felt(mechanism: Mechanism) -> tuple[Floats, Floats, NDArray[np.float64]]:
-    """Return the grip's mass, friction and dry friction per axis at the centre."""
+def mechanism_at_grip(
+    mechanism: Mechanism,
+) -> tuple[Floats, Floats, NDArray[np.float64]]:
+    """Return mass, viscous and dry friction at the grip, per axis, in the centre."""
     centre = (0.0, 0.0, FALCON_GEOMETRY.centre_z_m)
     rows = np.linalg.inv(np.array(Kinematics().jacobian(centre)))  # dtheta/dp, 1/m
     square = np.square(rows).sum(axis=0)

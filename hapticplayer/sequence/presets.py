@@ -25,7 +25,7 @@ from hapticplayer.rendering.washout import (
     Washout,
     washed_out,
 )
-from hapticplayer.sequence.excursion import felt
+from hapticplayer.sequence.excursion import mechanism_at_grip
 
 YIELDING = replace(RELAXED, yield_s=0.3, return_s=2.0)
 """Relaxed, and gives way to a steady force within a second."""
@@ -170,7 +170,7 @@ def preset_of(track: ForceTrack) -> str:
 
 def washout_of(preset: Preset, force_limit_n: float) -> Washout:
     """Return the washout of a preset for a Falcon."""
-    mass, viscous, _dry_n = felt(Mechanism())
+    mass, viscous, _dry_n = mechanism_at_grip(Mechanism())
     hands = []
     for hand in preset.hands:
         x_kg, y_kg, z_kg = (mass + hand.mass_kg).tolist()
