@@ -17,9 +17,9 @@ from hapticplayer.interchange.study_csv import (
     FELT,
     DataColumn,
     DataTable,
-    felt_cells,
     participants,
     separated,
+    trial_force_cells,
 )
 from hapticplayer.interchange.study_data import (
     StudyData,
@@ -29,10 +29,10 @@ from hapticplayer.sequence.files import json_text
 from hapticplayer.study import private
 from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.definition import Definition
-from hapticplayer.study.felt import Felt
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials
 from hapticplayer.study.ticks import tick_files
+from hapticplayer.study.trial_force import TrialForce
 
 VERSION = "1.10.0"
 TASK, SYSTEM, RATE_HZ = "qoe", "falcon", 1000
@@ -187,9 +187,9 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     behaviour.mkdir(mode=private.FOLDER_MODE)
     keys = [question.key for question in data.definition.trial_questions]
     columns = [*_BEH, *(DataColumn(key, "") for key in keys)]
-    felt = data.felt(session)
+    forces = data.trial_forces(session)
     rows = [
-        _beh_row(trial, felt.get((trial.position, trial.attempt)), keys)
+        _beh_row(trial, forces.get((trial.position, trial.attempt)), keys)
         for trial in answered_trials(session.records)
     ]
     table = DataTable(f"{name}_task-{TASK}_beh.tsv", columns, rows)
@@ -206,7 +206,7 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
 
 
 def _beh_row(
-    trial: AnsweredTrial, felt: Felt | None, keys: list[str]
+    trial: AnsweredTrial, force: TrialForce | None, keys: list[str]
 ) -> tuple[Any, ...]:
     condition = trial.condition
     return (
@@ -217,7 +217,7 @@ def _beh_row(
         condition.delay_s,
         condition.gain,
         trial.sound,
-        *felt_cells(felt),
+        *trial_force_cells(force),
         trial.response_s,
         *(trial.values.get(key) for key in keys),
     )

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 from hapticplayer.interchange.study_data import StudyData
 from hapticplayer.study import private
 from hapticplayer.study.answers import Answers
-from hapticplayer.study.felt import LEAST_FORCE_N, MOST_ERROR, Felt
 from hapticplayer.study.steps import answered_trials
+from hapticplayer.study.trial_force import LEAST_FORCE_N, MOST_ERROR, TrialForce
 
 
 class DataColumn(NamedTuple):
@@ -72,16 +72,16 @@ FELT = (
 """What the hand got in a trial, from the record of the device; empty without one."""
 
 
-def felt_cells(felt: Felt | None) -> tuple[Any, ...]:
+def trial_force_cells(force: TrialForce | None) -> tuple[Any, ...]:
     """Return the values of FELT."""
-    if felt is None:
+    if force is None:
         return (None,) * len(FELT)
     numbers = (
-        *(felt.error, felt.error_n, felt.planned_n),
-        *(felt.reach_m, felt.faded_s, felt.saturated_share),
+        *(force.error, force.error_n, force.planned_n),
+        *(force.reach_m, force.faded_s, force.saturated_share),
     )
     cells = (None if one is None else float(f"{one:.4g}") for one in numbers)
-    return (*cells, felt.is_off)
+    return (*cells, force.is_off)
 
 
 _TRIAL_COLUMNS = (
@@ -191,7 +191,7 @@ def _texts(answers: Answers) -> DataTable:
 def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
     """Yield a row for each answered attempt, including repeated ones."""
     for session in data.sessions:
-        felt = data.felt(session)
+        forces = data.trial_forces(session)
         for trial in answered_trials(session.records):
             condition = trial.condition
             yield (
@@ -208,7 +208,7 @@ def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
                 *(trial.playback.get(column.name) for column in _PLAYED),
                 trial.response_s,
                 json.dumps(dict(trial.values), sort_keys=True),
-                *felt_cells(felt.get((trial.position, trial.attempt))),
+                *trial_force_cells(forces.get((trial.position, trial.attempt))),
             )
 
 

@@ -11,11 +11,11 @@ from hapticplayer.errors import Message
 from hapticplayer.sequence.files import Progress
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
-from hapticplayer.study.felt import Felt
-from hapticplayer.study.felt_trials import TrialKey, felt_trials
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import position_of
 from hapticplayer.study.ticks import tick_chunks
+from hapticplayer.study.trial_force import TrialForce
+from hapticplayer.study.trial_forces import TrialKey, measure_trial_forces
 
 _MARKED = {
     "trial-begin": "begin",
@@ -54,12 +54,12 @@ class StudyData:
             self.progress(fraction, Message("writing {code}", code=session.code))
             yield ticks
 
-    def felt(self, session: StoredSession) -> dict[TrialKey, Felt]:
+    def trial_forces(self, session: StoredSession) -> dict[TrialKey, TrialForce]:
         """Return what the hand got in each trial of a session that has a record."""
         fraction = self.sessions.index(session) / len(self.sessions)
         step = Message("reading records of {code}", code=session.code)
         self.progress(fraction, step)
-        return felt_trials(session, self.notices)
+        return measure_trial_forces(session, self.notices)
 
 
 @dataclass(frozen=True, slots=True)

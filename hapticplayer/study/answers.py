@@ -19,10 +19,10 @@ from hapticplayer.study.definition import (
     QuestionKind,
     TrialKind,
 )
-from hapticplayer.study.felt_trials import felt_trials
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials, page_values
 from hapticplayer.study.study_folder import Study, open_study
+from hapticplayer.study.trial_forces import measure_trial_forces
 
 SHEET, POST_TEST = "sheet", "post-test"
 REVIEWED = "reviewed.json"
@@ -179,12 +179,12 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
     definition = study.definition
     collected = [_SessionAnswers(session, definition, notices) for session in sessions]
     is_rating = definition.trial is TrialKind.RATING
-    felt = {}
+    trial_forces = {}
     for number, session in enumerate(sessions if progress else ()):
         assert progress is not None
         step = Message("reading records of {code}", code=session.code)
         progress(number / len(sessions), step)
-        felt[session.code] = felt_trials(session, notices)
+        trial_forces[session.code] = measure_trial_forces(session, notices)
     return Answers(
         participants=tuple(one.participant() for one in collected),
         ratings=tuple(r for one in collected for r in one.ratings()),
@@ -195,7 +195,7 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         judgements=tuple(j for one in collected for j in one.judgements()),
         repeated=sum(one.repeated for one in collected) * len(definition.factors),
         notices=tuple(notices),
-        conduct=conduct_of(definition, sessions, felt),
+        conduct=conduct_of(definition, sessions, trial_forces),
     )
 
 

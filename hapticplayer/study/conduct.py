@@ -5,11 +5,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from hapticplayer.study.definition import Definition
-from hapticplayer.study.felt import Felt
-from hapticplayer.study.felt_trials import TrialKey
 from hapticplayer.study.orders import balance_of
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import answered_trials
+from hapticplayer.study.trial_force import TrialForce
+from hapticplayer.study.trial_forces import TrialKey
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +23,7 @@ class AnsweredPlayback:
         response_s: from page to answer, s; None if not measured.
         figures: of the playback, see `stage`; empty if there are none.
         trial: code of the participant, position and condition, for people.
-        felt: what the hand got; None without a record, or if it was not read.
+        trial_force: what the hand got; None without a record, or if it was not read.
     """
 
     feedback: str
@@ -32,7 +32,7 @@ class AnsweredPlayback:
     response_s: float | None = None
     figures: Mapping[str, Any] = field(default_factory=dict)
     trial: str = ""
-    felt: Felt | None = None
+    trial_force: TrialForce | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,16 +69,16 @@ class Conduct:
 def conduct_of(
     definition: Definition,
     sessions: Iterable[StoredSession],
-    felt: Mapping[str, Mapping[TrialKey, Felt]] | None = None,
+    trial_forces: Mapping[str, Mapping[TrialKey, TrialForce]] | None = None,
 ) -> Conduct:
     """Return how a study was conducted.
 
     Args:
         definition: of the study.
         sessions: with answers.
-        felt: what hands got in their trials, by code.
+        trial_forces: what hands got in their trials, by code.
     """
-    by_code = felt or {}
+    by_code = trial_forces or {}
     sessions = list(sessions)
     dates = sorted(one.plan.created_utc[:10] for one in sessions)
     balance = balance_of(definition, [one.plan.order for one in sessions])

@@ -31,7 +31,7 @@ FIELDS = (
 
 
 @dataclass(frozen=True, slots=True)
-class Felt:
+class TrialForce:
     """A trial's force.
 
     Attributes:
@@ -60,7 +60,9 @@ class Felt:
         return self.error_n > max(LEAST_FORCE_N, MOST_ERROR * self.planned_n)
 
 
-def felt(ticks: NDArray[Any], duration_s: float, limits: Limits) -> Felt | None:
+def measure_trial_force(
+    ticks: NDArray[Any], duration_s: float, limits: Limits
+) -> TrialForce | None:
     """Return what a hand got while a clip played.
 
     While the force is off the loop does not say what is planned; a straight line
@@ -96,7 +98,7 @@ def felt(ticks: NDArray[Any], duration_s: float, limits: Limits) -> Felt | None:
         is_following | _is_over(ticks)
     )
     step_s = np.minimum(np.diff(time_s, append=time_s[-1] + 1.0 / RATE_HZ), 0.1)
-    return Felt(
+    return TrialForce(
         magnitude_rms_n(weighted(sent - planned, RATE_HZ)),
         magnitude_rms_n(weighted(planned, RATE_HZ)),
         _reach_m(ticks["position_m"]),

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.limiter import Limits, limits_of
-from hapticplayer.study.felt import FIELDS, Felt, felt
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials
 from hapticplayer.study.ticks import tick_chunks, tick_files
+from hapticplayer.study.trial_force import FIELDS, TrialForce, measure_trial_force
 
 TrialKey = tuple[int, int]
 """Position and attempt."""
@@ -23,20 +23,24 @@ _LONGEST_TRIAL_S = 3600.0
 """What is held in memory at once: 0.6 GB."""
 
 
-def felt_trials(session: StoredSession, notices: list[str]) -> dict[TrialKey, Felt]:
+def measure_trial_forces(
+    session: StoredSession, notices: list[str]
+) -> dict[TrialKey, TrialForce]:
     """Return what the hand got in each answered trial that has a record.
 
     Args:
         session: with its records; sessions without any have no entries.
         notices: list to which damaged records are added.
     """
-    found: dict[TrialKey, Felt] = {}
+    found: dict[TrialKey, TrialForce] = {}
     trials = list(answered_trials(session.records))
     for path in tick_files(session):
         mine = [one for one in trials if _record(one) == path.name]
         for trial, ticks in _trial_ticks(path, mine, notices):
             limits = _limits(trial.playback)
-            made = felt(ticks, float(trial.playback["duration_s"]), limits)
+            made = measure_trial_force(
+                ticks, float(trial.playback["duration_s"]), limits
+            )
             if made is not None:
                 found[trial.position, trial.attempt] = made
     return found

@@ -11,7 +11,6 @@ from hapticplayer import __version__
 from hapticplayer.errors import Message
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
-from hapticplayer.study.analysis.felt_report import felt_summary
 from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
 from hapticplayer.study.analysis.rank_sum import MANN_WHITNEY
 from hapticplayer.study.analysis.rank_tests import SHAPIRO, WILCOXON
@@ -24,6 +23,7 @@ from hapticplayer.study.analysis.scores import (
     scores_of,
 )
 from hapticplayer.study.analysis.statistic import Statistic, listed, plain
+from hapticplayer.study.analysis.trial_force_report import trial_force_summary
 from hapticplayer.study.answers import Answers
 
 STATISTICS: dict[str, Statistic] = {
@@ -191,7 +191,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         },
         "conditions": conditions,
         "missing": missing(analysis),
-        "felt": felt_summary(analysis.answers),
+        "felt": trial_force_summary(analysis.answers),
         "warnings": warnings_of(analysis),
         "provenance": analysis.options.provenance(),
     }

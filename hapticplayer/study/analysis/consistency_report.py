@@ -31,7 +31,6 @@ from hapticplayer.study.analysis.consistency import (
 )
 from hapticplayer.study.analysis.consistency_figures import LABELS, NAMES
 from hapticplayer.study.analysis.contents import reproducibility
-from hapticplayer.study.analysis.felt_report import felt_forces, felt_summary
 from hapticplayer.study.analysis.methods import computed_with, references, unsound
 from hapticplayer.study.analysis.psychometric import MOST_LAPSES
 from hapticplayer.study.analysis.references import (
@@ -42,6 +41,10 @@ from hapticplayer.study.analysis.references import (
     YARROW_2011,
 )
 from hapticplayer.study.analysis.statistic import interval, number, p_value, plain
+from hapticplayer.study.analysis.trial_force_report import (
+    trial_force_blocks,
+    trial_force_summary,
+)
 
 _VALUES = ("lower", "upper", "centre", "window", "spread", "lapse", "peak")
 AXIS_NAMES = {"delay_s": "time shift", "gain": "gain"}
@@ -84,7 +87,7 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
             "answers_missing": analysis.missing,
             "of_these_not_sound": analysis.unsound,
         },
-        "felt": felt_summary(analysis.answers),
+        "felt": trial_force_summary(analysis.answers),
         "warnings": warnings_of(analysis),
         "provenance": analysis.options.provenance(),
     }
@@ -116,7 +119,7 @@ def _contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
     if analysis.mixed:
         yield _share_table("Delay and gain changed together", analysis.mixed)
     yield from playback(analysis.answers, analysis.answers.feedbacks)
-    yield from felt_forces(analysis.answers, analysis.answers.feedbacks)
+    yield from trial_force_blocks(analysis.answers, analysis.answers.feedbacks)
     yield Heading("Assumptions")
     for text in ASSUMPTIONS:
         yield Paragraph(text)

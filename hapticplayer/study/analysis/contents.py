@@ -25,7 +25,6 @@ from hapticplayer.study.analysis.conduct_report import (
     playback,
 )
 from hapticplayer.study.analysis.describing import Summary
-from hapticplayer.study.analysis.felt_report import felt_forces
 from hapticplayer.study.analysis.methods import (
     computed_with,
     methods,
@@ -39,6 +38,7 @@ from hapticplayer.study.analysis.statistic import (
     interval,
     number,
 )
+from hapticplayer.study.analysis.trial_force_report import trial_force_blocks
 
 _NO_INTERVAL = (
     "CI: confidence interval, by bootstrap; -: all values are equal, so that no resample "
@@ -75,7 +75,7 @@ def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
     tables = [_table(one, analysis.found[name]) for name, one in STATISTICS.items()]
     yield from (table for table in tables if table.rows)
     yield from playback(analysis.answers, analysis.scores.feedbacks)
-    yield from felt_forces(analysis.answers, analysis.scores.feedbacks)
+    yield from trial_force_blocks(analysis.answers, analysis.scores.feedbacks)
     yield Heading("Assumptions of the tests")
     yield Paragraph(_MEANS)
     for statistic in STATISTICS.values():

@@ -14,7 +14,7 @@ from hapticplayer.study.analysis.blocks import (
 from hapticplayer.study.analysis.statistic import listed, number
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.conduct import AnsweredPlayback
-from hapticplayer.study.felt import LEAST_FORCE_N, MOST_ERROR, Felt
+from hapticplayer.study.trial_force import LEAST_FORCE_N, MOST_ERROR, TrialForce
 
 ALL = "all"
 _HEADS = (
@@ -36,28 +36,30 @@ _BOUND = (
 )
 
 
-def felt_forces(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock]:
+def trial_force_blocks(
+    answers: Answers, feedbacks: Sequence[str]
+) -> Iterator[ReportBlock]:
     """Yield the table of the forces that were felt, and the trials that are off."""
     trials = _recorded(answers)
     if not trials:
         return
     yield Heading("Force that was felt")
     rows = tuple(
-        (name, *_row([felt for one, felt in trials if name in (ALL, one.feedback)]))
+        (name, *_row([force for one, force in trials if name in (ALL, one.feedback)]))
         for name in (*feedbacks, ALL)
     )
     yield ReportTable("Force sent beside force planned", _HEADS, rows, _NOTE)
-    off = [f"{one.trial}: {_error(felt)}" for one, felt in trials if felt.is_off]
+    off = [f"{one.trial}: {_error(force)}" for one, force in trials if force.is_off]
     count = f"{len(off)} of {len(trials)} trials with a record are off"
     yield Paragraph(f"{_BOUND} {count}{f': {listed(off)}' if off else ''}.")
 
 
-def felt_summary(answers: Answers) -> dict[str, Any]:
+def trial_force_summary(answers: Answers) -> dict[str, Any]:
     """Return the same as JSON, by feedback; empty without records."""
     trials = _recorded(answers)
     found = {}
     for name in dict.fromkeys(one.feedback for one, _ in trials):
-        each = [felt for one, felt in trials if one.feedback == name]
+        each = [force for one, force in trials if one.feedback == name]
         found[name] = {
             "trials": len(each),
             "error": _middle_and_most([one.error for one in each]),
@@ -66,19 +68,21 @@ def felt_summary(answers: Answers) -> dict[str, Any]:
             "faded_s": _middle_and_most([one.faded_s for one in each]),
             "saturated_share": _middle_and_most([one.saturated_share for one in each]),
             "off": [
-                o.trial for o, felt in trials if o.feedback == name and felt.is_off
+                o.trial for o, force in trials if o.feedback == name and force.is_off
             ],
         }
     return found
 
 
-def _recorded(answers: Answers) -> list[tuple[AnsweredPlayback, Felt]]:
+def _recorded(answers: Answers) -> list[tuple[AnsweredPlayback, TrialForce]]:
     return [
-        (one, one.felt) for one in answers.conduct.playbacks if one.felt is not None
+        (one, one.trial_force)
+        for one in answers.conduct.playbacks
+        if one.trial_force is not None
     ]
 
 
-def _row(each: Sequence[Felt]) -> tuple[str, ...]:
+def _row(each: Sequence[TrialForce]) -> tuple[str, ...]:
     planned = [one.error for one in each if one.error is not None]
     free = [one.error_n for one in each if one.error is None]
     errors = [_pair(planned), _pair(free, " N")] if each else ["-"]
@@ -98,10 +102,10 @@ def _pair(values: Sequence[float], unit: str = "") -> str:
     return f"{number(float(np.median(values)))}, {number(max(values))}{unit}"
 
 
-def _error(felt: Felt) -> str:
-    if felt.error is None:
-        return f"{felt.error_n:.2f} N without a plan"
-    return f"{100.0 * felt.error:.0f} %"
+def _error(force: TrialForce) -> str:
+    if force.error is None:
+        return f"{force.error_n:.2f} N without a plan"
+    return f"{100.0 * force.error:.0f} %"
 
 
 def _middle_and_most(values: Sequence[float | None]) -> dict[str, float | None]:

@@ -7,19 +7,22 @@ from scipy import integrate
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.rendering.weighting import weight
-from hapticplayer.study.analysis.felt_report import felt_forces, felt_summary
+from hapticplayer.study.analysis.trial_force_report import (
+    trial_force_blocks,
+    trial_force_summary,
+)
 from hapticplayer.study.answers import read_answers
-from hapticplayer.study.felt import felt
-from hapticplayer.study.felt_trials import felt_trials
 from hapticplayer.study.session_folder import ANSWERS
 from hapticplayer.study.study_folder import open_study
+from hapticplayer.study.trial_force import measure_trial_force
+from hapticplayer.study.trial_forces import measure_trial_forces
 from tests.recorded_session import SECONDS, T, recorded_session, sine, ticks
 
 LIMITS = Limits()
 
 
 def of(made):
-    return felt(made, SECONDS + 1.0, LIMITS)
+    return measure_trial_force(made, SECONDS + 1.0, LIMITS)
 
 
 def test_the_same_force_has_no_error():
@@ -74,11 +77,11 @@ def test_a_cap_of_warm_motors_is_saturation_too():
     limits = Limits(continuous_n=3.0)
     made = ticks(np.full(len(T), 4.0), np.full(len(T), 3.0))
     made["heat_n"] = 3.0
-    found = felt(made, SECONDS, limits)
+    found = measure_trial_force(made, SECONDS, limits)
     assert found.saturated_share == 1.0
     assert found.error == pytest.approx(0.25, rel=1e-6)
     made["heat_n"] = 0.0  # cool: something else took it
-    cool = felt(made, SECONDS, limits)
+    cool = measure_trial_force(made, SECONDS, limits)
     assert (cool.saturated_share, cool.faded_s) == (
         0.0,
         pytest.approx(SECONDS, abs=2e-3),
@@ -141,8 +144,8 @@ def test_reach_is_the_largest_distance_that_was_measured():
 def test_ticks_outside_of_the_clip_do_not_count():
     made = ticks(np.ones(len(T)), np.ones(len(T)))
     made["force_n"][T > 5.0] = 0.0
-    assert felt(made, 4.9, LIMITS).error == pytest.approx(0.0, abs=1e-6)
-    assert felt(made[:50], SECONDS, LIMITS) is None
+    assert measure_trial_force(made, 4.9, LIMITS).error == pytest.approx(0.0, abs=1e-6)
+    assert measure_trial_force(made[:50], SECONDS, LIMITS) is None
 
 
 def test_slow_and_lost_ticks_are_joined_by_lines():
@@ -161,7 +164,7 @@ def session(study, manual_clock):
 
 
 def test_trials_are_found_in_the_record_of_their_session(session):
-    found = felt_trials(session, [])
+    found = measure_trial_forces(session, [])
     assert found.keys() == {(1, 1), (2, 1)}
     assert found[1, 1].error == pytest.approx(0.0, abs=1e-6)
     assert found[2, 1].error == pytest.approx(0.5, rel=1e-3)
@@ -169,19 +172,19 @@ def test_trials_are_found_in_the_record_of_their_session(session):
 
 def test_a_session_without_records_has_no_figures(session):
     (session.folder / "ticks-01.hprec").unlink()
-    assert felt_trials(session, []) == {}
+    assert measure_trial_forces(session, []) == {}
     answers = read_answers(session.folder.parents[1], lambda _share, _step: None)
-    assert [one.felt for one in answers.conduct.playbacks] == [None] * 3
+    assert [one.trial_force for one in answers.conduct.playbacks] == [None] * 3
 
 
 def test_a_damaged_record_is_a_notice(session):
     path = session.folder / "ticks-01.hprec"
     path.write_bytes(path.read_bytes()[:3_000_000])
     notices = []
-    assert (1, 1) in felt_trials(session, notices)
+    assert (1, 1) in measure_trial_forces(session, notices)
     assert "truncated" in notices[0]
     path.write_bytes(b"nothing")
-    assert felt_trials(session, notices) == {}
+    assert measure_trial_forces(session, notices) == {}
     assert "not a recording" in notices[1]
 
 
@@ -191,18 +194,18 @@ def test_a_trial_whose_playback_was_lost_has_no_figures(session):
     kept = [line for line in lines if '"kind":"trial"' not in line]
     path.write_text("\n".join(kept) + "\n")
     damaged = open_study(session.folder.parents[1]).session(session.code)
-    assert felt_trials(damaged, []) == {}
+    assert measure_trial_forces(damaged, []) == {}
 
 
 def test_a_report_names_the_trials_that_are_off(session):
     answers = read_answers(session.folder.parents[1], lambda _share, _step: None)
-    blocks = [*felt_forces(answers, answers.feedbacks)]
+    blocks = [*trial_force_blocks(answers, answers.feedbacks)]
     second = session.plan.order[1]
     said = blocks[-1].text
     assert "1 of 2 trials with a record are off" in said
     assert f"{session.code} 2 ({second.key}): 50 %" in said
     assert blocks[1].rows[-1][:4] == ("all", "2", "0.25, 0.50", "20.00, 20.00")
-    found = felt_summary(answers)
+    found = trial_force_summary(answers)
     assert sum(one["trials"] for one in found.values()) == 2
     assert found[second.feedback]["off"] == [f"{session.code} 2 ({second.key})"]
     assert found[second.feedback]["error"]["largest"] == pytest.approx(0.5, rel=1e-3)
@@ -212,5 +215,5 @@ def test_a_report_names_the_trials_that_are_off(session):
 def test_without_records_a_report_says_nothing_of_felt_force(session):
     (session.folder / "ticks-01.hprec").unlink()
     answers = read_answers(session.folder.parents[1], lambda _share, _step: None)
-    assert [*felt_forces(answers, answers.feedbacks)] == []
-    assert felt_summary(answers) == {}
+    assert [*trial_force_blocks(answers, answers.feedbacks)] == []
+    assert trial_force_summary(answers) == {}
