@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QComboBox, QDialog, QFileDialog, QSplitter, QWidge
 from app.bridge.jobs import in_child
 from app.experimenter.import_wizard import ImportWizard
 from app.player.window import PlayerWindow
+from hapticplayer.errors import Progress
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.synchronizing import SyncChoices
@@ -381,7 +382,7 @@ class Person(QObject):
         self._imports += 1
         target, log = self.folder / f"imported-{self._imports}", self._motion_log()
 
-        def work(progress: Callable[[float, str], None]) -> object:
+        def work(progress: Progress) -> object:
             choices = Choices(sync=SyncChoices(offset_s=0.0))
             given = {"imu_log": log, "choices": choices, "progress": progress}
             return in_child(build_sequence, self.video, target, **given)

@@ -7,7 +7,7 @@ command line prints it on stderr, the window shows it in the person's language.
 import numbers
 import re
 import string
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Self, TypeVar
 
 T = TypeVar("T")
@@ -182,6 +182,10 @@ class Cancelled(HapticPlayerError):  # noqa: N818 - a decision, not a fault
 
     def __init__(self) -> None:
         super().__init__(Message("cancelled; nothing was written"))
+
+
+Progress = Callable[[float, str], None]
+"""Called with the done fraction (0 to 1) and the step; raises Cancelled to stop."""
 
 
 def entry_named(known: Mapping[str, T], name: str, what: Message) -> T:

@@ -13,10 +13,9 @@ from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from hapticplayer.errors import Cancelled, HapticPlayerError
+from hapticplayer.errors import Cancelled, HapticPlayerError, Progress
 
 Result = TypeVar("Result")
-Progress = Callable[[float, str], None]
 Work = Callable[[Progress], Result]
 
 

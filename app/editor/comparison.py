@@ -2,10 +2,11 @@
 
 from PySide6.QtCore import QCoreApplication
 
-from app.bridge.jobs import Job, Progress, in_child
+from app.bridge.jobs import Job, in_child
 from app.widgets import theme
 from app.widgets.layout import ElidedLabel
 from app.widgets.texts import local
+from hapticplayer.errors import Progress
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.sequence.time_line import figures_of

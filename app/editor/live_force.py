@@ -2,7 +2,8 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from app.bridge.jobs import Job, Progress
+from app.bridge.jobs import Job
+from hapticplayer.errors import Progress
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence.presets import Rendering

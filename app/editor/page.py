@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Jobs, Progress, in_child
+from app.bridge.jobs import Jobs, in_child
 from app.bridge.settings import screen_name
 from app.editor.comparison import Comparison
 from app.editor.controls import ChangeBar, PlayBar, ViewBar
@@ -34,7 +34,7 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import JobBar, MessageBar
 from app.widgets.texts import titled
-from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.rendering.effects import EffectList

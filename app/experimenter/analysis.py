@@ -16,7 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QMainWindow, QMenu, QTextBrowser, QWidget
 
-from app.bridge.jobs import Jobs, Progress, in_child
+from app.bridge.jobs import Jobs, in_child
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -30,7 +30,7 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import JobBar, MessageBar
 from hapticplayer.clock import Clock
-from hapticplayer.errors import Message, joined, message_of
+from hapticplayer.errors import Message, Progress, joined, message_of
 from hapticplayer.interchange.study_export import EXPORTERS, export_study
 from hapticplayer.study.answers import Answers, read_answers
 from hapticplayer.study.study_folder import Study, open_study

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Progress, in_child
+from app.bridge.jobs import in_child
 from app.bridge.languages import translated
 from app.experimenter.import_files import FilesPage
 from app.experimenter.import_mounting import MountingPage
@@ -29,7 +29,7 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import JobRow
 from hapticplayer.capture.choices import LogQuestion
-from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.sequence import files
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.recognising import Recognised, recognise

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Progress, in_child
+from app.bridge.jobs import in_child
 from app.bridge.languages import translated
 from app.experimenter.force_texts import cost_text, read_filter, write_filters
 from app.experimenter.quality_view import QualityView
@@ -30,7 +30,7 @@ from app.widgets.layout import (
 )
 from app.widgets.tables import plain_table
 from app.widgets.texts import local
-from hapticplayer.errors import HapticPlayerError, Message, message_of
+from hapticplayer.errors import HapticPlayerError, Message, Progress, message_of
 from hapticplayer.interchange.force_files import ForceFormat, WriteChoices
 from hapticplayer.interchange.force_import import export_force, import_force
 from hapticplayer.model import Feedback

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Job, Progress, in_child
+from app.bridge.jobs import Job, in_child
 from app.bridge.languages import translated
 from app.experimenter.library_details import LibraryDetails
 from app.experimenter.quality_view import colour_of, mark_name
@@ -28,7 +28,7 @@ from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import ElidedLabel, ask_text
 from app.widgets.messages import JobRow, StatusLine
 from app.widgets.texts import date_text, quoted, time_text
-from hapticplayer.errors import HapticPlayerError, InputError, Message
+from hapticplayer.errors import HapticPlayerError, InputError, Message, Progress
 from hapticplayer.media.thumbnails import Thumbnail, cover_thumbnails
 from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import verify_sequence

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Progress, in_child
+from app.bridge.jobs import in_child
 from app.bridge.languages import translated
 from app.experimenter.rendering_fields import Chosen, RenderingFields
 from app.plots.rendering_picture import RenderingPicture
@@ -32,7 +32,7 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import JobRow, StatusLine
 from app.widgets.texts import local
-from hapticplayer.errors import HapticPlayerError
+from hapticplayer.errors import HapticPlayerError, Progress
 from hapticplayer.model import PresetName
 from hapticplayer.sequence.comparison import (
     RenderingResult,

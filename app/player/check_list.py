@@ -4,7 +4,7 @@ from html import escape
 
 from PySide6.QtCore import QCoreApplication, QElapsedTimer, QObject, Qt, QTimer, Signal
 
-from app.bridge.jobs import Jobs, Progress
+from app.bridge.jobs import Jobs
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.layout import paragraph
@@ -12,7 +12,7 @@ from app.widgets.texts import breakable, titled
 from hapticplayer.devices import find_device
 from hapticplayer.devices.checks import Check
 from hapticplayer.devices.guides import checks_of
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Progress
 
 translate = QCoreApplication.translate
 

@@ -4,9 +4,10 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
-from app.bridge.jobs import BackgroundLookup, Progress, in_child
+from app.bridge.jobs import BackgroundLookup, in_child
 from app.bridge.settings import Settings
 from app.widgets.texts import local, time_text
+from hapticplayer.errors import Progress
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_device import sound_outputs
 from hapticplayer.playback.sound_process import SoundProcess

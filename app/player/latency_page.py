@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Jobs, Progress
+from app.bridge.jobs import Jobs
 from app.bridge.languages import translated
 from app.bridge.pump import Pump
 from app.bridge.settings import (
@@ -43,7 +43,7 @@ from app.widgets.layout import (
 )
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
-from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.model import Feedback
 from hapticplayer.playback.beats import (

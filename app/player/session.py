@@ -7,9 +7,9 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from app.bridge.errors import ErrorGateway
-from app.bridge.jobs import Jobs, Progress, in_child
+from app.bridge.jobs import Jobs, in_child
 from hapticplayer.devices import NO_DEVICE, find_device
-from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError
+from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError, Progress
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import is_near_middle, limits_of
 from hapticplayer.haptics.processes import Health

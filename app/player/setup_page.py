@@ -7,7 +7,6 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QDialog, QLabel, QProgressBar, QWidget
 
 from app.bridge.jobs import Jobs
-from app.bridge.jobs import Progress as Report
 from app.bridge.languages import translated
 from app.bridge.settings import Settings
 from app.player import setup_texts
@@ -36,6 +35,7 @@ from hapticplayer.devices import NO_DEVICE, OUTLETS
 from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.devices.falcon.setting_up import Progress, Step, set_up
 from hapticplayer.devices.guides import guide_of
+from hapticplayer.errors import Progress as Report
 from hapticplayer.errors import message_of
 
 POLL_MS = 33

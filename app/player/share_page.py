@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bridge.jobs import Progress, in_child
+from app.bridge.jobs import in_child
 from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -27,6 +27,7 @@ from app.widgets.layout import (
 from app.widgets.messages import JobRow, StatusLine
 from app.widgets.tables import plain_table
 from app.widgets.texts import capitalised, local
+from hapticplayer.errors import Progress
 from hapticplayer.interchange.sharing import share, shared_contents
 from hapticplayer.sequence.library import name_from
 from hapticplayer.sequence.pack import is_packed, outputs_of

@@ -26,12 +26,11 @@ from hapticplayer.cli.recording_options import (
     keep_template,
     sync_text,
 )
-from hapticplayer.errors import Cancelled, HapticPlayerError, UsageError
+from hapticplayer.errors import Cancelled, HapticPlayerError, Progress, UsageError
 from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import ranges
 from hapticplayer.sequence import Sequence, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
-from hapticplayer.sequence.files import Progress
 from hapticplayer.sequence.presets import DEFAULT_PRESET, preset_of
 from hapticplayer.sequence.suggesting import ESTIMATE
 

@@ -27,7 +27,7 @@ from hapticplayer.cli.recording_options import (
     plot_target,
 )
 from hapticplayer.clock import SystemClock, utc_now_iso
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Progress, UsageError
 from hapticplayer.media.memory import give_back_freed_memory
 from hapticplayer.model import ClockMap, ranges
 from hapticplayer.model.arrays import Floats
@@ -225,7 +225,7 @@ def _save(
 def _compared(
     whole: Processed,
     processing: Processing,
-    progress: files.Progress,
+    progress: Progress,
     *,
     elsewhere: SensorCalibration | None,
     part: slice,

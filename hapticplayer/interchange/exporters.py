@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from typing import Any, BinaryIO, NamedTuple
 
+from hapticplayer.errors import Progress
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.interchange.record_csv import is_csv, write_csv
 from hapticplayer.outputs import IsOurs
-from hapticplayer.sequence.files import Progress
 
 
 class RecordExporter(NamedTuple):

@@ -10,9 +10,8 @@ from typing import Any, BinaryIO, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import Message
+from hapticplayer.errors import Message, Progress
 from hapticplayer.haptics.record_reader import RecordReader
-from hapticplayer.sequence.files import Progress
 
 Characters = NDArray[np.uint8]
 

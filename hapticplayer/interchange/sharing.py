@@ -3,7 +3,7 @@
 import io
 from pathlib import Path
 
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, Progress
 from hapticplayer.interchange import hjif
 from hapticplayer.interchange.force_files import WriteChoices
 from hapticplayer.media.matroska import Attachment
@@ -39,7 +39,7 @@ def shared_contents(
     folder: Path,
     *,
     with_motion: bool = False,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> Contents:
     """Return what `share` would write; see `sequence.travelling.contents`."""
     progress(0.0, Message("writing {name}", name=NAME))
@@ -52,7 +52,7 @@ def share(
     *,
     with_motion: bool = False,
     is_ours: IsOurs | None = None,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> VideoDigest:
     """Write a sequence as one video file with its force; see `sequence.pack.pack`."""
     progress(0.0, Message("writing {name}", name=NAME))

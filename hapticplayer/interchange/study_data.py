@@ -7,8 +7,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from hapticplayer.errors import Message
-from hapticplayer.sequence.files import Progress
+from hapticplayer.errors import Message, Progress
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.session_folder import StoredSession

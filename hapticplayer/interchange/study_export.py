@@ -9,12 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import Message, StudyError, entry_named
+from hapticplayer.errors import Message, Progress, StudyError, entry_named
 from hapticplayer.interchange.bids import write_bids
 from hapticplayer.interchange.study_csv import write_csv
 from hapticplayer.interchange.study_data import StudyData
 from hapticplayer.interchange.xdf import write_xdf
-from hapticplayer.sequence.files import Progress
 from hapticplayer.study import private
 from hapticplayer.study.answers import collect_answers
 from hapticplayer.study.study_folder import Study

@@ -1,11 +1,10 @@
 """Thumbnails of clips, for a seek bar or a library."""
 
 import os
-from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from hapticplayer.errors import MediaError
+from hapticplayer.errors import MediaError, Progress
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.frames import FrameConverter
 from hapticplayer.media.video import VideoDecoder
@@ -27,7 +26,7 @@ def thumbnails(
     times_s: list[float],
     height_px: int,
     *,
-    progress: Callable[[float, str], None],
+    progress: Progress,
 ) -> list[Thumbnail]:
     """Return a thumbnail for each time, without those that cannot be decoded.
 
@@ -60,7 +59,7 @@ def cover_thumbnails(
     paths: list[Path],
     height_px: int,
     *,
-    progress: Callable[[float, str], None],
+    progress: Progress,
 ) -> list[Thumbnail | None]:
     """Return a thumbnail from the first third of each clip; None where that fails.
 

@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer import __version__
+from hapticplayer.errors import Progress
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.playback.source import Source, no_feedback_for
-from hapticplayer.sequence.files import Progress, cache_root, no_progress
+from hapticplayer.sequence.files import cache_root, no_progress
 
 PERIOD_S, FIRST_S, COUNT = 1.0, 0.4, 40
 LENGTH_S = 0.080  # of flash, beep and force

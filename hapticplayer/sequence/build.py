@@ -12,7 +12,7 @@ from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import BY_FRAMES, ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of
-from hapticplayer.errors import InputError, MediaError, Message, SequenceError
+from hapticplayer.errors import InputError, MediaError, Message, Progress, SequenceError
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import (
     ImuLog,
@@ -74,7 +74,7 @@ def build_sequence(
     *,
     imu_log: LogPath | None = None,
     choices: Choices | None = None,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> Path:
     """Import a video with its motion and return the folder of the new sequence.
 
@@ -125,7 +125,7 @@ def build_sequence(
         return write_sequence(clip, recording, target, choices=choices, progress=report)
 
 
-def _share(report: files.Progress) -> files.Progress:
+def _share(report: Progress) -> Progress:
     """Return the progress of following frames, within that of an import."""
     return lambda share, step: report(0.02 + 0.03 * share, step)
 
@@ -148,7 +148,7 @@ def write_sequence(
     *,
     choices: Choices | None = None,
     extras: dict[str, dict[str, Any]] | None = None,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> Path:
     """Write the sequence of a clip and a synchronised recording.
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from hapticplayer import model
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, Progress
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence import editing, files, store
@@ -68,7 +68,7 @@ class RenderingResult:
 
 
 def stored_rendering(
-    folder: Path, *, progress: files.Progress = files.no_progress
+    folder: Path, *, progress: Progress = files.no_progress
 ) -> RenderingResult:
     """Return the rendering that a sequence has.
 
@@ -89,7 +89,7 @@ def previewed_rendering(
     *,
     fits_gain: bool = False,
     preset: str | None = None,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> RenderingResult:
     """Return what `editing.set_mapping` would make; nothing is written.
 
@@ -125,7 +125,7 @@ def _described(
 
 
 def _predicted(
-    sequence: store.Sequence, track: ForceTrack, progress: files.Progress
+    sequence: store.Sequence, track: ForceTrack, progress: Progress
 ) -> dict[str, Any]:
     text = Message("predicting excursions")
     return predict(track, _duration_s(sequence), lambda share: progress(share, text))

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 
 from hapticplayer import __version__, model, rendering
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import Message, SequenceError, UsageError
+from hapticplayer.errors import Message, Progress, SequenceError, UsageError
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence import files, store
@@ -46,7 +46,7 @@ def add_track(
     name: str,
     read: Callable[[float], ForceTrack],
     *,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> None:
     """Add a force track as a new feedback condition.
 
@@ -107,7 +107,7 @@ def set_mapping(
     fits_gain: bool = False,
     preset: str | None = None,
     effects: EffectList | None = None,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> None:
     """Render the realistic and the random track again with another mapping.
 
@@ -171,7 +171,7 @@ def set_effects(
     folder: Path,
     effects: EffectList,
     *,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> None:
     """Render the realistic and the random track again with other effects.
 
@@ -234,7 +234,7 @@ def rendering_of(
 class Change(Protocol):
     """Changes a sequence in its folder, such as `set_mapping` with its choices."""
 
-    def __call__(self, folder: Path, *, progress: files.Progress) -> None:
+    def __call__(self, folder: Path, *, progress: Progress) -> None:
         """Change it."""
 
 
@@ -244,7 +244,7 @@ def copy_changed(
     change: Change,
     *,
     title: str | None = None,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> None:
     """Write a copy of a sequence that is changed before it has its name.
 
@@ -331,7 +331,7 @@ def _replace_tracks(
     folder: Path,
     description: Mapping[str, Any],
     tracks: dict[str, ForceTrack],
-    progress: files.Progress,
+    progress: Progress,
     effects: EffectList | None = None,
 ) -> None:
     duration_s, feedbacks = _duration_s(description), dict(description["feedbacks"])
@@ -346,9 +346,7 @@ def _replace_tracks(
     _put(folder, {**description, "feedbacks": feedbacks}, made, effects)
 
 
-def _reporter(
-    progress: files.Progress, number: int, count: int
-) -> Callable[[float], None]:
+def _reporter(progress: Progress, number: int, count: int) -> Callable[[float], None]:
     return lambda done: progress(
         (number + done) / count, Message("predicting excursions")
     )

@@ -47,9 +47,6 @@ _DAMAGED = (
 )
 """Raised by numpy and zipfile for a damaged archive."""
 
-Progress = Callable[[float, str], None]
-"""Called with the done fraction (0 to 1) and the step; raises Cancelled to stop."""
-
 _GIVE_SEQUENCE = Message("give the folder of a sequence")
 _IMPORT_AGAIN = Message("import it again")
 

@@ -7,17 +7,14 @@ from hapticplayer.capture.limits import UPRIGHT
 from hapticplayer.capture.mounting import mean_up, up_in_frame_a
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import FoundMounting
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, Progress, UsageError
 from hapticplayer.media.clip_info import ClipInfo
-from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import watch
 
 _GIVE = Message("give --mounting (right, front and up of the actor)")
 
 
-def mounting_by_frames(
-    clip: ClipInfo, recording: Recording, progress: files.Progress
-) -> str:
+def mounting_by_frames(clip: ClipInfo, recording: Recording, progress: Progress) -> str:
     """Return the axes of the mounting of a synchronised recording.
 
     What synchronising has found is used; else the frames are followed now.

@@ -8,7 +8,7 @@ from typing import Any
 
 from hapticplayer import __version__
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import Message, SequenceError, UsageError
+from hapticplayer.errors import Message, Progress, SequenceError, UsageError
 from hapticplayer.media import remux
 from hapticplayer.media.clip_info import POINTER
 from hapticplayer.media.matroska import EBML, Attachment
@@ -57,7 +57,7 @@ def pack(
     with_motion: bool = False,
     extras: Iterable[Attachment] = (),
     is_ours: IsOurs | None = None,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> remux.VideoDigest:
     """Write a sequence as one video file with its force, for others to play.
 
@@ -161,7 +161,7 @@ def _copy(
     kind: str,
     additions: remux.Additions,
     payload: remux.VideoDigest,
-    progress: files.Progress,
+    progress: Progress,
 ) -> None:
     """Copy a clip and read the copy back."""
     before = _CHECK + _COUNT

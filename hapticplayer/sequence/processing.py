@@ -16,7 +16,7 @@ import numpy as np
 from hapticplayer import rendering
 from hapticplayer.capture.recording import Recording, find_gaps
 from hapticplayer.clock import Clock
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, Progress, UsageError
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
@@ -229,7 +229,7 @@ class MethodRow:
 def describe_quality(
     recording: Recording,
     processed: Processed,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> dict[str, Any]:
     """Return the quality report of a recording: plain numbers, lists and texts.
 
@@ -261,7 +261,7 @@ def describe_quality(
     )
 
 
-def _predicted(track: MotionTrack, progress: files.Progress) -> dict[str, Any]:
+def _predicted(track: MotionTrack, progress: Progress) -> dict[str, Any]:
     """Return the predicted excursion with the default mapping."""
     from_start = dataclasses.replace(track, time_s=track.time_s - track.time_s[0])
     force = rendering.render_force(from_start)

@@ -15,7 +15,7 @@ from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.vision import FrameRotation
-from hapticplayer.errors import InputError, Message, UsageError, message_of
+from hapticplayer.errors import InputError, Message, Progress, UsageError, message_of
 from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
 from hapticplayer.model import ImuLog
 from hapticplayer.sequence import files
@@ -89,7 +89,7 @@ def recognise(
     choices: LogChoices | None = None,
     method: str = AUTO,
     *,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> Recognised:
     """Read a clip and its motion, and propose a synchronisation.
 
@@ -138,7 +138,7 @@ def recognise(
 
 
 def _sync(
-    clip: ClipInfo, recording: Recording, method: str, progress: files.Progress
+    clip: ClipInfo, recording: Recording, method: str, progress: Progress
 ) -> tuple[Synchronisation | None, str, Curve, FrameRotation | None]:
     """Return the synchronisation, or why there is none, loudness, and frames."""
     seen: list[FrameRotation] = []

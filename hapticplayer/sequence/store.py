@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from msgspec import structs
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError, Message, SequenceError, message_of
+from hapticplayer.errors import InputError, Message, Progress, SequenceError, message_of
 from hapticplayer.model import (
     ClockMap,
     ForceTrack,
@@ -152,9 +152,7 @@ def sequence_of(
     return Sequence(folder, title, clip, motion, tracks, mapping, description)
 
 
-def verify_sequence(
-    folder: str | Path, progress: files.Progress = files.no_progress
-) -> None:
+def verify_sequence(folder: str | Path, progress: Progress = files.no_progress) -> None:
     """Read every file of a sequence and compare its checksum.
 
     Raises:
@@ -281,7 +279,7 @@ def in_media_time(imu: ImuLog, clock: ClockMap) -> ImuLog:
 
 
 def copy_files(
-    folder: Path, target: Path, progress: files.Progress = files.no_progress
+    folder: Path, target: Path, progress: Progress = files.no_progress
 ) -> None:
     """Copy all files of a sequence into an empty folder.
 

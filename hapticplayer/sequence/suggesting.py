@@ -1,11 +1,10 @@
 """What a sequence is made of whose motion was estimated from the picture."""
 
 from hapticplayer.capture.source import LogPath
-from hapticplayer.errors import InputError, Message, UsageError, joined
+from hapticplayer.errors import InputError, Message, Progress, UsageError, joined
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import ClockMap, Mapping
-from hapticplayer.sequence import files
 from hapticplayer.sequence.writing import Content
 
 SOURCE = Message("estimated from the picture")
@@ -22,7 +21,7 @@ def suggested(
     log: LogPath | None,
     gain: float,
     mapping: Mapping,
-    progress: files.Progress,
+    progress: Progress,
 ) -> Content:
     """Return the motion that the frames of a clip suggest.
 

@@ -12,7 +12,7 @@ from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
 from hapticplayer.capture.sync.synchronize import ClipSound, SyncInput, read_sound
 from hapticplayer.capture.vision import FrameRotation, is_available, rotation
-from hapticplayer.errors import InputError, Message, SequenceError, UsageError
+from hapticplayer.errors import InputError, Message, Progress, SequenceError, UsageError
 from hapticplayer.media.clip_info import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
 from hapticplayer.model.ranges import SKEW_S
@@ -53,7 +53,7 @@ def synchronized(
     clip: ClipInfo,
     recording: Recording,
     choices: SyncChoices,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> Recording:
     """Return the recording synchronised with the clip, documented in its provenance.
 
@@ -103,7 +103,7 @@ def find_sync(
     clip: ClipInfo,
     recording: Recording,
     choices: SyncChoices,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
     look: Callable[[], FrameRotation] | None = None,
 ) -> Synchronisation:
     """Return the synchronisation of a recording with a clip, certain or not.
@@ -142,7 +142,7 @@ def find_sync(
     return sync_method(choices.method).function()(inputs)
 
 
-def watch(clip: ClipInfo, progress: files.Progress) -> FrameRotation:
+def watch(clip: ClipInfo, progress: Progress) -> FrameRotation:
     """Return the camera's rotation as the frames of a clip tell it.
 
     Raises:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.errors import HapticPlayerError, Message, message_of
+from hapticplayer.errors import HapticPlayerError, Message, Progress, message_of
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import EffectList
@@ -34,9 +34,7 @@ class TimeLine:
     problem: Message | str = ""
 
 
-def time_line_of(
-    folder: Path, *, progress: files.Progress = files.no_progress
-) -> TimeLine:
+def time_line_of(folder: Path, *, progress: Progress = files.no_progress) -> TimeLine:
     """Return the time line of a sequence whose force can be rendered again.
 
     Args:
@@ -68,7 +66,7 @@ def figures_of(
     duration_s: float,
     force_limit_n: float,
     *,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> list[ForceFigures]:
     """Return the figures of tracks; see `force_figures`, arguments as there."""
     found = []

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from hapticplayer.errors import Message, SequenceError
+from hapticplayer.errors import Message, Progress, SequenceError
 from hapticplayer.media import remux
 from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import files, store
@@ -31,7 +31,7 @@ def unpack(
     target: Path,
     *,
     accepts_changed: bool = False,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> None:
     """Write the folder of a sequence from a file that was packed; the force is as it was.
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from hapticplayer import __version__, rendering
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import InputError, MediaError, Message
+from hapticplayer.errors import InputError, MediaError, Message, Progress
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import (
     ClockMap,
@@ -61,7 +61,7 @@ def write_folder(
     content: Content,
     target: Path,
     choices: "Choices",
-    progress: files.Progress,
+    progress: Progress,
 ) -> Path:
     """Write a sequence and return its folder.
 
@@ -105,7 +105,7 @@ def write_folder(
     return target
 
 
-def _copy_clip(clip: Path, target: Path, progress: files.Progress) -> str:
+def _copy_clip(clip: Path, target: Path, progress: Progress) -> str:
     """Copy the clip and return its checksum."""
     with HeldFile(clip, MediaError) as source:
         free = shutil.disk_usage(target.parent).free
@@ -148,7 +148,7 @@ def _render(
 
 
 def _predict(
-    tracks: dict[str, ForceTrack], clip: ClipInfo, progress: files.Progress
+    tracks: dict[str, ForceTrack], clip: ClipInfo, progress: Progress
 ) -> dict[str, dict[str, Any]]:
     """Return the predicted excursion of the hand for each track."""
     share, found = 0.05 / len(tracks), {}

@@ -7,7 +7,7 @@ from typing import Any
 
 from hapticplayer import __version__
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.errors import Message, SequenceError, entry_named
+from hapticplayer.errors import Message, Progress, SequenceError, entry_named
 from hapticplayer.media.clip_info import probe
 from hapticplayer.sequence import files
 from hapticplayer.sequence.build import Choices, write_sequence
@@ -40,7 +40,7 @@ def write_simulated_recording(
     *,
     seed: int,
     with_gopro: bool = False,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> Path:
     """Simulate a ride and write what a camera and a board would have, and the truth.
 
@@ -110,7 +110,7 @@ def write_simulated_sequence(
     target: Path,
     *,
     seed: int = DEMO_SEED,
-    progress: files.Progress = files.no_progress,
+    progress: Progress = files.no_progress,
 ) -> Path:
     """Simulate a recording and import it; its truth is kept as truth.npz.
 
@@ -134,7 +134,7 @@ def write_simulated_sequence(
         )
 
 
-def demo_folder(progress: files.Progress = files.no_progress) -> Path:
+def demo_folder(progress: Progress = files.no_progress) -> Path:
     """Return the folder of the demo, made on first use in the user's cache."""
     target = files.cache_root() / f"demo-{__version__}"
     try:

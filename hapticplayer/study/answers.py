@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import Message, StudyError
-from hapticplayer.sequence.files import Progress
+from hapticplayer.errors import Message, Progress, StudyError
 from hapticplayer.structures import convert
 from hapticplayer.study import json_files, private
 from hapticplayer.study.conduct import Conduct, conduct_of

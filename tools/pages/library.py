@@ -1,7 +1,6 @@
 """Pictures of what an experimenter does with recordings: import, library, analysis."""
 
 import shutil
-from collections.abc import Callable
 from pathlib import Path
 
 from app.experimenter.analysis import AnalysisPage
@@ -12,7 +11,7 @@ from app.player.share_page import SharePage
 from app.player.video_question import video_question
 from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Progress
 from hapticplayer.simulation.participants import simulated_answers
 from tools.pages.stage import Pictures, Stage
 
@@ -66,7 +65,7 @@ def _import(stage: Stage) -> Pictures:
         yield "import-report", stage.picture(wizard)
 
 
-def _go_on(progress: Callable[[float, str], None], is_over: list[bool]) -> None:
+def _go_on(progress: Progress, is_over: list[bool]) -> None:
     while not is_over:
         progress(0.4, "removing gravity")
 

@@ -1,7 +1,5 @@
 """Pictures of the player's window in every state, its menus, and what it tells."""
 
-from collections.abc import Callable
-
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QPixmap
 from PySide6.QtTest import QTest
@@ -15,6 +13,7 @@ from app.player.window import PlayerWindow
 from app.plots.playhead_plot import PlayheadPlot
 from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
+from hapticplayer.errors import Progress
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.player import Player
 from hapticplayer.simulation.faults import Fault
@@ -48,7 +47,7 @@ def _empty(stage: Stage, window: PlayerWindow) -> Pictures:
     yield "player-empty", stage.picture(window, 400)
     is_over: list[bool] = []
 
-    def work(progress: Callable[[float, str], None]) -> None:
+    def work(progress: Progress) -> None:
         while not is_over:
             progress(0.4, "drawing the ride")
 

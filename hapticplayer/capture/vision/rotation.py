@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from hapticplayer.capture.vision.watching import (
     TO_FRAME_A,
     FeatureKind,
-    Progress,
     Seen,
     Spans,
     View,
     is_available,
     watched,
 )
+from hapticplayer.errors import Progress
 from hapticplayer.model.arrays import Floats
 
 _VALUES = 12  # of each interval, in `_table`

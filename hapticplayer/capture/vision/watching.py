@@ -25,7 +25,7 @@ from hapticplayer.capture.vision.features import (
     FeatureTracker,
     Matches,
 )
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, Progress
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.media.vectors import VectorDecoder
@@ -48,7 +48,6 @@ _MANY_SHARE = 0.3  # of the cells, from which on quality does not suffer
 _LEAST_AGREEMENT = 0.3
 _MEMORY = 0.15  # share of the newest in the mean direction of travel
 
-Progress = Callable[[float, str], None]
 Spans = Sequence[tuple[float, float]]
 
 

@@ -3,12 +3,12 @@
 import dataclasses
 import importlib.metadata
 import platform
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 from hapticplayer import __version__
-from hapticplayer.errors import Message
+from hapticplayer.errors import Message, Progress
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
 from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
@@ -43,8 +43,6 @@ STATISTICS: dict[str, Statistic] = {
 FEW = 6
 """Fewest participants with which a pair can reach 0.05 in the signed-rank test."""
 _LIBRARIES = ("numpy", "scipy", "matplotlib")
-
-Progress = Callable[[float, str], None]
 
 
 @dataclass(frozen=True, slots=True)

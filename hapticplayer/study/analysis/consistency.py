@@ -13,9 +13,9 @@ from typing import Literal
 import numpy as np
 from scipy import stats
 
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, Progress
 from hapticplayer.model.arrays import Floats
-from hapticplayer.study.analysis.analysis import AnalysisOptions, Progress
+from hapticplayer.study.analysis.analysis import AnalysisOptions
 from hapticplayer.study.analysis.describing import CONFIDENCE, TAILS
 from hapticplayer.study.analysis.psychometric import Fits, deviance, fit, shape_of
 from hapticplayer.study.answers import Answers, Judgement

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from scipy import stats
 
-from hapticplayer.errors import Message, UsageError
+from hapticplayer.errors import Message, Progress, UsageError
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.friedman import chi_squares
 from hapticplayer.study.analysis.scores import Sample
@@ -106,7 +106,7 @@ def find_power(
     draw: Draw,
     feedbacks: tuple[str, ...],
     goal: PowerGoal,
-    progress: Callable[[float, str], None] = lambda _fraction, _step: None,
+    progress: Progress = lambda _fraction, _step: None,
 ) -> Power:
     """Return the power for each number of participants.
 

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hapticplayer.errors import Message
+from hapticplayer.errors import Message, Progress
 from hapticplayer.sequence import files
 from hapticplayer.study import private
 from hapticplayer.study.analysis import (
@@ -20,7 +20,6 @@ from hapticplayer.study.analysis.analysis import (
     STATISTICS,
     Analysis,
     AnalysisOptions,
-    Progress,
     analyse,
     summary,
 )
