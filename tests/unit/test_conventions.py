@@ -10,6 +10,13 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 LONG_NAME = re.compile(r"^ *def (test_\w{56,})", re.MULTILINE)
 IMPORTED = re.compile(r"^ *(?:from|import) (\w+)", re.MULTILINE)
+PRIVATE = re.compile(r"_[^_]")
+PUBLIC = {"_asdict", "_fields", "_make", "_replace"}
+"""Of named tuples."""
+NOT_OTHERS = {"cls", "os", "self", "sys"}
+"""Whose private names are a module's own, or documented."""
+MOST_PRIVATE = 30
+"""Places that reach into what other modules keep to themselves; may only fall."""
 LINK = re.compile(r"\]\((?!https?:|mailto:|#)([^)#\s]+)")
 
 
@@ -20,6 +27,33 @@ def found(folder, pattern):
             yield str(path.relative_to(ROOT)), match
 
 
+def private_names(tree):
+    """Yield private names of other modules: imported, patched or reached through a dot."""
+    nodes = list(ast.walk(tree))
+    own = PUBLIC | {
+        n.name for n in nodes if isinstance(n, ast.FunctionDef | ast.ClassDef)
+    }
+    made = [n for n in nodes if isinstance(getattr(n, "ctx", None), ast.Store)]
+    own |= {n.id for n in made if isinstance(n, ast.Name)}
+    own |= {
+        n.attr for n in made if isinstance(n, ast.Attribute) and owner_of(n) == "self"
+    }
+    for node in nodes:
+        names = []
+        if isinstance(node, ast.Attribute) and owner_of(node) not in NOT_OTHERS:
+            names = [node.attr]
+        elif isinstance(node, ast.ImportFrom):
+            names = [one.name for one in node.names]
+        elif isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "setattr":
+            named = [one for one in node.args[:2] if isinstance(one, ast.Constant)]
+            names = [str(one.value).rpartition(".")[2] for one in named]
+        yield from (x for x in names if PRIVATE.match(x) and x not in own)
+
+
+def owner_of(attribute):
+    return getattr(attribute.value, "id", "")
+
+
 def test_no_class_name_is_used_twice_in_the_engine():
     names = Counter(
         node.name
@@ -28,6 +62,16 @@ def test_no_class_name_is_used_twice_in_the_engine():
         if isinstance(node, ast.ClassDef)
     )
     assert not [name for name, count in names.items() if count > 1]
+
+
+def test_few_places_reach_into_what_others_keep_private():
+    places = [
+        f"{path.relative_to(ROOT)}: {name}"
+        for folder in ("tests", "tools", "benchmarks")
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        for name in private_names(ast.parse(path.read_text(encoding="utf-8")))
+    ]
+    assert len(places) <= MOST_PRIVATE, places
 
 
 def test_no_test_has_a_name_longer_than_60_characters():

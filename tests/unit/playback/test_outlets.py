@@ -63,8 +63,13 @@ class Processes:
 
 
 @pytest.fixture
-def outlets(manual_clock):
-    made = Outlets(manual_clock, Reporter(manual_clock), None, Processes)
+def reporter(manual_clock):
+    return Reporter(manual_clock)
+
+
+@pytest.fixture
+def outlets(manual_clock, reporter):
+    made = Outlets(manual_clock, reporter, None, Processes)
     made.use([RIG, OTHER, "gamepad"])
     made.load(TRACKS, MOTION)
     yield made
@@ -154,7 +159,7 @@ def test_stop_and_re_arm_reach_all(outlets):
         assert one.output.processes.done == ["stop_force", "rearm"]
 
 
-def test_a_fault_of_one_is_its_own(outlets):
+def test_a_fault_of_one_is_its_own(outlets, reporter):
     lost = processes_of(outlets, OTHER)
     lost.health, lost.problem = Health.READY, "the network is down"
     outlets.poll(CLOCK, "realistic")
@@ -164,7 +169,7 @@ def test_a_fault_of_one_is_its_own(outlets):
     assert states[OTHER].health is Health.FAILED
     assert states[OTHER].problem == "the network is down"
     assert {states[RIG].health, states["gamepad"].health} == {Health.READY}
-    assert outlets._reporter.notices == [f"{OTHER}: the network is down"]
+    assert reporter.notices == [f"{OTHER}: the network is down"]
     assert processes_of(outlets, RIG).published[-1] == (
         CLOCK.ahead(0.040),
         "realistic",
@@ -221,11 +226,9 @@ def test_shakers_play_beside_rigs_and_each_other(outlets):
     assert outlets["shaker:pulse"].latency_s == pytest.approx(0.080)
 
 
-def test_modes_of_an_outlet_are_logged_with_its_name(outlets):
+def test_modes_of_an_outlet_are_logged_with_its_name(outlets, reporter):
     lines = []
-    outlets._reporter.line = lambda kind, **fields: lines.append(
-        {"kind": kind, **fields}
-    )
+    reporter.line = lambda kind, **fields: lines.append({"kind": kind, **fields})
     ticks = np.zeros(2, TICK)
     ticks["mode"] = Mode.FOLLOWING, Mode.RAMPING
     processes_of(outlets, OTHER).ticks = ticks
