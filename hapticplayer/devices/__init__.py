@@ -233,7 +233,7 @@ _BUILT_IN = (
         "bass shakers and voice coils on a sound card",
         SHAKER,
         "hapticplayer.devices.transducer.driver:make",
-        "hapticplayer.devices.transducer.cutting:silence",
+        "hapticplayer.devices.transducer.silence:silence",
         settings="hapticplayer.devices.transducer.settings:shaker_settings",
         guide=f"{_GUIDES}:SHAKER",
         fades_alone=True,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.devices.descriptor_passing import hand_over
 from hapticplayer.devices.falcon import usbfs
 from hapticplayer.devices.falcon.firmware import (
     PATIENCE,
@@ -22,7 +23,6 @@ from hapticplayer.devices.falcon.link import WRITE_S, Link, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Lights, Reply, encode_command
 from hapticplayer.devices.falcon.tracker import Tracker
 from hapticplayer.devices.falcon.transport import OpenTransport, Transport, open_falcon
-from hapticplayer.devices.handing_over import hand_over
 from hapticplayer.errors import DeviceError, Message
 from hapticplayer.model.device import DeviceReading, Vector
 

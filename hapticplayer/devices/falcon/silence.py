@@ -13,6 +13,7 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+from hapticplayer.devices.descriptor_passing import take_over
 from hapticplayer.devices.falcon import usbfs
 from hapticplayer.devices.falcon.protocol import encode_command
 from hapticplayer.devices.falcon.transport import (
@@ -23,7 +24,6 @@ from hapticplayer.devices.falcon.transport import (
     list_falcons,
     open_all,
 )
-from hapticplayer.devices.handing_over import take_over
 from hapticplayer.errors import DeviceError
 
 NO_LINE = -1

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.capabilities import INVERSE3
-from hapticplayer.devices.handing_over import hand_over, take_over
+from hapticplayer.devices.descriptor_passing import hand_over, take_over
 from hapticplayer.devices.inverse3.protocol import (
     FIELDS,
     ZERO,

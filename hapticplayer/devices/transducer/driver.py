@@ -12,9 +12,9 @@ from typing import Any, Protocol
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.capabilities import SHAKER
 from hapticplayer.devices.transducer.coils import give_coils_to_sound
-from hapticplayer.devices.transducer.cutting import hand_over_sound, open_files
 from hapticplayer.devices.transducer.settings import ShakerSettings, shaker_settings
 from hapticplayer.devices.transducer.signal import SAMPLE_HZ, ShakerSignal
+from hapticplayer.devices.transducer.silence import hand_over_sound, open_files
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector

@@ -28,8 +28,8 @@ from hapticplayer.devices.gamepad.driver import REFRESH_S as PAD_REFRESH_S
 from hapticplayer.devices.inverse3.driver import Inverse3Driver
 from hapticplayer.devices.inverse3.protocol import command
 from hapticplayer.devices.paced import PacedDriver, silencer
-from hapticplayer.devices.transducer.cutting import silence as silence_shaker
 from hapticplayer.devices.transducer.driver import ALIVE_S, ShakerDriver
+from hapticplayer.devices.transducer.silence import silence as silence_shaker
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
 from hapticplayer.simulation.inverse3.service import Service, simulation_of

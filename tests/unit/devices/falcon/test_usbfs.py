@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from hapticplayer.devices.descriptor_passing import hand_over, take_over
 from hapticplayer.devices.falcon import usbfs
 from hapticplayer.devices.falcon.protocol import encode_command
 from hapticplayer.devices.falcon.silence import Silencer
 from hapticplayer.devices.falcon.transport import ENDPOINT_OUT
-from hapticplayer.devices.handing_over import hand_over, take_over
 
 ZERO_FRAME = encode_command((0, 0, 0))
 

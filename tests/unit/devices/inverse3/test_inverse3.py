@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from websockets.sync.server import serve
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.handing_over import hand_over
+from hapticplayer.devices.descriptor_passing import hand_over
 from hapticplayer.devices.inverse3.driver import Inverse3Driver, silence
 from hapticplayer.devices.inverse3.protocol import command, state_of
 from hapticplayer.devices.websocket import Connection, text_frame

@@ -7,11 +7,10 @@ import socket
 
 import pytest
 
-from hapticplayer.devices.transducer import cutting
-from hapticplayer.devices.transducer.cutting import (
+from hapticplayer.devices.transducer import silence
+from hapticplayer.devices.transducer.silence import (
     hand_over_sound,
     open_files,
-    silence,
 )
 
 
@@ -41,7 +40,7 @@ def test_the_server_sees_the_end_of_an_open_client(line, server):
         client.connect(path)
         served = stack.enter_context(listening.accept()[0])
         hand_over_sound(line[0], before | {served.fileno()})
-        cut = silence(line[1])
+        cut = silence.silence(line[1])
         client.send(b"sound")
         assert served.recv(10) == b"sound"
         assert cut()
@@ -57,19 +56,19 @@ def test_what_was_open_before_stays_with_its_owner(line, server):
         a, b = socket.socketpair()
         with a, b:
             hand_over_sound(line[0], before)
-        assert not silence(line[1])()
+        assert not silence.silence(line[1])()
         client.send(b"still open")
 
 
 def test_a_card_without_a_server_is_told_to_drop(line, tmp_path, monkeypatch):
     card, asked = tmp_path / "pcmC0D0p", []
     card.touch()
-    monkeypatch.setattr(cutting, "CARD", str(card))
+    monkeypatch.setattr(silence, "CARD", str(card))
     monkeypatch.setattr(fcntl, "ioctl", lambda file, what: asked.append((file, what)))
     before = open_files()
     with card.open() as file:
         hand_over_sound(line[0], before)
-        assert silence(line[1])()
+        assert silence.silence(line[1])()
         ((taken, request),) = asked
         assert taken != file.fileno()
     assert request == ord("A") << 8 | 0x43  # _IO('A', 0x43) of sound/asound.h
@@ -80,10 +79,10 @@ def test_a_card_without_a_server_is_told_to_drop(line, tmp_path, monkeypatch):
 def test_what_refuses_is_left_alone(line, tmp_path, monkeypatch):
     card = tmp_path / "pcmC0D0p"
     card.touch()
-    monkeypatch.setattr(cutting, "CARD", str(card))
+    monkeypatch.setattr(silence, "CARD", str(card))
     before = open_files()
     with card.open():
         hand_over_sound(line[0], before)
-    assert not silence(line[1])()  # a plain file knows no such request
-    assert not silence(-1)()
+    assert not silence.silence(line[1])()  # a plain file knows no such request
+    assert not silence.silence(-1)()
     hand_over_sound(-1, before)

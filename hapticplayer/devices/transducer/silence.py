@@ -13,7 +13,7 @@ import stat
 from collections.abc import Callable
 from pathlib import Path
 
-from hapticplayer.devices.handing_over import hand_over, take_over
+from hapticplayer.devices.descriptor_passing import hand_over, take_over
 
 CARD = "/dev/snd/pcm"
 """How the path of a sound card's stream begins."""
