@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from hapticplayer.haptics.arriving import RATE_HZ
-from hapticplayer.haptics.filling import FillingTrack
+from hapticplayer.haptics.streamed_track import RATE_HZ
+from hapticplayer.haptics.track_buffer import TrackBuffer
 from hapticplayer.model import ForceTrack
 
 
@@ -106,7 +106,7 @@ def sampled(track: ForceTrack, first_s: float, last_s: float) -> Page:
     return thin(Page(time_s, track.at(time_s)))
 
 
-def arrived(track: FillingTrack, first_s: float, last_s: float) -> Page:
+def arrived(track: TrackBuffer, first_s: float, last_s: float) -> Page:
     """Return what has arrived of a force that is fetched while it plays."""
     first, last = max(0, round(first_s * RATE_HZ)), max(0, round(last_s * RATE_HZ))
     force_n = track.force_n[first : last + 1].astype(np.float64)

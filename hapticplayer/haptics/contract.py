@@ -119,7 +119,7 @@ class State(NamedTuple):
     acted_s: float = -math.inf  # last time at which a force was allowed
     track: AnyTrack | None = None  # that was followed
     switch_n: Vector = ZERO  # left of the difference to the track before
-    share: float = 0.0  # that is felt of a track which is still arriving
+    share: float = 0.0  # of the force of a streamed track, 0 to 1
 
 
 class Situation(NamedTuple):

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
-from hapticplayer.haptics.filling import DeviceTrack
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.messages import MessageSocket, Word, signal_alarm
 from hapticplayer.haptics.recorder import LoopRecording
@@ -27,6 +26,7 @@ from hapticplayer.haptics.spawn import (
     wait_for_end,
 )
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
+from hapticplayer.haptics.track_buffer import DeviceTrack
 from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
 from hapticplayer.model.device import ChannelLevel
 

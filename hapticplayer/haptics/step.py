@@ -6,7 +6,6 @@ the table in `contract`; what may leave is bounded by `limiter`.
 
 import math
 
-from hapticplayer.haptics.arriving import ArrivingTrack
 from hapticplayer.haptics.centring import ahead_of, centring_force
 from hapticplayer.haptics.contract import (
     TRANSITIONS,
@@ -29,6 +28,7 @@ from hapticplayer.haptics.limiter import (
     limit,
     warmed,
 )
+from hapticplayer.haptics.streamed_track import StreamedTrack
 from hapticplayer.model.device import Vector
 
 # Longer than any single tick's share of the entry, shorter than can be felt.
@@ -47,7 +47,7 @@ def step(situation: Situation) -> State:
     share = 0.0
     if reaction is Reaction.GO and track is not None:
         planned = track.force_at(media_s)
-        if isinstance(track, ArrivingTrack) and math.isfinite(media_s):
+        if isinstance(track, StreamedTrack) and math.isfinite(media_s):
             planned, share = _arrived(planned, track, situation)
         if track is not state.track or state.switch_n != ZERO:
             switch = _left_of_switch(planned, situation)
@@ -98,7 +98,7 @@ def _left_of_switch(planned_n: Vector, situation: Situation) -> Vector:
 
 
 def _arrived(
-    planned_n: Vector, track: ArrivingTrack, situation: Situation
+    planned_n: Vector, track: StreamedTrack, situation: Situation
 ) -> tuple[Vector, float]:
     """Return the planned force as far as it has arrived, and the share of it."""
     clock, before = situation.clock, situation.state.share

@@ -7,14 +7,16 @@ import struct
 from bisect import bisect_right
 from typing import TYPE_CHECKING
 
-from hapticplayer.haptics.arriving import ARRIVING, ArrivingTrack
 from hapticplayer.haptics.limiter import ZERO
+from hapticplayer.haptics.streamed_track import STREAMED, StreamedTrack
 from hapticplayer.model.device import Vector
 
 if TYPE_CHECKING:  # the loop, which loads this, has no numpy
     from hapticplayer.model import ForceTrack, RigTrack
 
-_HEADER = struct.Struct("<QQQ")  # rows, spans, 1 when the track is HOLD; see `arriving`
+_HEADER = struct.Struct(
+    "<QQQ"
+)  # rows, spans, 1 when the track is HOLD; see `streamed_track`
 MAX_ROWS = 50_000_000  # fourteen hours at 1 kHz
 FORCE_COLUMNS = 3
 
@@ -105,7 +107,7 @@ class LoadedTrack:
         return row
 
 
-AnyTrack = LoadedTrack | ArrivingTrack
+AnyTrack = LoadedTrack | StreamedTrack
 
 
 def to_shared_memory(track: "ForceTrack | RigTrack") -> int:
@@ -136,8 +138,8 @@ def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> AnyTrack:
     if size < _HEADER.size:
         raise ValueError("it does not match its shared memory")
     block = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
-    if columns == FORCE_COLUMNS and _HEADER.unpack_from(block, 0)[2] == ARRIVING:
-        return ArrivingTrack(block)
+    if columns == FORCE_COLUMNS and _HEADER.unpack_from(block, 0)[2] == STREAMED:
+        return StreamedTrack(block)
     return LoadedTrack(block, columns)
 
 

@@ -15,9 +15,9 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.filling import DeviceTrack, FillingTrack
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.haptics.track_buffer import DeviceTrack, TrackBuffer
 from hapticplayer.model import DeviceCapabilities, ForceTrack, SyncStats
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.meters import Loudest, SyncAlarm, SyncMeter, TickHistory
@@ -29,7 +29,7 @@ TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late o
 COMPARE_PERIOD_S = 0.2  # an alarm looks at half a second
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
 
-AnyForce = ForceTrack | FillingTrack
+AnyForce = ForceTrack | TrackBuffer
 MakeProcesses = Callable[..., HapticsProcesses]
 
 
@@ -251,7 +251,7 @@ class ForceOutput:
 def _adapted(
     track: AnyForce, capabilities: DeviceCapabilities
 ) -> ForceTrack | DeviceTrack:
-    if isinstance(track, FillingTrack):
+    if isinstance(track, TrackBuffer):
         return DeviceTrack(track, device_gain(capabilities))
     return adapted(track, capabilities)
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.haptics.filling import FillingTrack
+from hapticplayer.haptics.track_buffer import TrackBuffer
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack, rendered_feedback
 from hapticplayer.playback.video_check import VideoCheck
@@ -26,7 +26,7 @@ class ForceStream(Protocol):
     """Force that is fetched while it is felt."""
 
     @property
-    def tracks(self) -> Mapping[str, FillingTrack]:
+    def tracks(self) -> Mapping[str, TrackBuffer]:
         """What the haptic loop plays, by name of the feedback."""
 
     @property

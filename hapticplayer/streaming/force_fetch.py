@@ -4,8 +4,8 @@ import numpy as np
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
-from hapticplayer.haptics.arriving import PACKET_SAMPLES, RATE_HZ
-from hapticplayer.haptics.filling import FillingTrack
+from hapticplayer.haptics.streamed_track import PACKET_SAMPLES, RATE_HZ
+from hapticplayer.haptics.track_buffer import TrackBuffer
 from hapticplayer.streaming.client import Aborted, StreamAddress, Unreachable
 from hapticplayer.streaming.fetch_thread import FetchThread
 from hapticplayer.streaming.manifest import Manifest
@@ -33,7 +33,7 @@ class ForceFetch(FetchThread):
         self, address: StreamAddress, manifest: Manifest, clock: Clock
     ) -> None:
         super().__init__(address, clock, "force-fetch")
-        self.tracks = {name: FillingTrack(manifest.samples) for name in manifest.tracks}
+        self.tracks = {name: TrackBuffer(manifest.samples) for name in manifest.tracks}
         self.problem: HapticPlayerError | None = None
         self._numbers = {name: k for k, name in enumerate(manifest.tracks)}
         self._at = (manifest.feedback, 0)  # track, and packet at the playhead

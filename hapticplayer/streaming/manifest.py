@@ -8,7 +8,7 @@ from msgspec import Meta, Struct
 
 from hapticplayer import __version__
 from hapticplayer.errors import Message, NetworkError
-from hapticplayer.haptics.arriving import PACKET_SAMPLES, RATE_HZ
+from hapticplayer.haptics.streamed_track import PACKET_SAMPLES, RATE_HZ
 from hapticplayer.structures import convert
 from hapticplayer.untrusted import (
     MAX_STREAM_S,

@@ -9,7 +9,7 @@ from typing import BinaryIO
 import numpy as np
 
 from hapticplayer.errors import InputError, NetworkError
-from hapticplayer.haptics.arriving import RATE_HZ
+from hapticplayer.haptics.streamed_track import RATE_HZ
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.source import Source
 from hapticplayer.streaming.manifest import MANIFEST, Manifest

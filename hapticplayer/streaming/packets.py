@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.haptics.arriving import PACKET_SAMPLES, RATE_HZ
+from hapticplayer.haptics.streamed_track import PACKET_SAMPLES, RATE_HZ
 from hapticplayer.model import ForceTrack
 
 _MAGIC = b"HPF1"

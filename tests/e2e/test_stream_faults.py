@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.haptics.arriving import FADE_S
 from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.streamed_track import FADE_S
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hapticplayer.haptics.arriving import PACKET_SAMPLES, RATE_HZ
+from hapticplayer.haptics.streamed_track import PACKET_SAMPLES, RATE_HZ
 from hapticplayer.model import ForceTrack
 from hapticplayer.streaming.packets import (
     PACKET_BYTES,

@@ -9,8 +9,8 @@ import pytest
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import MediaError, UsageError
-from hapticplayer.haptics.filling import DeviceTrack
 from hapticplayer.haptics.track import map_track
+from hapticplayer.haptics.track_buffer import DeviceTrack
 from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.playback.conditions import with_feedback
@@ -120,12 +120,12 @@ def test_a_clip_without_sound_says_so_from_afar_too(source):
 
 
 def test_the_force_is_that_of_the_file(source, packed):
-    filling = source.stream.tracks["realistic"]
-    wait_for(filling.has_arrived.all)
-    times = np.arange(len(filling.force_n)) / 1e3
+    buffer = source.stream.tracks["realistic"]
+    wait_for(buffer.has_arrived.all)
+    times = np.arange(len(buffer.force_n)) / 1e3
     expected = open_source(packed).tracks["realistic"].at(times)
-    assert np.abs(filling.force_n - expected).max() < 1e-6
-    one = DeviceTrack(filling, np.ones(3))
+    assert np.abs(buffer.force_n - expected).max() < 1e-6
+    one = DeviceTrack(buffer, np.ones(3))
     loaded = map_track(descriptor := one.to_shared_memory())
     os.close(descriptor)
     assert np.abs(np.array(loaded.force_at(1.0)) - expected[1000]).max() < 1e-6

@@ -1,6 +1,6 @@
-"""A force track that is still arriving, as the loop reads it.
+"""A force track that is streamed, as the loop reads it.
 
-Its samples lie 1 ms apart. It comes in packets of 128 ms, and a byte for each says
+Its samples are 1 ms apart. It comes in packets of 128 ms, and a byte for each says
 whether it is there. Towards one that is not, the force fades to zero, and after it fades
 in again, so that neither a gap nor a late packet is ever a step.
 """
@@ -18,18 +18,18 @@ FADE_S = 0.1
 that are lost."""
 
 HEADER = struct.Struct("<QQQ")
-ARRIVING = 2  # third number of the header; a whole track has 0 or 1 there
+STREAMED = 2  # third number of the header; a whole track has 0 or 1 there
 
 
-class ArrivingTrack:
-    """A track in shared memory that another process fills.
+class StreamedTrack:
+    """A track in shared memory that another process writes.
 
     What it holds cannot be checked beforehand: `step` checks each force.
     """
 
     def __init__(self, block: mmap.mmap) -> None:
         samples, packets, _ = HEADER.unpack_from(block, 0)
-        if not samples or len(block) != arriving_bytes(samples):
+        if not samples or len(block) != streamed_track_bytes(samples):
             raise ValueError("it does not match its shared memory")
         view, force_at = memoryview(block), HEADER.size
         self._force_n = view[force_at : force_at + 12 * samples].cast("f")
@@ -78,6 +78,6 @@ class ArrivingTrack:
         return not 0 <= packet < self._packets or self._is_there[packet] != 0
 
 
-def arriving_bytes(samples: int) -> int:
+def streamed_track_bytes(samples: int) -> int:
     """Return the size of the memory for so many samples."""
     return HEADER.size + 12 * samples + -(-samples // PACKET_SAMPLES)

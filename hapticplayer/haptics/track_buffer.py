@@ -1,4 +1,4 @@
-"""The player's side of a force track that is still arriving; see `arriving`."""
+"""The player's side of a force track that is streamed; see `streamed_track`."""
 
 import mmap
 import threading
@@ -6,19 +6,19 @@ import threading
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.haptics.arriving import (
-    ARRIVING,
+from hapticplayer.haptics.streamed_track import (
     HEADER,
     PACKET_SAMPLES,
     RATE_HZ,
-    arriving_bytes,
+    STREAMED,
+    streamed_track_bytes,
 )
 from hapticplayer.haptics.track import anonymous_memory
 from hapticplayer.model.arrays import Floats
 
 
-class FillingTrack:
-    """Force that one thread fills in, packet by packet, while loops may read it.
+class TrackBuffer:
+    """Force that one thread writes, packet by packet, while loops may read it.
 
     Attributes:
         force_n: (N, 3) float32, 1 ms apart, zero where nothing has arrived.
@@ -61,25 +61,25 @@ class FillingTrack:
 
 
 class DeviceTrack:
-    """A track that is filled, as the loop of one device reads it.
+    """A streamed track, as the loop of one device reads it.
 
     Args:
-        whole: what is filled.
+        whole: the buffer.
         gain: (3,) per axis, see `rendering.device_gain`.
     """
 
-    def __init__(self, whole: FillingTrack, gain: Floats) -> None:
+    def __init__(self, whole: TrackBuffer, gain: Floats) -> None:
         self._whole, self._gain = whole, gain.astype(np.float32)
         self._memory: mmap.mmap | None = None
 
     def to_shared_memory(self) -> int:
-        """Return the descriptor of memory that is filled until `close`, the caller's."""
+        """Return the descriptor of memory that is written until `close`; the caller owns it."""
         whole = self._whole
         samples, packets = len(whole.force_n), len(whole.has_arrived)
-        size = arriving_bytes(samples)
+        size = streamed_track_bytes(samples)
         descriptor = anonymous_memory("hapticplayer-track", size)
         self._memory = mmap.mmap(descriptor, size)
-        self._memory.write(HEADER.pack(samples, packets, ARRIVING))
+        self._memory.write(HEADER.pack(samples, packets, STREAMED))
         whole.begin(self)
         return descriptor
 
@@ -94,5 +94,5 @@ class DeviceTrack:
         self._memory[HEADER.size + 12 * len(whole.force_n) + packet] = 1
 
     def close(self) -> None:
-        """Fill it no more."""
+        """Stop writing to it."""
         self._whole.end(self)
