@@ -1,6 +1,7 @@
 """Typed structures from the JSON of untrusted files; errors name the field."""
 
 import re
+import sys
 from collections.abc import Iterable
 from types import UnionType
 from typing import (
@@ -81,6 +82,13 @@ def convert(
         what, to_do = _reworded(said or str(problem), found)
         where = f"{where}, {field}" if field else where
         raise error(what, where=where, remedy=remedy or to_do) from None
+
+
+def finite_number(value: object) -> float | None:
+    """Return a value that is a finite number, else None; true and false are none."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return float(value) if abs(value) <= sys.float_info.max else None
 
 
 def missing(name: str) -> Refusal:

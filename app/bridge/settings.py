@@ -27,6 +27,7 @@ from hapticplayer.playback.latency import (
     table_s,
     version_of,
 )
+from hapticplayer.structures import finite_number
 
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
@@ -74,9 +75,8 @@ class Settings:
 
     def number(self, name: str, default: float) -> float:
         """Return a finite number that was kept."""
-        value = self._values.get(name, default)
-        is_number = isinstance(value, int | float) and not isinstance(value, bool)
-        return float(value) if is_number and abs(value) < 1e9 else default
+        value = finite_number(self._values.get(name))
+        return default if value is None or abs(value) >= 1e9 else value
 
     def texts(self, name: str) -> list[str]:
         """Return a list of texts that was kept."""

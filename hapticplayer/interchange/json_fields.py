@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from hapticplayer.errors import InputError, Message
+from hapticplayer.structures import finite_number
 from hapticplayer.untrusted import ANOTHER, PathLike, parse_json, read_regular
 
 MAX_BYTES = 96 << 20
@@ -50,14 +51,14 @@ class Fields(NamedTuple):
         self, name: str, default: float | None = None, most: float = 1e12
     ) -> float:
         """Return a number, of at most this magnitude."""
-        value = self.values.get(name, default)
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
+        value = finite_number(self.values.get(name, default))
+        if value is None:
             raise self._wrong(name, Message("a number"))
         if not abs(value) <= most:
             raise self._wrong(
                 name, Message("between {least:g} and {most:g}", least=-most, most=most)
             )
-        return float(value)
+        return value
 
     def text(self, name: str, default: str | None = None) -> str:
         """Return a text."""

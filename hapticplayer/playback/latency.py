@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 from hapticplayer.devices import NO_DEVICE, find_device, settings_of
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.sequence.files import config_home
+from hapticplayer.structures import finite_number
 from hapticplayer.untrusted import read_regular
 
 MOST_S = 1.0
@@ -163,7 +164,12 @@ def table_s(table: Mapping[str, Any], part: str) -> dict[str, float]:
     """Return the valid values of one part, s: people may edit the file."""
     found = table.get(part)
     values = list(found.items())[:MOST_NAMES] if isinstance(found, dict) else []
-    return {name: 1e-3 * value for name, value in values if _is_sane(value)}
+    found_ms = ((name, finite_number(value)) for name, value in values)
+    return {
+        name: 1e-3 * ms
+        for name, ms in found_ms
+        if ms is not None and 0.0 <= ms <= 1e3 * MOST_S
+    }
 
 
 def read_settings(path: Path) -> dict[str, Any]:
@@ -179,8 +185,3 @@ def version_of(values: Mapping[str, Any]) -> float:
     """Return the version of settings that were read."""
     version = values.get(VERSION, 0)
     return version if isinstance(version, int) else math.inf
-
-
-def _is_sane(value: Any) -> bool:
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return is_number and math.isfinite(value) and 0.0 <= value <= 1e3 * MOST_S

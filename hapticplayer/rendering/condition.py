@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.model.ranges import Range
+from hapticplayer.structures import finite_number
 
 Value = float | str
 """Of a parameter."""
@@ -55,9 +56,9 @@ class Parameter:
             UsageError: says what is allowed.
         """
         if self.range is not None:
-            if isinstance(value, int | float) and not isinstance(value, bool):
-                return self.range.parse(self.name, str(value))
-            raise UsageError("{name} must be a number", name=self.name)
+            if finite_number(value) is None:
+                raise UsageError("{name} must be a number", name=self.name)
+            return self.range.parse(self.name, str(value))
         if not isinstance(value, str) or (self.choices and value not in self.choices):
             raise UsageError(
                 "{name} must be one of {known}, not {value}"

@@ -6,7 +6,6 @@ device.
 """
 
 import enum
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -20,6 +19,7 @@ from hapticplayer.capture.sync.result import ENOUGH_CONFIDENCE
 from hapticplayer.errors import Message, from_json, to_json
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ForceTrack, ImuLog, MotionTrack, rendered_feedback
+from hapticplayer.structures import finite_number
 
 LARGE_LEAK_MPS2 = 0.05
 """Noticed as a steady pull at the default gain."""
@@ -207,10 +207,7 @@ def _table(held: Mapping[str, Any], name: str) -> Mapping[str, Any]:
 
 
 def _number(held: Mapping[str, Any], name: str) -> float | None:
-    value = held.get(name)
-    if not isinstance(value, int | float) or isinstance(value, bool):
-        return None
-    return float(value) if math.isfinite(value) else None
+    return finite_number(held.get(name))
 
 
 def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:

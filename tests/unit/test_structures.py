@@ -7,7 +7,7 @@ import pytest
 from msgspec import Meta, Struct
 
 from hapticplayer.errors import InputError, SequenceError
-from hapticplayer.structures import convert
+from hapticplayer.structures import convert, finite_number
 
 
 class Level(enum.StrEnum):
@@ -77,3 +77,13 @@ def test_error_and_remedy_can_be_given():
 def test_valid_values_are_typed():
     made = convert({"parts": {"a": {"size": 1}}, "level": "high"}, Whole, "file")
     assert made == Whole({"a": Part(1.0)}, level=Level.HIGH)
+
+
+@pytest.mark.parametrize("value", [True, "1", None, [], 10**400, -(10**400), 1e999])
+def test_what_is_no_finite_number_is_none(value):
+    assert finite_number(value) is None
+
+
+def test_a_finite_number_is_a_float():
+    assert finite_number(3) == 3.0
+    assert finite_number(float("nan")) is None
