@@ -38,7 +38,8 @@ from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import Message
 
 ENTRY = DeviceEntry(
-    "seat", Message("Seat"), "a seat by UDP", FALCON, "seat:make", "", guide="page:GUIDE"
+    "falcon-seat",  # by its name only is it a Falcon
+    Message("Seat"), "a seat by UDP", FALCON, "seat:make", "", guide="page:GUIDE"
 )
 NOTHING = 1
 """
@@ -128,8 +129,8 @@ def test_an_installed_device_is_offered_everywhere(install, capsys, qapp):
     assert "a seat by UDP" in capsys.readouterr().out
     assert "Seat" in [choice.text for choice in choices.devices()]
     assert "Seat" in [choice.text for choice in kinds()]
-    assert "Push it in." in guide_of(find_device("seat")).connect
-    assert cli.main(["device", "info", "--device", "seat"]) == 0
+    assert "Push it in." in guide_of(find_device("falcon-seat")).connect
+    assert cli.main(["device", "info", "--device", "falcon-seat"]) == 0
     said = capsys.readouterr().out.split("\n")
     (need,) = [row for row in said if "Ticket" in row]
     assert need.split() == ["missing", "Ticket"]
