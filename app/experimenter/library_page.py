@@ -192,8 +192,8 @@ class LibraryPage(JobDialog):
 
     def _text(self, entry: Entry) -> str:
         if entry.problem:
-            problem = entry.problem.removeprefix(f"{entry.folder}/")
-            return f"{entry.title}\n\u25a0 {translated(problem)}"
+            problem = translated(entry.problem).removeprefix(f"{entry.folder}/")
+            return f"{entry.title}\n\u25a0 {problem}"
         parts = [
             time_text(entry.duration_s),
             translated(entry.camera),
