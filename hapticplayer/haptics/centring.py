@@ -24,7 +24,7 @@ import math
 from typing import NamedTuple
 
 from hapticplayer.haptics.hand import HandState
-from hapticplayer.haptics.limiter import ZERO, Limits
+from hapticplayer.haptics.limiter import ZERO, Limits, faded
 from hapticplayer.model.device import Vector
 
 _FROM, _FULL = 0.4, 0.9  # shares of the workspace
@@ -71,3 +71,13 @@ def centring_force(ahead_m: Vector, centring: Centring) -> Vector:
     pull_n = centring.pull_n * (share * share if share < 1.0 else 2.0 * share - 1.0)
     per_m = -pull_n / radius_m
     return (per_m * x, per_m * y, per_m * z)
+
+
+def kept_inside(
+    planned_n: Vector, hand: HandState, limits: Limits, centring: Centring
+) -> tuple[Vector, Vector]:
+    """Return the planned force with fade and spring, and the spring's share."""
+    ahead_m = ahead_of(hand, centring)
+    pull = centring_force(ahead_m, centring)
+    x, y, z = faded(planned_n, ahead_m, limits)
+    return (x + pull[0], y + pull[1], z + pull[2]), pull

@@ -192,16 +192,20 @@ def _is_runaway(s: Situation) -> bool:
     return s.hand.fast_samples >= FAST_SAMPLES_TRIP and s.is_acting
 
 
-def _is_outside(s: Situation) -> bool:
+def is_pushed_outside(planned_n: Vector, position_m: Vector, limits: Limits) -> bool:
     """Whether the track pushes outward on a grip at the edge of the workspace.
 
     What is sent has faded to zero there; a hand that holds the grip, and the spring
     against it, would not have let it come so far.
     """
-    position_m = s.hand.position_m
-    if math.hypot(*position_m) <= s.limits.outside * s.limits.workspace_m:
+    if math.hypot(*position_m) <= limits.outside * limits.workspace_m:
         return False
-    return s.is_acting and outward_n(s.state.planned_n, position_m) > OUTWARD_N
+    return outward_n(planned_n, position_m) > OUTWARD_N
+
+
+def _is_outside(s: Situation) -> bool:
+    planned_n, position_m = s.state.planned_n, s.hand.position_m
+    return is_pushed_outside(planned_n, position_m, s.limits) and s.is_acting
 
 
 def _is_paused(s: Situation) -> bool:

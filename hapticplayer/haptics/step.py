@@ -6,7 +6,7 @@ the table in `contract`; what may leave is bounded by `limiter`.
 
 import math
 
-from hapticplayer.haptics.centring import ahead_of, centring_force
+from hapticplayer.haptics.centring import kept_inside
 from hapticplayer.haptics.contract import (
     TRANSITIONS,
     Cause,
@@ -22,7 +22,6 @@ from hapticplayer.haptics.limiter import (
     ZERO,
     Limits,
     cap_when_warm,
-    faded,
     is_finite,
     is_near_middle,
     limit,
@@ -56,7 +55,7 @@ def step(situation: Situation) -> State:
         if not (is_finite(planned) and math.isfinite(media_s)):
             reaction, cause, planned = Reaction.TRIP, Cause.NOT_FINITE, ZERO
     if reaction is Reaction.GO:
-        wanted, pull = _kept_inside(planned, situation)
+        wanted, pull = kept_inside(planned, hand, limits, situation.centring)
     mode = _next_mode(situation, reaction, wanted)
     if mode is state.mode is Mode.TRIPPED:
         cause = state.cause  # the first reason is the one to report
@@ -106,15 +105,6 @@ def _arrived(
     share = track.share(before, situation.media_s, clock.rate, situation.gap_s)
     x, y, z = planned_n
     return (share * x, share * y, share * z), share
-
-
-def _kept_inside(planned_n: Vector, situation: Situation) -> tuple[Vector, Vector]:
-    """Return the planned force with fade and spring, and the spring's share."""
-    limits, centring = situation.limits, situation.centring
-    ahead_m = ahead_of(situation.hand, centring)
-    pull = centring_force(ahead_m, centring)
-    x, y, z = faded(planned_n, ahead_m, limits)
-    return (x + pull[0], y + pull[1], z + pull[2]), pull
 
 
 def _next_mode(situation: Situation, reaction: Reaction, wanted_n: Vector) -> Mode:
