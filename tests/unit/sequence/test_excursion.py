@@ -21,7 +21,6 @@ from hapticplayer.sequence.excursion import (
     Grip,
     excursion_texts,
     predict,
-    pull_n,
     stored_texts,
 )
 from hapticplayer.sequence.processing import (
@@ -68,12 +67,6 @@ def test_a_steady_push_goes_where_spring_fade_and_pull_balance(axis):
         held = hand.stiffness_n_per_m * radius_m + pull
         # beyond by a little: it swings past before it rests there
         assert held == pytest.approx(3.0 * (1.0 - fade), rel=0.15)
-
-
-def test_the_pull_is_that_of_the_loop():
-    radii = np.linspace(0.0, 0.05, 501)
-    expected = [-centring_force((r, 0.0, 0.0), Centring())[0] for r in radii]
-    np.testing.assert_allclose(pull_n(radii, Centring()), expected, atol=1e-12)
 
 
 def test_seconds_computed_side_by_side_are_those_of_one_long_run():
