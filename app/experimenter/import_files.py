@@ -33,7 +33,7 @@ from hapticplayer.capture.choices import (
 )
 from hapticplayer.capture.mounting import AS_RECORDED
 from hapticplayer.errors import HapticPlayerError, TelemetryError, message_of
-from hapticplayer.sequence.recognising import Recognised, pair
+from hapticplayer.sequence.import_preview import ImportPreview, pair
 
 translate = QCoreApplication.translate
 _MOST_NOTES = 6
@@ -198,7 +198,7 @@ class FilesPage(QWidget):
         self.problem.setText(translated(message_of(problem)))
         self.problem.show()
 
-    def show_found(self, found: Recognised) -> None:
+    def show_found(self, found: ImportPreview) -> None:
         """Show what was recognised."""
         self.forget()
         self.facts.setText("\n".join(self._facts(found)))
@@ -209,7 +209,7 @@ class FilesPage(QWidget):
         self.triad.show()
         self.keep.setVisible(bool(self._words))
 
-    def _facts(self, found: Recognised) -> list[str]:
+    def _facts(self, found: ImportPreview) -> list[str]:
         clip = found.clip
         sound = self.tr("with sound") if clip.has_audio else self.tr("without sound")
         video = self.tr(
@@ -232,7 +232,7 @@ class FilesPage(QWidget):
         )
         return [video, motion, self._axes(found)]
 
-    def _axes(self, found: Recognised) -> str:
+    def _axes(self, found: ImportPreview) -> str:
         up = found.up
         if up is None:
             return self.tr("The sensor rotated too much to tell its axes from gravity.")

@@ -39,9 +39,9 @@ from hapticplayer.capture.mounting import (
 )
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence.calibration import read_calibration
+from hapticplayer.sequence.import_preview import ImportPreview
 from hapticplayer.sequence.library import free_name
 from hapticplayer.sequence.processing import Processing
-from hapticplayer.sequence.recognising import Recognised
 
 _SIDE_PX = 210
 _HEAD = 0.16
@@ -246,7 +246,7 @@ class MountingPage(QWidget):
         column_of(row_of(STRETCH, self.triad, STRETCH), hint, STRETCH, of=self._drawing)
         row_of((scrolling(form), 3), (self._drawing, 2), spacing=18, of=self)
 
-    def show_found(self, found: Recognised) -> None:
+    def show_found(self, found: ImportPreview) -> None:
         """Propose the mounting that the frames show, or in which up is up, and a title."""
         self._show_recording(is_recorded=True)
         self._up = found.up

@@ -26,7 +26,7 @@ from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import ClockMap
 from hapticplayer.playback import snippet
 from hapticplayer.playback.snippet import LONGEST_S, Samples, pats_sound
-from hapticplayer.sequence.recognising import Recognised
+from hapticplayer.sequence.import_preview import ImportPreview
 from hapticplayer.sequence.synchronizing import moved_to, store_skew
 
 _LONGEST_OFFSET_S = 86_400.0
@@ -49,7 +49,7 @@ class SyncPage(QWidget):
         super().__init__()
         self.strip, self.frame = SyncStrip(), ClipFrame()
         self._sound: Job[Samples] | None = None
-        self._recognised: Recognised | None = None
+        self._recognised: ImportPreview | None = None
         self.verdict, self.problem = paragraph(), paragraph("", theme.BAD)
         self.offset = _spin(_LONGEST_OFFSET_S, 3, STEP_S, self.tr(" s"))
         self.offset.setAccessibleName(self.tr("Offset"))
@@ -128,7 +128,7 @@ class SyncPage(QWidget):
 
     # --- what there is -------------------------------------------------------
 
-    def show_found(self, found: Recognised) -> None:
+    def show_found(self, found: ImportPreview) -> None:
         """Show another recording; what was chosen for the one before is forgotten."""
         self._recognised = found
         self.looked.setChecked(False)
@@ -158,7 +158,7 @@ class SyncPage(QWidget):
         self._body.setVisible(not found.knows_clip_clock)
         self._show_verdict()
 
-    def _lanes(self, found: Recognised) -> list[Lane]:
+    def _lanes(self, found: ImportPreview) -> list[Lane]:
         return [
             Lane(self.tr("sound"), found.sound, OF_CLIP),
             Lane(self.tr("acceleration"), found.motion, OF_LOG),
@@ -185,7 +185,7 @@ class SyncPage(QWidget):
             return False
         return self._is_sure(found) or self.looked.isChecked()
 
-    def _is_sure(self, found: Recognised) -> bool:
+    def _is_sure(self, found: ImportPreview) -> bool:
         choice = self.choice()
         return found.knows_clip_clock or (choice.is_confident and choice.is_measured)
 
@@ -270,7 +270,7 @@ class SyncPage(QWidget):
         self.looked.setVisible(not self._is_sure(found))
         self.decided.emit()
 
-    def _verdict(self, found: Recognised) -> tuple[str, str]:
+    def _verdict(self, found: ImportPreview) -> tuple[str, str]:
         if found.knows_clip_clock:
             text = self.tr(
                 "{recorder} records its motion on the clip's clock; no "

@@ -32,7 +32,7 @@ from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.sequence import files
 from hapticplayer.sequence.build import Choices, build_sequence
-from hapticplayer.sequence.recognising import Recognised, recognise
+from hapticplayer.sequence.import_preview import ImportPreview, preview_import
 from hapticplayer.sequence.report import quality_report, stored_notes
 from hapticplayer.sequence.store import DESCRIPTION
 from hapticplayer.sequence.synchronizing import SyncChoices
@@ -52,7 +52,7 @@ class ImportWizard(JobDialog):
     ) -> None:
         super().__init__((WIDTH_PX, HEIGHT_PX), parent)
         self.setWindowTitle(self.tr("Import a recording"))
-        self.recognised: Recognised | None = None
+        self.preview: ImportPreview | None = None
         self.made: Path | None = None
         self._is_stale = False
         self.files, self.sync = FilesPage(folder), SyncPage()
@@ -145,7 +145,7 @@ class ImportWizard(JobDialog):
         text = {MOUNTING: self.tr("&Import"), REPORT: self.tr("&Play")}
         self.next.setText(text.get(at, self.tr("&Next")))
         may = {
-            FILES: self.recognised is not None or self._suggests,
+            FILES: self.preview is not None or self._suggests,
             SYNC: self.sync.may_go_on(),
             MOUNTING: True,
             REPORT: self.made is not None,
@@ -178,7 +178,7 @@ class ImportWizard(JobDialog):
         return step + by if step == SYNC and self._suggests else step
 
     def _begin_again(self) -> None:
-        self.recognised = self.made = None
+        self.preview = self.made = None
         for field in (self.files.video, self.files.log):
             field.clear()
         self.files.forget()
@@ -191,7 +191,7 @@ class ImportWizard(JobDialog):
         """Read the files that are chosen now; what was typed last may come too late."""
         if self.is_leaving:
             return
-        self.recognised = None
+        self.preview = None
         self.files.forget()
         self._show_buttons()
         if self.jobs.is_busy:  # with what was chosen before
@@ -204,17 +204,19 @@ class ImportWizard(JobDialog):
         video, log = chosen
         choices, method = self.files.choices(), str(self.sync.method.currentData())
 
-        def work(progress: Progress) -> Recognised:
-            return in_child(recognise, video, log, choices, method, progress=progress)
+        def work(progress: Progress) -> ImportPreview:
+            return in_child(
+                preview_import, video, log, choices, method, progress=progress
+            )
 
         self.jobs.run(self.tr("Reading {0}").format(video.name), work, self.on_found)
         self._show_buttons()
 
-    def on_found(self, found: Recognised) -> None:
+    def on_found(self, found: ImportPreview) -> None:
         """Show what a recording is, unless another one was chosen meanwhile."""
         if self._is_stale:
             return
-        self.recognised = found
+        self.preview = found
         self.files.show_found(found)
         self.sync.show_found(found)
         self.mounting.show_found(found)

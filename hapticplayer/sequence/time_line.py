@@ -14,7 +14,7 @@ from hapticplayer.rendering.event import Event
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.events import events_of
 from hapticplayer.sequence.figures import ForceFigures, force_figures
-from hapticplayer.sequence.recognising import Curve, loudness_of
+from hapticplayer.sequence.import_preview import Curve, loudness_of
 
 
 @dataclass(frozen=True, slots=True, eq=False)

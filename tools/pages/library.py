@@ -40,9 +40,9 @@ def _import(stage: Stage) -> Pictures:
         yield "import-question", stage.picture(wizard)
         wizard.files.show_problem(InputError("holds no motion", where="log.csv"))
         yield "import-error", stage.picture(wizard)
-        for name, recognised in (("doubt", found.doubtful), ("sure", found.certain)):
-            wizard.on_found(recognised)
-            wizard.recognised = recognised
+        for name, preview in (("doubt", found.doubtful), ("sure", found.certain)):
+            wizard.on_found(preview)
+            wizard.preview = preview
             wizard.go_to(SYNC)
             yield f"import-sync-{name}", stage.picture(wizard, 500)
         wizard.go_to(FILES)

@@ -13,7 +13,7 @@ from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
 from hapticplayer.sequence.build import build_sequence
 from hapticplayer.sequence.editing import rename_sequence
-from hapticplayer.sequence.recognising import Recognised, recognise
+from hapticplayer.sequence.import_preview import ImportPreview, preview_import
 from hapticplayer.simulation.recordings import demo_folder
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
@@ -34,7 +34,7 @@ class Material:
         demo: folder of the demo.
         video: of a ride with three pats.
         log: its motion.
-        certain, doubtful: what was recognised in the video with its own log, and
+        certain, doubtful: what was found in the video with its own log, and
             with that of another ride.
         question: what is asked about a log without units.
         made: folder of the ride's sequence.
@@ -45,8 +45,8 @@ class Material:
     demo: Path
     video: Path
     log: Path
-    certain: Recognised
-    doubtful: Recognised
+    certain: ImportPreview
+    doubtful: ImportPreview
     question: LogQuestion
     made: Path
     library: Path
@@ -70,8 +70,8 @@ def make_material(folder: Path) -> Material:
         demo,
         video,
         log,
-        recognise(video, log),
-        recognise(video, other),
+        preview_import(video, log),
+        preview_import(video, other),
         _question(video, folder / "other logger.csv"),
         made,
         _library(folder / "library", demo, made),
@@ -99,7 +99,7 @@ def _question(video: Path, log: Path) -> LogQuestion:
     header = "t;ax;ay;az;gx;gy;gz"
     np.savetxt(log, rows, delimiter=";", header=header, fmt="%.6f", comments="")
     try:
-        recognise(video, log)
+        preview_import(video, log)
     except LogQuestion as question:
         return question
     raise RuntimeError("a log without units raises no question any more")

@@ -13,8 +13,8 @@ from app.experimenter.import_wizard import ImportWizard
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
-from hapticplayer.sequence import recognising
-from hapticplayer.sequence.recognising import recognise
+from hapticplayer.sequence import import_preview
+from hapticplayer.sequence.import_preview import preview_import
 from hapticplayer.simulation.rides.gpmf_writer import write_payloads
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
 
@@ -40,13 +40,13 @@ def ride(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def reading_once():
-    """Return `recognise` with a memory: most tests begin with the same files."""
+    """Return `preview_import` with a memory: most tests begin with the same files."""
     known = {}
 
-    @functools.wraps(recognise)
+    @functools.wraps(preview_import)
     def read(*arguments, progress):
         if (key := repr(arguments)) not in known:
-            known[key] = recognise(*arguments, progress=progress)
+            known[key] = preview_import(*arguments, progress=progress)
         return known[key]
 
     return read
@@ -54,8 +54,8 @@ def reading_once():
 
 @pytest.fixture
 def wizard(application, qtbot, tmp_path, monkeypatch, reading_once):
-    for module in (recognising, import_wizard):  # for a process, it is found by name
-        monkeypatch.setattr(module, "recognise", reading_once)
+    for module in (import_preview, import_wizard):  # for a process, it is found by name
+        monkeypatch.setattr(module, "preview_import", reading_once)
     made = ImportWizard(str(tmp_path), tmp_path / "library")
     qtbot.addWidget(made)
     made.show()

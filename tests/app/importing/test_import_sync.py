@@ -20,7 +20,7 @@ from app.experimenter.sync_strip import (
 from hapticplayer.capture.sync.result import PictureEvidence, Synchronisation
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import open_sequence
-from hapticplayer.sequence.recognising import recognise
+from hapticplayer.sequence.import_preview import preview_import
 from hapticplayer.sequence.synchronizing import stored_skews
 from tests.app.importing.conftest import SECONDS
 
@@ -92,9 +92,9 @@ def test_a_skew_moves_the_offset_and_is_kept_for_its_camera(
 ):
     folder, _ = ride
     monkeypatch.setattr(
-        "hapticplayer.sequence.recognising.camera_of", lambda _path: "Cam 5"
+        "hapticplayer.sequence.import_preview.camera_of", lambda _path: "Cam 5"
     )
-    found = recognise(folder / "ride.mp4", folder / "log.csv")
+    found = preview_import(folder / "ride.mp4", folder / "log.csv")
     wizard.on_found(found)
     wizard.go_to(SYNC)
     page = wizard.sync
@@ -132,7 +132,7 @@ def test_dragging_moves_the_log_by_what_the_pointer_moves(application, qtbot):
 
 
 def test_frames_and_gyro_are_lanes_of_their_own(wizard, ride):
-    found = recognise(ride[0] / "ride.mp4", ride[0] / "log.csv")
+    found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
     times = np.arange(0.0, SECONDS, 1 / 30)
     turns = np.exp(-0.5 * ((times - 12.0) / 0.5) ** 2)
     seen = PictureEvidence(10.0, 0.94, 3.0, 0.9, 0.001, 0.01, 0.002)

@@ -148,7 +148,7 @@ def test_closing_while_it_looks_does_not_hold_the_window_up(wizard, ride, wait_f
     wizard.reject()
     assert wizard.isHidden()
     wait_for(lambda: not wizard.jobs.is_busy)
-    assert wizard.recognised is None or not wizard.isVisible()
+    assert wizard.preview is None or not wizard.isVisible()
 
 
 def test_a_closed_wizard_starts_no_work_for_the_last_input(wizard, ride):

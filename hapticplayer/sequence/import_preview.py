@@ -35,8 +35,8 @@ MAX_POINTS = 2_000_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Recognised:
-    """A recording as recognised, and its proposed synchronisation.
+class ImportPreview:
+    """What is found in a recording, and its proposed synchronisation.
 
     Attributes:
         clip: the video.
@@ -83,14 +83,14 @@ class Recognised:
         return self.found is not None and self.found.method == "embedded"
 
 
-def recognise(
+def preview_import(
     video: Path,
     log: LogPath | None,
     choices: LogChoices | None = None,
     method: str = AUTO,
     *,
     progress: Progress = files.no_progress,
-) -> Recognised:
+) -> ImportPreview:
     """Read a clip and its motion, and propose a synchronisation.
 
     Args:
@@ -116,7 +116,7 @@ def recognise(
     imu = recording.imu
     turned, gyro = _turn_rates(imu, frames)
     progress(1.0, "")
-    return Recognised(
+    return ImportPreview(
         clip=clip,
         clip_camera=camera_of(video),
         recorder=recording.camera,
