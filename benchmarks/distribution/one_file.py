@@ -33,9 +33,9 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.media.remux import video_payload
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source
+from hapticplayer.sequence.contents import contents_of
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
-from hapticplayer.sequence.travelling import contents_of
 
 MOST_LATER_MS, MOST_SEEK_RATIO = 20.0, 1.1
 _PATIENCE_S = 20.0

@@ -9,8 +9,8 @@ from hapticplayer.cli.common import add_overwrite, interruptible, say, shown_pro
 from hapticplayer.errors import SequenceError
 from hapticplayer.interchange.sharing import share, shared_contents
 from hapticplayer.outputs import FILE, refuse_existing
+from hapticplayer.sequence.contents import Contents
 from hapticplayer.sequence.pack import container_of, is_packed, outputs_of
-from hapticplayer.sequence.travelling import Contents
 
 
 def add_options(command: argparse.ArgumentParser) -> None:

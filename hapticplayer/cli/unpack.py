@@ -13,7 +13,7 @@ from hapticplayer.cli.common import (
 from hapticplayer.cli.pack import listing, text_of
 from hapticplayer.errors import SequenceError, UsageError
 from hapticplayer.outputs import FOLDER, refuse_existing
-from hapticplayer.sequence.travelling import contents_of
+from hapticplayer.sequence.contents import contents_of
 from hapticplayer.sequence.unpack import require_packed, unpack
 
 

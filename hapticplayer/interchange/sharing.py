@@ -10,8 +10,8 @@ from hapticplayer.media.matroska import Attachment
 from hapticplayer.media.remux import VideoDigest
 from hapticplayer.outputs import IsOurs
 from hapticplayer.sequence import files, open_sequence
+from hapticplayer.sequence.contents import Contents, attachment_of, contents
 from hapticplayer.sequence.pack import pack
-from hapticplayer.sequence.travelling import Contents, attachment_of, contents
 
 NAME = "force_realistic.hjif"
 ESTIMATED_NAME = "force_estimated.hjif"
@@ -41,7 +41,7 @@ def shared_contents(
     with_motion: bool = False,
     progress: Progress = files.no_progress,
 ) -> Contents:
-    """Return what `share` would write; see `sequence.travelling.contents`."""
+    """Return what `share` would write; see `sequence.contents.contents`."""
     progress(0.0, Message("writing {name}", name=NAME))
     return contents(folder, with_motion=with_motion, extras=force_for_others(folder))
 

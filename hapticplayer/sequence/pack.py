@@ -14,6 +14,7 @@ from hapticplayer.media.clip_info import POINTER
 from hapticplayer.media.matroska import EBML, Attachment
 from hapticplayer.outputs import IsOurs
 from hapticplayer.sequence import files, store
+from hapticplayer.sequence.contents import attachment_of, files_to_pack
 from hapticplayer.sequence.packed import (
     MANIFEST,
     SCHEMA,
@@ -21,7 +22,6 @@ from hapticplayer.sequence.packed import (
     VERSION,
     side_car_of,
 )
-from hapticplayer.sequence.travelling import attachment_of, travelling
 
 CONTAINERS = {".mkv": remux.MATROSKA, ".mp4": remux.MP4}
 """Kind of file by the ending of its name."""
@@ -77,7 +77,7 @@ def pack(
     """
     kind = container_of(target)
     sequence = store.open_sequence(folder)
-    attached = travelling(sequence, extras, with_motion=with_motion)
+    attached = files_to_pack(sequence, extras, with_motion=with_motion)
     _check_clip(sequence, lambda f: progress(_CHECK * f, Message("checking the clip")))
     payload = remux.video_payload(
         sequence.clip,

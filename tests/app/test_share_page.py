@@ -14,9 +14,9 @@ from hapticplayer.media.matroska import read_attachments
 from hapticplayer.media.remux import MATROSKA, Additions, remux
 from hapticplayer.playback.source import open_source
 from hapticplayer.playback.video_check import Verdict
+from hapticplayer.sequence.contents import MOTION_FILES
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
-from hapticplayer.sequence.travelling import MOTION_FILES
 
 
 @pytest.fixture

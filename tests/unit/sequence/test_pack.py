@@ -16,9 +16,9 @@ from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import MATROSKA, Additions, remux, video_payload
 from hapticplayer.model import ForceTrack, Mapping
 from hapticplayer.sequence import editing, open_sequence, verify_sequence
+from hapticplayer.sequence.contents import contents, contents_of
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
-from hapticplayer.sequence.travelling import contents, contents_of
 from hapticplayer.sequence.unpack import unpack
 
 FORCES = ("force_realistic.npz", "force_random.npz")

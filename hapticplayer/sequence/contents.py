@@ -1,4 +1,4 @@
-"""What of a sequence travels with its video, and its description for people."""
+"""The files that are packed with the video of a sequence, and a description for people."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -71,7 +71,7 @@ def contents(
         SequenceError: when the sequence is damaged, or has more than fits.
     """
     sequence = store.open_sequence(folder)
-    return _contents(sequence, travelling(sequence, extras, with_motion=with_motion))
+    return _contents(sequence, files_to_pack(sequence, extras, with_motion=with_motion))
 
 
 def contents_of(packed: Packed) -> Contents:
@@ -82,10 +82,10 @@ def contents_of(packed: Packed) -> Contents:
     return _contents(packed.sequence, attached, inside_bytes)
 
 
-def travelling(
+def files_to_pack(
     sequence: store.Sequence, extras: Iterable[Attachment], *, with_motion: bool
 ) -> tuple[Attachment, ...]:
-    """Return the description and the files of a sequence that travel with its clip."""
+    """Return the description and the files of a sequence that are packed with its clip."""
     description = sequence.description
     names = [
         name
