@@ -46,7 +46,9 @@ def refuse_existing(
         head = reader.read(HEAD_BYTES)
     if not is_ours(head):
         raise error(
-            Message("is not overwritten, as it is no such file of this program"),
+            Message(
+                "is not overwritten, because it is not such a file written by hapticplayer"
+            ),
             where=str(target),
             remedy=other,
         )

@@ -42,8 +42,8 @@ def mounting_by_frames(clip: ClipInfo, recording: Recording, progress: Progress)
     up = mean_up(recording.imu)
     if up is not None and up_in_frame_a(up, found.axes)[2] < UPRIGHT:
         raise UsageError(
-            "{clip}: the frames tell the mounting {axes}, but gravity another side up; "
-            "is the video upright and not mirrored? Otherwise {give}",
+            "{clip}: by its frames the mounting is {axes}, but by gravity another side "
+            "is up; is the video upright and not mirrored? Otherwise {give}",
             clip=clip.path.name,
             axes=found.axes,
             give=_GIVE,

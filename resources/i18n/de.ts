@@ -6892,8 +6892,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist kein Objekt</translation>
     </message>
     <message>
-        <source>is not overwritten, as it is no such file of this program</source>
-        <translation>wird nicht überschrieben, denn es ist keine solche Datei dieses Programms</translation>
+        <source>is not overwritten, because it is not such a file written by hapticplayer</source>
+        <translation>wird nicht überschrieben, denn es ist keine solche Datei von hapticplayer</translation>
     </message>
     <message>
         <source>is not the address of a stream</source>
@@ -7508,12 +7508,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Drehrate erreicht {largest:.3g} rad/s, wenn sie in {rate_unit} gelesen wird, was kein Sensor zeigt</translation>
     </message>
     <message>
-        <source>the angular rate turns gravity about 57 times too fast</source>
-        <translation>die Drehrate dreht die Schwerkraft etwa 57-mal zu schnell</translation>
+        <source>the angular rate is about 57 times too high for how the direction of gravity changes</source>
+        <translation>die Drehrate ist etwa 57-mal zu hoch dafür, wie sich die Richtung der Schwerkraft ändert</translation>
     </message>
     <message>
-        <source>the angular rate turns gravity about 57 times too slowly</source>
-        <translation>die Drehrate dreht die Schwerkraft etwa 57-mal zu langsam</translation>
+        <source>the angular rate is about 57 times too low for how the direction of gravity changes</source>
+        <translation>die Drehrate ist etwa 57-mal zu niedrig dafür, wie sich die Richtung der Schwerkraft ändert</translation>
     </message>
     <message>
         <source>the answer could not be saved ({reason})</source>
@@ -7656,8 +7656,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Format von {name!r} ist unbekannt; wählen Sie eines von {known}</translation>
     </message>
     <message>
-        <source>the frames tell of the camera&apos;s rotation for {told_s:.1f} s only</source>
-        <translation>Die Bilder zeigen die Drehung der Kamera nur für {told_s:.1f} s</translation>
+        <source>the camera&apos;s rotation can be estimated in only {told_s:.1f} s of the video</source>
+        <translation>die Drehung der Kamera lässt sich nur in {told_s:.1f} s des Videos schätzen</translation>
     </message>
     <message>
         <source>the gyro explains {explained:.0%} of their rotation (video stabilised, or a calm camera)</source>
@@ -7756,7 +7756,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{clip}: Die Bilder lassen offen, ob die Montage {axes} oder {next_best} ist (Verhältnis {ratio:.2f}); {give}</translation>
     </message>
     <message>
-        <source>{clip}: the frames tell the mounting {axes}, but gravity another side up; is the video upright and not mirrored? Otherwise {give}</source>
+        <source>{clip}: by its frames the mounting is {axes}, but by gravity another side is up; is the video upright and not mirrored? Otherwise {give}</source>
         <translation>{clip}: Die Bilder ergeben die Montage {axes}, die Schwerkraft aber eine andere Seite oben; steht das Video aufrecht und ist es nicht gespiegelt? Sonst: {give}</translation>
     </message>
     <message>
@@ -8104,8 +8104,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es ist nichts darin</translation>
     </message>
     <message>
-        <source>this is no firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
-        <translation>das ist keine Firmware für den Falcon: {reason}; wählen Sie die Datei nvent_firmware.bin eines Quellarchivs von libnifalcon</translation>
+        <source>not valid firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
+        <translation>keine gültige Firmware für den Falcon: {reason}; wählen Sie die Datei nvent_firmware.bin eines Quellarchivs von libnifalcon</translation>
     </message>
     <message>
         <source>this method takes no parameters</source>
@@ -8724,8 +8724,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wird synchronisiert</translation>
     </message>
     <message>
-        <source>the camera stands still: nothing to estimate</source>
-        <translation>die Kamera steht still: es gibt nichts zu schätzen</translation>
+        <source>the camera does not move: there is nothing to estimate</source>
+        <translation>die Kamera bewegt sich nicht: es gibt nichts zu schätzen</translation>
     </message>
     <message>
         <source>the camera&apos;s rotation in its frames against the gyro; coarse without the extra vision</source>

@@ -6892,8 +6892,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas un objet</translation>
     </message>
     <message>
-        <source>is not overwritten, as it is no such file of this program</source>
-        <translation>n’est pas remplacé, car ce n’est pas un tel fichier de ce programme</translation>
+        <source>is not overwritten, because it is not such a file written by hapticplayer</source>
+        <translation>n’est pas remplacé, car ce n’est pas un tel fichier écrit par hapticplayer</translation>
     </message>
     <message>
         <source>is not the address of a stream</source>
@@ -7508,12 +7508,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la vitesse angulaire atteint {largest:.3g} rad/s quand elle est lue en {rate_unit}, ce qu’aucun capteur ne montre</translation>
     </message>
     <message>
-        <source>the angular rate turns gravity about 57 times too fast</source>
-        <translation>la vitesse angulaire fait tourner la pesanteur environ 57 fois trop vite</translation>
+        <source>the angular rate is about 57 times too high for how the direction of gravity changes</source>
+        <translation>la vitesse angulaire est environ 57 fois trop élevée au vu du changement de direction de la pesanteur</translation>
     </message>
     <message>
-        <source>the angular rate turns gravity about 57 times too slowly</source>
-        <translation>la vitesse angulaire fait tourner la pesanteur environ 57 fois trop lentement</translation>
+        <source>the angular rate is about 57 times too low for how the direction of gravity changes</source>
+        <translation>la vitesse angulaire est environ 57 fois trop faible au vu du changement de direction de la pesanteur</translation>
     </message>
     <message>
         <source>the answer could not be saved ({reason})</source>
@@ -7656,8 +7656,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le format de {name!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
-        <source>the frames tell of the camera&apos;s rotation for {told_s:.1f} s only</source>
-        <translation>les images ne montrent la rotation de la caméra que pendant {told_s:.1f} s</translation>
+        <source>the camera&apos;s rotation can be estimated in only {told_s:.1f} s of the video</source>
+        <translation>la rotation de la caméra ne peut être estimée que dans {told_s:.1f} s de la vidéo</translation>
     </message>
     <message>
         <source>the gyro explains {explained:.0%} of their rotation (video stabilised, or a calm camera)</source>
@@ -7756,7 +7756,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{clip}&#xa0;: les images ne disent pas si le montage est {axes} ou {next_best} (rapport {ratio:.2f})&#xa0;; {give}</translation>
     </message>
     <message>
-        <source>{clip}: the frames tell the mounting {axes}, but gravity another side up; is the video upright and not mirrored? Otherwise {give}</source>
+        <source>{clip}: by its frames the mounting is {axes}, but by gravity another side is up; is the video upright and not mirrored? Otherwise {give}</source>
         <translation>{clip}&#xa0;: d&apos;après les images le montage est {axes}, mais selon la gravité un autre côté était en haut&#xa0;; la vidéo est-elle droite et non inversée&#xa0;? Sinon&#xa0;: {give}</translation>
     </message>
     <message>
@@ -8104,8 +8104,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il n’y a rien dedans</translation>
     </message>
     <message>
-        <source>this is no firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
-        <translation>ce n’est pas un micrologiciel pour le Falcon&#xa0;: {reason}&#xa0;; choisissez le fichier nvent_firmware.bin d’une archive des sources de libnifalcon</translation>
+        <source>not valid firmware for the Falcon: {reason}; choose the file nvent_firmware.bin of a libnifalcon source archive</source>
+        <translation>pas un micrologiciel valable pour le Falcon&#xa0;: {reason}&#xa0;; choisissez le fichier nvent_firmware.bin d’une archive des sources de libnifalcon</translation>
     </message>
     <message>
         <source>this method takes no parameters</source>
@@ -8724,7 +8724,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>synchronisation</translation>
     </message>
     <message>
-        <source>the camera stands still: nothing to estimate</source>
+        <source>the camera does not move: there is nothing to estimate</source>
         <translation>la caméra est immobile&#xa0;: rien à estimer</translation>
     </message>
     <message>

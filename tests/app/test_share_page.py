@@ -61,7 +61,7 @@ def test_it_writes_and_says_so(page, tmp_path, qtbot, is_mp4):
 def test_a_failure_is_said_and_another_name_helps(page, tmp_path, wait_for):
     (tmp_path / "film.mkv").write_bytes(b"somebody's film")
     page.write(tmp_path / "film.mkv")
-    wait_for(lambda: "no such file of this program" in page.status.text())
+    wait_for(lambda: "not such a file" in page.status.text())
     assert (tmp_path / "film.mkv").read_bytes() == b"somebody's film"
     page.write(tmp_path / "other.mkv")
     wait_for((tmp_path / "other.mkv").exists)

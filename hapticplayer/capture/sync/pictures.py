@@ -149,7 +149,7 @@ def usable(imu: ImuLog, frames: FrameRotation) -> Watched:
     told_s = float((frames.end_s - frames.begin_s) @ (frames.quality > 0.0))
     if told_s < _LEAST_S:
         raise InputError(
-            "the frames tell of the camera's rotation for {told_s:.1f} s only",
+            "the camera's rotation can be estimated in only {told_s:.1f} s of the video",
             remedy="film something with detail, or use --method pats",
             told_s=told_s,
         )

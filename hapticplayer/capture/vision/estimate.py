@@ -241,7 +241,10 @@ def _notes(watched_: _Watched, trust: Floats) -> tuple[tuple[str, ...], list[int
         float(watched_.speed.max()) < _STILL_HEIGHTS_PER_S
         and float(np.abs(watched_.turn_radps).max()) < _STILL_RADPS
     ):
-        return (*notes, Message("the camera stands still: nothing to estimate")), [0, 1]
+        return (
+            *notes,
+            Message("the camera does not move: there is nothing to estimate"),
+        ), [0, 1]
     left_out = [part for part in (0, 1) if trust[:, part].mean() < _LITTLE]
     if 0 in left_out:
         notes.append(Message("no estimated sway: no turns beyond what may be an error"))

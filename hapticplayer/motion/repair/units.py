@@ -158,12 +158,14 @@ def check_rate_unit(
         )
     if is_degrees:
         raise InputError(
-            "the angular rate turns gravity about 57 times too fast",
+            "the angular rate is about 57 times too high for how the direction of "
+            "gravity changes",
             where=source,
             remedy="it seems to be in deg/s: multiply it by 0.0174532925",
         )
     raise InputError(
-        "the angular rate turns gravity about 57 times too slowly",
+        "the angular rate is about 57 times too low for how the direction of "
+        "gravity changes",
         where=source,
         remedy="it seems to have been converted twice: multiply it by 57.2957795",
     )

@@ -132,8 +132,8 @@ def test_orientations_without_accelerations_are_refused():
 
 
 def test_a_rate_in_degrees_is_rejected():
-    """A damaged SCAL: the rate turns gravity 57 times too fast."""
+    """A damaged SCAL: the angular rate is 57 times too high."""
     clean = sample(apart=True, seconds=40.0)
     clean.rate[:] = np.degrees(clean.rate)
-    with pytest.raises(TelemetryError, match="57 times too fast"):
+    with pytest.raises(TelemetryError, match="57 times too high"):
         read_gopro(packets(clean), "clip.mp4")

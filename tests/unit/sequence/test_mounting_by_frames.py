@@ -60,5 +60,5 @@ def test_a_close_rival_is_a_question() -> None:
 def test_gravity_that_disagrees_is_a_question() -> None:
     by_frames = FoundMounting("-x,y,-z", 4.0, "x,y,z")
 
-    with pytest.raises(UsageError, match="gravity another side up"):
+    with pytest.raises(UsageError, match="by gravity another side is up"):
         mounting_by_frames(CLIP, recording("x,y,z", by_frames), no_progress)

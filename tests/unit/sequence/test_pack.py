@@ -343,4 +343,4 @@ def test_a_video_of_another_program_is_not_overwritten(
     remux(sequence_folder / "clip.mp4", target, MATROSKA)
     words = ["pack", str(sequence_folder), "-o", str(target), "--overwrite"]
     assert cli.main(words) == 1
-    assert "no such file of this program" in capsys.readouterr().err
+    assert "not such a file" in capsys.readouterr().err

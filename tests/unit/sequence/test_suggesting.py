@@ -194,7 +194,7 @@ def test_a_picture_that_shows_nothing_makes_no_sequence(
         estimate, "suggest_motion", lambda _clip, **_more: suggested(steps(), speed=0.0)
     )
 
-    with pytest.raises(InputError, match="the camera stands still"):
+    with pytest.raises(InputError, match="the camera does not move"):
         build_sequence(
             tiny_clip.path, tmp_path / "ride", choices=Choices(suggest_gain=1.0)
         )

@@ -127,7 +127,7 @@ def _holds(block: MemoryBlock, address: int) -> bool:
 
 def _no_image(why: str) -> DeviceError:
     return DeviceError(
-        "this is no firmware for the Falcon: {reason}; choose the file "
+        "not valid firmware for the Falcon: {reason}; choose the file "
         "nvent_firmware.bin of a libnifalcon source archive",
         reason=why,
     )

@@ -114,7 +114,7 @@ def test_an_unknown_image_needs_a_decision(file, image):
 def test_a_wrong_file_never_replaces_a_kept_one(file, image):
     firmware.install_image(file, accept_unknown=True)
     file.write_bytes(b"%PDF-1.4 something else")
-    with pytest.raises(DeviceError, match=r"image\.bin: this is no firmware"):
+    with pytest.raises(DeviceError, match=r"image\.bin: not valid firmware"):
         firmware.install_image(file, accept_unknown=True)
     with pytest.raises(DeviceError, match="no such file"):
         firmware.install_image(file.with_name("missing.bin"))
