@@ -84,6 +84,26 @@ def convert(
         raise error(what, where=where, remedy=remedy or to_do) from None
 
 
+def check_version(
+    content: Any,
+    schema: str,
+    version: int,
+    where: str,
+    error: type[InputError] = InputError,
+    remedy: str = "update hapticplayer",
+) -> None:
+    """Raise an error for an object of another schema or version; see `convert`."""
+    known = content if isinstance(content, dict) else {}
+    if (known.get("schema"), known.get("version")) != (schema, version):
+        raise error(
+            "has version {found}, this program reads {version}",
+            where=where,
+            remedy=remedy,
+            found=repr(known.get("version"))[:_MAX_SHOWN],
+            version=version,
+        )
+
+
 def finite_number(value: object) -> float | None:
     """Return a value that is a finite number, else None; true and false are none."""
     if isinstance(value, bool) or not isinstance(value, int | float):

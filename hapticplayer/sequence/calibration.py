@@ -16,7 +16,7 @@ from hapticplayer.model.calibration import (
 )
 from hapticplayer.outputs import FILE, IsOurs, refuse_existing
 from hapticplayer.sequence import files
-from hapticplayer.structures import convert
+from hapticplayer.structures import check_version, convert
 from hapticplayer.untrusted import parse_json, read_regular
 
 SCHEMA, VERSION = "hapticplayer.calibration", 1
@@ -142,14 +142,7 @@ def read_calibration(path: Path) -> StoredCalibration:
         raise InputError(
             "is not a calibration of a sensor", where=str(path), remedy=_REMEDY
         )
-    if content.get("version") != VERSION:
-        raise InputError(
-            "is of version {version!r} of the format; this program reads {known}",
-            where=str(path),
-            remedy=_REMEDY,
-            version=content.get("version"),
-            known=VERSION,
-        )
+    check_version(content, SCHEMA, VERSION, str(path))
     held = structs.asdict(
         convert(content, _CalibrationFile, str(path), InputError, _REMEDY)
     )

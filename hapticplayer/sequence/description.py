@@ -6,7 +6,7 @@ from msgspec import Struct
 
 from hapticplayer.errors import Message, SequenceError
 from hapticplayer.model.mapping import AxisGains, Mapping
-from hapticplayer.structures import convert
+from hapticplayer.structures import check_version, convert
 
 SCHEMA, VERSION = "hapticplayer.sequence", 1
 IMPORT_AGAIN = Message("import it again")
@@ -83,12 +83,5 @@ def checked_description(content: dict[str, Any], where: str) -> Description:
             where=where,
             remedy="give the folder of a sequence",
         )
-    if content.get("version") != VERSION:
-        raise SequenceError(
-            "has version {found}, this program reads {version}",
-            where=where,
-            remedy="update hapticplayer",
-            found=content.get("version"),
-            version=VERSION,
-        )
+    check_version(content, SCHEMA, VERSION, where, SequenceError)
     return convert(content, Description, where, SequenceError, IMPORT_AGAIN)

@@ -20,8 +20,8 @@ from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import files, store
 from hapticplayer.sequence.description import FileEntry
-from hapticplayer.structures import convert
-from hapticplayer.untrusted import MAX_ATTACHED_BYTES, parse_json, without_controls
+from hapticplayer.structures import check_version, convert
+from hapticplayer.untrusted import MAX_ATTACHED_BYTES, parse_json
 
 MANIFEST = "hapticplayer.json"
 SCHEMA, VERSION = "hapticplayer.pack", 1
@@ -132,8 +132,8 @@ def _by_name(carrier: Path, attached: list[Attachment]) -> dict[str, Attachment]
 def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Packed:
     small = _AttachedFiles(carrier, attached)
     manifest = _object(attached[MANIFEST].content, f"{carrier}: {MANIFEST}")
-    _check_version(manifest, carrier)
     where = f"{carrier}: {MANIFEST}"
+    check_version(manifest, SCHEMA, VERSION, where, SequenceError)
     given = convert(manifest, _Manifest, where, SequenceError, _ASK_AGAIN)
     payload = VideoDigest(*structs.astuple(given.video))
     content = small.content(store.DESCRIPTION, manifest["files"])
@@ -155,15 +155,3 @@ def _object(content: bytes, where: str) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise SequenceError("is not a JSON object", where=where, remedy=_ASK_AGAIN)
     return value
-
-
-def _check_version(manifest: dict[str, Any], carrier: Path) -> None:
-    found = (manifest.get("schema"), manifest.get("version"))
-    if found != (SCHEMA, VERSION):
-        raise SequenceError(
-            "has version {found}, this program reads {version}",
-            where=f"{carrier}: {MANIFEST}",
-            remedy="update hapticplayer",
-            found=without_controls(str(found[1])[:40]),
-            version=VERSION,
-        )

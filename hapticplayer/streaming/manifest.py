@@ -9,7 +9,7 @@ from msgspec import Meta, Struct
 from hapticplayer import __version__
 from hapticplayer.errors import Message, NetworkError
 from hapticplayer.haptics.streamed_track import PACKET_SAMPLES, RATE_HZ
-from hapticplayer.structures import convert
+from hapticplayer.structures import check_version, convert
 from hapticplayer.untrusted import (
     MAX_STREAM_S,
     MAX_STREAM_TRACKS,
@@ -89,14 +89,7 @@ def read_manifest(content: bytes, where: str) -> Manifest:
         NetworkError: when it is not one that this program can play.
     """
     value = parse_json(content, where, NetworkError, _UPDATE)
-    found = value if isinstance(value, dict) else {}
-    if (found.get("schema"), found.get("version")) != (SCHEMA, VERSION):
-        raise NetworkError(
-            "is a stream of another version ({found})",
-            where=where,
-            remedy=_UPDATE,
-            found=without_controls(str(found.get("version"))[:40]),
-        )
+    check_version(value, SCHEMA, VERSION, where, NetworkError, _UPDATE)
     given = convert(value, _ManifestDocument, where, NetworkError, _UPDATE)
     tracks = tuple(map(without_controls, given.force.tracks))
     feedback = without_controls(given.force.feedback)

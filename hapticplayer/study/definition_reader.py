@@ -12,7 +12,7 @@ from hapticplayer.rendering import (
     ParameterKind,
     condition_named,
 )
-from hapticplayer.structures import convert, missing, unknown
+from hapticplayer.structures import check_version, convert, missing, unknown
 from hapticplayer.study import json_files
 from hapticplayer.study.definition import (
     MAX_CONDITIONS,
@@ -40,13 +40,7 @@ def parse_definition(content: bytes, path: str) -> Definition:
     if not isinstance(value, dict) or value.get("schema") != SCHEMA:
         what = Message("is not the definition of a study")
         refuse(path, "", what, Message("give the folder of a study"))
-    if (version := value.get("version")) != VERSION:
-        what = Message(
-            "has version {found}, this program reads {version}",
-            found=version,
-            version=VERSION,
-        )
-        refuse(path, "", what, Message("update hapticplayer"))
+    check_version(value, SCHEMA, VERSION, path, StudyError)
     made = convert(value, Definition, path, StudyError)
     _check_texts(made, path)
     _check_keys(made, path)

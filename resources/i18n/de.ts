@@ -5344,10 +5344,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>hat Version {found} des Formats, nicht {version}</translation>
     </message>
     <message>
-        <source>has version {found}, this program reads {version}</source>
-        <translation>hat die Version {found}, dieses Programm liest {version}</translation>
-    </message>
-    <message>
         <source>has {count} bytes instead of {expected}</source>
         <translation>hat {count} Bytes statt {expected}</translation>
     </message>
@@ -6840,10 +6836,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist ein Blackbox-Protokoll eines Flugreglers</translation>
     </message>
     <message>
-        <source>is a stream of another version ({found})</source>
-        <translation>ist ein Stream einer anderen Version ({found})</translation>
-    </message>
-    <message>
         <source>is a table of {program} without the acceleration of three axes</source>
         <translation>ist eine Tabelle von {program} ohne die Beschleunigung dreier Achsen</translation>
     </message>
@@ -6902,10 +6894,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not valid XML ({reason})</source>
         <translation>ist kein gültiges XML ({reason})</translation>
-    </message>
-    <message>
-        <source>is of version {version!r} of the format; this program reads {known}</source>
-        <translation>hat die Version {version!r} des Formats; dieses Programm liest {known}</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>

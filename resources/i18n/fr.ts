@@ -5344,10 +5344,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>a la version {found} du format, et non {version}</translation>
     </message>
     <message>
-        <source>has version {found}, this program reads {version}</source>
-        <translation>a la version {found}, ce programme lit {version}</translation>
-    </message>
-    <message>
         <source>has {count} bytes instead of {expected}</source>
         <translation>a {count} octets au lieu de {expected}</translation>
     </message>
@@ -6840,10 +6836,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est un journal blackbox d&apos;un contrôleur de vol</translation>
     </message>
     <message>
-        <source>is a stream of another version ({found})</source>
-        <translation>est un flux d’une autre version ({found})</translation>
-    </message>
-    <message>
         <source>is a table of {program} without the acceleration of three axes</source>
         <translation>est un tableau de {program} sans l&apos;accélération de trois axes</translation>
     </message>
@@ -6902,10 +6894,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not valid XML ({reason})</source>
         <translation>n’est pas du XML valide ({reason})</translation>
-    </message>
-    <message>
-        <source>is of version {version!r} of the format; this program reads {known}</source>
-        <translation>est de la version {version!r} du format&#xa0;; ce programme lit la {known}</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>

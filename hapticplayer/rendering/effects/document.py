@@ -6,7 +6,7 @@ from msgspec import Meta, Struct, structs, to_builtins
 
 from hapticplayer.errors import InputError, UsageError, message_of
 from hapticplayer.rendering.effects.values import UP, Effect, EffectList, Target
-from hapticplayer.structures import convert
+from hapticplayer.structures import check_version, convert
 
 SCHEMA, VERSION = "hapticplayer.effects", 1
 MAX_BYTES = 1 << 20
@@ -62,14 +62,7 @@ def parsed(content: Any, where: str) -> EffectList:
         raise InputError(
             "is not a list of effects", where=where, remedy="give an effects.json"
         )
-    if content.get("version") != VERSION:
-        raise InputError(
-            "has version {found}, this program reads {version}",
-            where=where,
-            remedy="update hapticplayer",
-            found=str(content.get("version"))[:20],
-            version=VERSION,
-        )
+    check_version(content, SCHEMA, VERSION, where)
     effects = []
     for number, entry in enumerate(convert(content, _List, where).effects):
         try:

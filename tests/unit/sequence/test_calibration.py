@@ -49,7 +49,7 @@ def test_only_a_calibration_is_overwritten(kept, tmp_path):
     ("name", "value", "says"),
     [
         ("schema", "hapticplayer.sequence", "is not a calibration of a sensor"),
-        ("version", 2, "is of version 2 of the format"),
+        ("version", 2, "has version 2, this program reads 1"),
         ("gyro_bias_radps", [0.0, 0.0], "gyro_bias_radps: must have 3 entries"),
         (
             "gyro_bias_radps",
