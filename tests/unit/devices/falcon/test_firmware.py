@@ -53,7 +53,7 @@ def test_four_images_are_known():
 def test_every_broken_image_is_refused(image):
     data = image.data
     for length in range(len(data)):
-        with pytest.raises(DeviceError, match="no firmware"):
+        with pytest.raises(DeviceError, match="not valid firmware"):
             parse_image(data[:length])
     for broken, why in (
         (data + b"\x00\x00", "2 bytes follow its end"),
@@ -70,7 +70,7 @@ def test_every_broken_image_is_refused(image):
 
 @given(st.binary(max_size=300))
 def test_random_files_are_refused_and_never_crash(data):
-    with pytest.raises(DeviceError, match="no firmware"):
+    with pytest.raises(DeviceError, match="not valid firmware"):
         parse_image(struct.pack("<H", 0x08AA) + data)
 
 
