@@ -7,8 +7,8 @@ from hapticplayer.devices.evdev.effects import (
     FF_CONSTANT,
     FF_RUMBLE,
     REFRESH_S,
-    OneAxis,
-    Shaking,
+    ConstantForceTranslator,
+    RumbleTranslator,
 )
 from hapticplayer.devices.evdev.options import capabilities_of, parse
 from hapticplayer.devices.evdev.ports import EventPort, GainPort, open_first
@@ -18,7 +18,10 @@ from hapticplayer.devices.paced import PacedDriver, silencer
 def _wheel(text: str, kind: type[EventPort]) -> EventPort:
     chosen = parse(text)
     return open_first(
-        FF_CONSTANT, chosen.node, lambda: OneAxis(chosen.axis, chosen.full_n), kind
+        FF_CONSTANT,
+        chosen.node,
+        lambda: ConstantForceTranslator(chosen.axis, chosen.full_n),
+        kind,
     )
 
 
@@ -38,11 +41,11 @@ def make_rumble(_line: int, node: str = "") -> PacedDriver:
     return PacedDriver(
         "rumble",
         RUMBLE,
-        lambda: open_first(FF_RUMBLE, node, Shaking, EventPort),
+        lambda: open_first(FF_RUMBLE, node, RumbleTranslator, EventPort),
         REFRESH_S,
     )
 
 
 def silence_rumble(_line: int, node: str = "") -> Callable[[], bool]:
     """Return what takes a pad's gain away, for the guard."""
-    return silencer(lambda: open_first(FF_RUMBLE, node, Shaking, GainPort))
+    return silencer(lambda: open_first(FF_RUMBLE, node, RumbleTranslator, GainPort))

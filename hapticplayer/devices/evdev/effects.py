@@ -102,7 +102,7 @@ class _Buttons:
         return self._pressed
 
 
-class OneAxis(_Buttons):
+class ConstantForceTranslator(_Buttons):
     """A force along one axis as a constant effect (`paced.Translator`).
 
     Args:
@@ -124,7 +124,7 @@ class OneAxis(_Buttons):
         return constant_effect(round(_FULL_CONSTANT * max(-1.0, min(1.0, share))))
 
 
-class Shaking(_Buttons):
+class RumbleTranslator(_Buttons):
     """A force without its direction as a rumble (`paced.Translator`)."""
 
     off = rumble_effect(0, 0)

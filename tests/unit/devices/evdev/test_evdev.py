@@ -38,7 +38,9 @@ def opener(kind, translate):
 
 @pytest.fixture
 def wheel(kernel):
-    open_port = opener(effects.FF_CONSTANT, lambda: effects.OneAxis(0, 4.5))
+    open_port = opener(
+        effects.FF_CONSTANT, lambda: effects.ConstantForceTranslator(0, 4.5)
+    )
     made = PacedDriver("wheel", WHEEL, open_port, effects.REFRESH_S, DirectWriter)
     yield made
     made.close()
@@ -78,7 +80,7 @@ def test_the_structs_are_those_of_the_c_header():
 def test_a_level_is_the_share_of_the_axis_and_bounded(force_n, full_n, axis):
     vector = [7.0, -7.0, 7.0]
     vector[axis] = force_n
-    command = effects.OneAxis(axis, full_n).command(tuple(vector), 0.0)
+    command = effects.ConstantForceTranslator(axis, full_n).command(tuple(vector), 0.0)
     level = Effect.from_buffer_copy(command).u.constant.level
     if not math.isfinite(force_n):
         assert level == 0
@@ -203,11 +205,11 @@ def test_who_may_not_open_it_is_told_what_to_do(wheel, kernel):
     with pytest.raises(DeviceError, match="group input"):
         wheel.open()
     with pytest.raises(DeviceError, match=r"event9: .* event3 \(Wheel\)"):
-        ports.open_first(effects.FF_CONSTANT, "event9", effects.Shaking)
+        ports.open_first(effects.FF_CONSTANT, "event9", effects.RumbleTranslator)
 
 
 def test_a_pad_rumbles_as_strongly_as_the_force(kernel, clock):
-    open_port = opener(effects.FF_RUMBLE, effects.Shaking)
+    open_port = opener(effects.FF_RUMBLE, effects.RumbleTranslator)
     pad = PacedDriver("rumble", RUMBLE, open_port, effects.REFRESH_S, DirectWriter)
     pad.open()
     drive(pad, clock, (0.0, 2.25, 0.0), 1000)
