@@ -7,7 +7,7 @@ import numpy as np
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.loop import Loop
-from hapticplayer.haptics.messages import MessageSocket, Word
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.shared import BLOCK_BYTES, TICK, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, map_track, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
@@ -38,7 +38,7 @@ class LoopRig:
 
     def give_track(self, track, track_id=1):
         descriptor = to_shared_memory(track)
-        self.player.send(Word.TRACK, str(track_id), descriptor)
+        self.player.send(MessageKind.TRACK, str(track_id), descriptor)
         os.close(descriptor)
 
     def close(self):

@@ -13,7 +13,7 @@ from hapticplayer.haptics.centring import centring_of
 from hapticplayer.haptics.lifeline import hold, map_lifeline
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.haptics.loop import Loop
-from hapticplayer.haptics.messages import MessageSocket, Word
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.scheduling import (
     FIFO_PRIORITY,
     OUTLET_PRIORITY,
@@ -50,14 +50,14 @@ def main(argv: list[str] | None = None) -> int:
         device = entry.make(options.handle)
         device.open()
     except DeviceError as problem:
-        line.send(Word.FAILED, message_of(problem))
+        line.send(MessageKind.FAILED, message_of(problem))
         return 1
     try:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
         hold(block.lifeline)  # until the end, which the guard sees
         loop = _loop(options, block, line, device)
         priority = OUTLET_PRIORITY if entry.loop else FIFO_PRIORITY
-        line.send(Word.READY, acquire(wanted, priority).value)
+        line.send(MessageKind.READY, acquire(wanted, priority).value)
         loop.run()
     finally:
         device.close()

@@ -6,9 +6,9 @@ from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.contract import Request, Supervision
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.messages import (
+    MessageKind,
     MessageSocket,
-    Received,
-    Word,
+    ReceivedMessage,
     close_descriptor,
 )
 from hapticplayer.haptics.track import FORCE_COLUMNS, AnyTrack, map_track
@@ -106,25 +106,26 @@ class TrackFollower:
         if self.line.is_alarmed:
             self._request = Request.STOP
 
-    def _handle(self, message: Received) -> None:
-        if message.word is Word.TRACK:
+    def _handle(self, message: ReceivedMessage) -> None:
+        if message.word is MessageKind.TRACK:
             self._load_track(int(message.text), message.descriptor)
-        elif message.word is Word.FORGET:
+        elif message.word is MessageKind.FORGET:
             self._tracks.pop(int(message.text), None)
             self._unchecked.pop(int(message.text), None)
             self._newer.pop(int(message.text), None)
-        elif message.word is Word.STOP:
+        elif message.word is MessageKind.STOP:
             self._request = Request.STOP
-        elif message.word is Word.REARM:
+        elif message.word is MessageKind.REARM:
             self._request = Request.REARM
-        elif message.word is Word.QUIT:
+        elif message.word is MessageKind.QUIT:
             self._is_asked_to_quit = True
-        elif message.word is Word.FAULT:
+        elif message.word is MessageKind.FAULT:
             self._inject(message.text)
 
     def _inject(self, _text: str) -> None:
         self.line.send(
-            Word.FAILED, Message("this haptic loop does not accept injected faults")
+            MessageKind.FAILED,
+            Message("this haptic loop does not accept injected faults"),
         )
 
     def _load_track(self, track_id: int, descriptor: int) -> None:
@@ -157,6 +158,6 @@ class TrackFollower:
 
     def _reject(self, problem: Exception) -> None:
         self.line.send(
-            Word.FAILED,
+            MessageKind.FAILED,
             Message("the force track was rejected: {reason}", reason=problem),
         )

@@ -19,7 +19,7 @@ from hapticplayer.haptics.follower import TrackFollower
 from hapticplayer.haptics.hand import observe
 from hapticplayer.haptics.lifeline import Lifeline
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
-from hapticplayer.haptics.messages import MessageSocket, Word
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.step import step
 from hapticplayer.model.device import ChannelLevel, DeviceReading, Vector
@@ -133,7 +133,7 @@ class Loop(TrackFollower):
             self.reading = reading = self.device.exchange(force_n, now_s)
         except DeviceError as problem:
             self._is_device_gone = True
-            self.line.send(Word.LOST, message_of(problem))
+            self.line.send(MessageKind.LOST, message_of(problem))
             return
         if reading.levels is not self._levels:
             self._levels = reading.levels

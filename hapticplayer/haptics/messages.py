@@ -19,7 +19,7 @@ ALARM_S = 0.05
 """How long an alarm stays on for the loops, which poll it every millisecond."""
 
 
-class Word(enum.Enum):
+class MessageKind(enum.Enum):
     """First byte of a message."""
 
     TRACK = b"T"  # + track id, new or of the track to replace; its descriptor too
@@ -33,13 +33,13 @@ class Word(enum.Enum):
     LOST = b"L"  # + one sentence: the device is gone
 
 
-_SENTENCES = (Word.FAILED, Word.LOST)
+_SENTENCES = (MessageKind.FAILED, MessageKind.LOST)
 
 
-class Received(NamedTuple):
+class ReceivedMessage(NamedTuple):
     """One message."""
 
-    word: Word
+    word: MessageKind
     text: str = ""
     descriptor: int = -1
 
@@ -61,7 +61,7 @@ class MessageSocket:
         self.is_open = True
         self.is_alarmed = False
 
-    def send(self, word: Word, text: str = "", descriptor: int = -1) -> bool:
+    def send(self, word: MessageKind, text: str = "", descriptor: int = -1) -> bool:
         """Send one message; False when the other end is gone."""
         if word in _SENTENCES:
             text = json.dumps(to_json(text))
@@ -72,7 +72,7 @@ class MessageSocket:
             self.is_open = False
         return self.is_open
 
-    def receive(self, timeout_ms: int = 0) -> Received | None:
+    def receive(self, timeout_ms: int = 0) -> ReceivedMessage | None:
         """Return the next message, or None; clears `is_open` at the end."""
         if not self.is_open:
             return None
@@ -90,10 +90,10 @@ class MessageSocket:
             self.is_open = False
             return None
         received = descriptors[0] if descriptors else -1
-        word, text = Word(data[:1]), data[1:].decode(errors="replace")
+        word, text = MessageKind(data[:1]), data[1:].decode(errors="replace")
         if word in _SENTENCES:
             text = from_json(json.loads(text))
-        return Received(word, text, received)
+        return ReceivedMessage(word, text, received)
 
     def _has_alarm(self, ready: list[tuple[int, int]]) -> bool:
         events = dict(ready).get(self._alarm, 0)

@@ -14,7 +14,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
 from hapticplayer.haptics.lifeline import hold_lifeline
-from hapticplayer.haptics.messages import MessageSocket, Word, signal_alarm
+from hapticplayer.haptics.messages import MessageKind, MessageSocket, signal_alarm
 from hapticplayer.haptics.recorder import LoopRecording
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
@@ -211,7 +211,7 @@ class HapticsProcesses:
         if self._line is None:
             return
         for track_id in self._track_ids.values():
-            self._line.send(Word.FORGET, str(track_id))
+            self._line.send(MessageKind.FORGET, str(track_id))
         self._track_ids.clear()
         for name, track in tracks.items():
             self._track_ids[name] = self._next_track_id
@@ -231,7 +231,7 @@ class HapticsProcesses:
             descriptor = track.to_shared_memory()
         else:
             descriptor = to_shared_memory(track)
-        self._line.send(Word.TRACK, str(self._track_ids[name]), descriptor)
+        self._line.send(MessageKind.TRACK, str(self._track_ids[name]), descriptor)
         os.close(descriptor)
 
     def publish(self, clock: PlaybackClock, track: str) -> None:
@@ -245,11 +245,11 @@ class HapticsProcesses:
 
     def stop_force(self) -> None:
         """TRIP: zero at the next tick, until `rearm`."""
-        self._send(Word.STOP)
+        self._send(MessageKind.STOP)
 
     def rearm(self) -> None:
         """Let the force fade in again after a TRIP."""
-        self._send(Word.REARM)
+        self._send(MessageKind.REARM)
 
     @property
     def takes_faults(self) -> bool:
@@ -270,7 +270,7 @@ class HapticsProcesses:
             )
         now_s = self._clock.now_s()
         if not self._device_faults.inject(fault):
-            self._send(Word.FAULT, fault)
+            self._send(MessageKind.FAULT, fault)
         return now_s
 
     def read_ticks(self) -> tuple[NDArray[Any], int]:
@@ -285,7 +285,7 @@ class HapticsProcesses:
 
     def close(self) -> None:
         """Ramp the force to zero, release the device and end all processes."""
-        self._send(Word.QUIT)
+        self._send(MessageKind.QUIT)
         self._wait_for_end()
         if self._line is not None:
             self._line.close()
@@ -301,7 +301,7 @@ class HapticsProcesses:
         if self._recording:
             self._recording.finish()
 
-    def _send(self, word: Word, text: str = "") -> None:
+    def _send(self, word: MessageKind, text: str = "") -> None:
         if self._line is not None:
             self._line.send(word, text)
 
@@ -313,13 +313,13 @@ class HapticsProcesses:
             if not self._line.is_open and self.health is not Health.FAILED:
                 self.health = Health.GONE
             return False
-        if message.word is Word.READY:
+        if message.word is MessageKind.READY:
             self._note_ready(message.text)
-        elif message.word is Word.FAILED:
+        elif message.word is MessageKind.FAILED:
             self.problem = message.text
             if self.health is Health.STARTING:
                 self.health = Health.FAILED
-        elif message.word is Word.LOST:
+        elif message.word is MessageKind.LOST:
             self.problem, self.health = message.text, Health.FAILED
         return True
 

@@ -21,7 +21,7 @@ from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import message_of
-from hapticplayer.haptics.messages import MessageSocket, Word
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.scheduling import Scheduling, grant, lock_memory
 from hapticplayer.playback.sound_memory import CHANNELS, SoundBlock, SoundReader
 
@@ -219,7 +219,7 @@ def main(argv: list[str] | None = None) -> int:
     player.start()
     stream = _open(SoundBlock(options.block), SystemClock(), options.device, line)
     lock_memory()
-    line.send(Word.READY, stream.name)
+    line.send(MessageKind.READY, stream.name)
     player.join()
     return 0
 
@@ -240,7 +240,7 @@ def _open(
         try:
             return SoundStream(block, clock, device)
         except OSError as problem:
-            line.send(Word.FAILED, message_of(problem))
+            line.send(MessageKind.FAILED, message_of(problem))
         clock.sleep_until(clock.now_s() + wait_s)
         wait_s = min(1.5 * wait_s, SLOWEST_RETRY_S)
 

@@ -5,7 +5,7 @@ import socket
 import subprocess
 from typing import Protocol
 
-from hapticplayer.haptics.messages import MessageSocket, Word
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.spawn import run_module
 from hapticplayer.playback.sound_ring import AudioRing
 
@@ -63,10 +63,10 @@ class SoundProcess:
     def poll(self) -> OutputState:
         """Return the state now."""
         while (message := self._line.receive()) is not None:
-            if message.word is Word.READY:
+            if message.word is MessageKind.READY:
                 self.name, self.problem = message.text, ""
                 self._state = OutputState.OPEN
-            elif message.word is Word.FAILED:
+            elif message.word is MessageKind.FAILED:
                 self.problem, self._state = message.text, OutputState.FAILED
         if not self._line.is_open:
             self._state = OutputState.GONE

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from hapticplayer.haptics.contract import Cause, Reaction
-from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.messages import MessageKind
 
 TRIP, RAMP = Reaction.TRIP, Reaction.RAMP
 
@@ -76,7 +76,7 @@ def to_the_end(rig):
 
 
 CASES: dict[str, Case] = {
-    "stop": Case(Cause.STOPPED, TRIP, 1, say(Word.STOP), nothing),
+    "stop": Case(Cause.STOPPED, TRIP, 1, say(MessageKind.STOP), nothing),
     "grip-button": Case(
         Cause.GRIP_BUTTON, TRIP, 2, device("buttons", 4), device("buttons", 0)
     ),
@@ -163,5 +163,5 @@ CASES: dict[str, Case] = {
         Cause.NO_TRACK, RAMP, 1, put("track_id", 7), put("track_id", 1)
     ),
     "end-of-track": Case(Cause.TRACK_ENDED, RAMP, 1, to_the_end, seek),
-    "closing": Case(Cause.CLOSING, RAMP, 1, say(Word.QUIT)),
+    "closing": Case(Cause.CLOSING, RAMP, 1, say(MessageKind.QUIT)),
 }

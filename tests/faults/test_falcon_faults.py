@@ -9,7 +9,7 @@ from haptic_rig import Rig, SlowClock
 from hapticplayer.devices.falcon.driver import DriverState
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import Limits
-from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.messages import MessageKind
 
 CAP_N = Limits().force_cap_n
 ROUNDING_N = 0.01  # of motor words, in newtons
@@ -47,7 +47,7 @@ def test_the_cable_may_be_pulled_at_any_moment(moment, rig):
     assert rig.ticks_to(Mode.TRIPPED, 2) <= 2
     assert rig.cause is Cause.UNPLUGGED
     message = rig.player.receive()
-    assert message.word is Word.LOST
+    assert message.word is MessageKind.LOST
     assert "unplugged" in message.text
 
 
@@ -75,7 +75,7 @@ def test_stalls_of_the_bus(stall_ms, mode, cause, rig):
     # when the bus goes on, the newest frame is the first that it takes
     if mode is Mode.TRIPPED:
         assert_the_motors_are_off(rig)
-        rig.player.send(Word.REARM)
+        rig.player.send(MessageKind.REARM)
     rig.tick(400)
     assert rig.mode is Mode.FOLLOWING
 

@@ -13,7 +13,7 @@ from haptic_rig import Rig
 
 from hapticplayer.haptics.contract import RULES, Cause, Mode, Reaction
 from hapticplayer.haptics.limiter import ZERO, Limits
-from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.messages import MessageKind
 
 PHASES = 8
 LIMITS = Limits()
@@ -77,11 +77,11 @@ def test_a_trip_stays_until_a_person_lets_the_force_come_back(name, rig):
     assert rig.tick(600) == [ZERO] * 600
     assert rig.mode is Mode.TRIPPED
     if math.hypot(*rig.device.position_m) > 0.02:
-        rig.player.send(Word.REARM)
+        rig.player.send(MessageKind.REARM)
         assert rig.tick(50) == [ZERO] * 50, "armed far from the middle"
         rig.device.position_m = ZERO
         rig.tick(60)
-    rig.player.send(Word.REARM)
+    rig.player.send(MessageKind.REARM)
     back = rig.tick(150)
     assert math.hypot(*back[-1]) > 0.5
     assert max(slews(back)) <= LIMITS.entry_slew_n + 1e-9

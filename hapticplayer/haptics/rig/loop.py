@@ -10,7 +10,7 @@ from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.follower import TrackFollower
 from hapticplayer.haptics.lifeline import Lifeline
-from hapticplayer.haptics.messages import MessageSocket, Word
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.rig.step import RigSetup, RigState, rig_step
 from hapticplayer.model.rig import RigMotion
 
@@ -107,7 +107,7 @@ class RigLoop(TrackFollower):
             is_heard = self.sender.send(rig.motion, rig.packet_s)
         except DeviceError as problem:
             if not self._is_device_gone:
-                self.line.send(Word.LOST, message_of(problem))
+                self.line.send(MessageKind.LOST, message_of(problem))
             self._is_device_gone = True
             return False
         return is_heard

@@ -5,7 +5,7 @@ from typing import Any
 
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.loop import Loop
-from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.messages import MessageKind
 from hapticplayer.model.device import Vector
 from hapticplayer.simulation.faults import LATE_S, LOST_S, STALE_S, Fault
 
@@ -43,7 +43,7 @@ class FaultyLoop(Loop):
         if text in Fault.__members__.values():
             self._pending.add(Fault(text))
         else:
-            self.line.send(Word.FAILED, f"there is no fault {text!r}")
+            self.line.send(MessageKind.FAILED, f"there is no fault {text!r}")
 
     def _is_due(self, fault: Fault) -> bool:
         is_acting = self.state.mode in (Mode.ENTERING, Mode.FOLLOWING)

@@ -8,7 +8,12 @@ import pytest
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO
-from hapticplayer.haptics.messages import Alarm, MessageSocket, Word, signal_alarm
+from hapticplayer.haptics.messages import (
+    Alarm,
+    MessageKind,
+    MessageSocket,
+    signal_alarm,
+)
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.model import ForceTrack
 from tests.unit.haptics.test_loop import CONSTANT, Rig
@@ -42,7 +47,7 @@ def test_the_next_tick_trips_and_stays_so(alarm, rig):
     state = rig.tick()
     assert (state.force_n, state.mode) == (ZERO, Mode.TRIPPED)
     assert state.cause is Cause.STOPPED
-    rig.player.send(Word.REARM)
+    rig.player.send(MessageKind.REARM)
     assert rig.tick(5).mode is Mode.TRIPPED
 
 
@@ -51,14 +56,14 @@ def test_once_cleared_a_person_may_re_arm(alarm, rig):
     assert rig.tick().mode is Mode.TRIPPED
     alarm.clear()
     alarm.clear()  # there may be nothing to clear
-    rig.player.send(Word.REARM)
+    rig.player.send(MessageKind.REARM)
     assert rig.tick(400).force_n == pytest.approx((0.0, 2.0, 0.0))
 
 
 def test_messages_are_handled_while_the_alarm_is_on(alarm, rig):
     alarm.write_end.send(b"\x02")
     rig.tick()
-    rig.player.send(Word.QUIT)
+    rig.player.send(MessageKind.QUIT)
     rig.tick(2)
     assert rig.loop.is_over
 

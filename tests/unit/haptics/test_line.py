@@ -5,7 +5,7 @@ import socket
 import pytest
 
 from hapticplayer.errors import Message
-from hapticplayer.haptics.messages import MessageSocket, Word
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 
 
 @pytest.fixture
@@ -21,7 +21,7 @@ def ends():
 def test_messages_that_come_together_are_received_one_by_one(ends):
     player, loop = ends
     for number in range(9):
-        player.send(Word.FORGET, str(number))
+        player.send(MessageKind.FORGET, str(number))
     received = [loop.receive() for _ in range(9)]
     assert [message.text for message in received] == [str(n) for n in range(9)]
     assert loop.receive() is None
@@ -30,7 +30,7 @@ def test_messages_that_come_together_are_received_one_by_one(ends):
 
 def test_a_sentence_keeps_its_template_and_values(ends):
     player, loop = ends
-    loop.send(Word.LOST, Message("{device} is gone", device="falcon"))
+    loop.send(MessageKind.LOST, Message("{device} is gone", device="falcon"))
     text = player.receive().text
     assert (text, text.template) == ("falcon is gone", "{device} is gone")
 
@@ -40,4 +40,4 @@ def test_a_hung_up_line_is_noticed_at_the_next_call(ends):
     player.close()
     assert loop.receive() is None
     assert not loop.is_open
-    assert not loop.send(Word.READY, "fifo")
+    assert not loop.send(MessageKind.READY, "fifo")

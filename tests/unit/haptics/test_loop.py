@@ -11,7 +11,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.follower import CHECKED_PER_TICK
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
 from hapticplayer.haptics.loop import ZERO_TICKS_BEFORE_CLOSING
-from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.messages import MessageKind
 from hapticplayer.haptics.scheduling import CpuLatencyRequest
 from hapticplayer.haptics.track import anonymous_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
@@ -111,14 +111,14 @@ def test_stop_is_obeyed_at_the_next_tick(rig):
     rig.give_track(CONSTANT)
     rig.play()
     rig.tick(300)
-    rig.player.send(Word.STOP)
+    rig.player.send(MessageKind.STOP)
     state = rig.tick()
     assert (state.force_n, state.mode, state.cause) == (
         ZERO,
         Mode.TRIPPED,
         Cause.STOPPED,
     )
-    rig.player.send(Word.REARM)
+    rig.player.send(MessageKind.REARM)
     assert rig.tick(300).mode is Mode.FOLLOWING
 
 
@@ -131,7 +131,7 @@ def test_a_stop_also_drops_what_has_not_acted_yet(rig):
     rig.play(epoch=2)
     rig.tick(300)
     assert forgotten == []
-    rig.player.send(Word.STOP)
+    rig.player.send(MessageKind.STOP)
     rig.tick(20)
     assert forgotten == [600]
 
@@ -147,11 +147,11 @@ def test_a_closed_line_trips_at_the_next_tick(rig):
 
 def test_an_invalid_track_is_refused_and_the_loop_continues(rig):
     descriptor = anonymous_memory("bad", 10)
-    rig.player.send(Word.TRACK, "1", descriptor)
+    rig.player.send(MessageKind.TRACK, "1", descriptor)
     os.close(descriptor)
     rig.tick(2)
     message = rig.player.receive()
-    assert message.word is Word.FAILED
+    assert message.word is MessageKind.FAILED
     assert "does not match" in message.text
 
 
@@ -199,7 +199,7 @@ def test_processors_are_kept_awake_only_while_a_force_may_be_on(tmp_path):
     rig.block.beat(rig.clock.now_s() + 100.0)
     rig.tick(200)
     assert np.frombuffer(kernel.read_bytes(), "=i4").tolist() == [0]
-    rig.player.send(Word.STOP)
+    rig.player.send(MessageKind.STOP)
     rig.tick(200)
     rig.close()
     assert np.frombuffer(kernel.read_bytes(), "=i4").tolist() == [0, -1]

@@ -14,7 +14,7 @@ from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.follower import CHECKED_PER_TICK
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, Limits
-from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.messages import MessageKind
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock
@@ -70,7 +70,7 @@ class Rig(LoopRig):
     def give_bytes(self, data):
         descriptor = anonymous_memory("bad", len(data))
         os.pwrite(descriptor, data, 0)
-        self.player.send(Word.TRACK, "1", descriptor)
+        self.player.send(MessageKind.TRACK, "1", descriptor)
         os.close(descriptor)
 
     def distance_n(self, track):
@@ -157,7 +157,7 @@ def test_a_bad_version_is_refused_and_the_old_one_plays(play, data):
     assert {state.planned_n for state in rig.states} == {(0.0, 1.0, 0.0)}
     assert {state.mode for state in rig.states} == {Mode.FOLLOWING}
     message = rig.player.receive()
-    assert (message.word, "rejected" in message.text) == (Word.FAILED, True)
+    assert (message.word, "rejected" in message.text) == (MessageKind.FAILED, True)
     rig.give_track(constant(-1.0))
     rig.ticks_until(constant(-1.0))
 

@@ -10,7 +10,7 @@ from hapticplayer.haptics import loop as loops
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.guard import CHECK_PERIOD_S, Guard
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO
-from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.messages import MessageKind
 from hapticplayer.model import ForceTrack, PlaybackClock
 from tests.doubles import SimulatedFalcon
 from tests.rigs import LoopRig
@@ -84,7 +84,7 @@ def test_it_is_at_1_khz_again_before_the_first_force(rig):
 @pytest.mark.parametrize(
     ("fault", "cause"),
     [
-        (lambda rig: rig.player.send(Word.STOP), Cause.STOPPED),
+        (lambda rig: rig.player.send(MessageKind.STOP), Cause.STOPPED),
         (lambda rig: setattr(rig.device.simulation, "buttons", 1), Cause.GRIP_BUTTON),
         (lambda rig: rig.device.unplug(), Cause.UNPLUGGED),
     ],
@@ -101,9 +101,9 @@ def test_at_rest_a_trip_is_noticed_within_40_ms(rig, fault, cause):
 def test_a_tripped_loop_rests_and_can_be_armed_again(rig):
     acts = [
         (0.0, lambda: publish(rig, 1.0)),
-        (0.5, lambda: rig.player.send(Word.STOP)),
+        (0.5, lambda: rig.player.send(MessageKind.STOP)),
         (1.5, lambda: publish(rig, 0.0)),
-        (2.0, lambda: rig.player.send(Word.REARM)),
+        (2.0, lambda: rig.player.send(MessageKind.REARM)),
         (2.1, lambda: publish(rig, 1.0, epoch=2)),
     ]
     records, time_s = run(rig, acts, 3.0)

@@ -14,7 +14,7 @@ from hapticplayer.clock import ManualClock
 from hapticplayer.devices.rig.settings import rig_settings
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.messages import MessageSocket, Word
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.rig.guard import RigGuard
 from hapticplayer.haptics.rig.loop import REFUSED, SENT, RigLoop
 from hapticplayer.haptics.rig.step import CAPS, NEUTRAL_S, RAMP_S, TAKE_OVER_S
@@ -63,7 +63,7 @@ class Bench:
 
     def give(self, track, track_id=1):
         descriptor = to_shared_memory(track)
-        self.player.send(Word.TRACK, str(track_id), descriptor)
+        self.player.send(MessageKind.TRACK, str(track_id), descriptor)
         os.close(descriptor)
 
     def run(self, duration_s, track_id=1):
@@ -139,7 +139,7 @@ def seek(bench):
 
 
 def stop(bench):
-    bench.player.send(Word.STOP)
+    bench.player.send(MessageKind.STOP)
 
 
 def hang(bench):
@@ -151,7 +151,7 @@ def die(bench):
 
 
 def quit_it(bench):
-    bench.player.send(Word.QUIT)
+    bench.player.send(MessageKind.QUIT)
 
 
 def break_track(bench):
@@ -209,7 +209,7 @@ def test_a_trip_is_latched_until_a_person_re_arms(bench):
     bench.run(10.0)
     assert bench.state.mode is Mode.TRIPPED
     assert bench.run(5.0) == []
-    bench.player.send(Word.REARM)
+    bench.player.send(MessageKind.REARM)
     packets = bench.run(2.0)
     assert packets[0][1:] == (0.0, NEUTRAL)
     assert bench.state.mode is Mode.FOLLOWING
@@ -220,7 +220,7 @@ def test_re_arming_early_still_comes_to_rest_first(bench):
     stop(bench)
     begins_s = bench.clock.now_s()
     packets = bench.run(0.2)
-    bench.player.send(Word.REARM)
+    bench.player.send(MessageKind.REARM)
     packets += bench.run(5.0)
     again = [i for i, p in enumerate(packets) if p[1] == 0.0]
     assert_comes_to_rest(packets[: again[0]], begins_s)
@@ -259,7 +259,7 @@ def test_a_broken_network_trips_and_is_reported_once(bench):
     bench.run(1.0)
     assert (bench.state.mode, bench.state.cause) == (Mode.TRIPPED, Cause.UNPLUGGED)
     received = [message for _ in range(5) if (message := bench.player.receive())]
-    assert [message.word for message in received] == [Word.LOST]
+    assert [message.word for message in received] == [MessageKind.LOST]
 
 
 def guard_of(bench):

@@ -10,7 +10,7 @@ import pytest
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.haptics.messages import Word
+from hapticplayer.haptics.messages import MessageKind
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.playback.player import Player
@@ -165,7 +165,7 @@ def test_without_leave_the_player_and_the_loop_refuse():
         made.play_until(made.pushes)
         with pytest.raises(UsageError, match="simulated device that was opened"):
             process.inject(Fault.POSITION_NAN)
-        process._line.send(Word.FAULT, Fault.POSITION_NAN.value)  # all the same
+        process._line.send(MessageKind.FAULT, Fault.POSITION_NAN.value)  # all the same
         made.play_until(lambda _: bool(process.problem))
         assert "does not accept" in process.problem
         assert process.health is Health.READY
