@@ -9,7 +9,7 @@ from haptic_rig import DriverGrip
 
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.kinematics import Kinematics, OutOfReachError
-from hapticplayer.devices.falcon.link import NO_ANSWER, Freshness, updated
+from hapticplayer.devices.falcon.link import NO_ANSWER, StaleAnswerFilter, updated
 from hapticplayer.devices.falcon.protocol import ReplyParser
 from hapticplayer.devices.falcon.transport import open_falcon
 from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
@@ -28,7 +28,7 @@ class VirtualLink:
     def __init__(self, ftdi, clock, chip):
         self._ftdi, self._clock, self._chip = ftdi, clock, chip
         self._parser, self._answer, self._waiting = ReplyParser(), NO_ANSWER, None
-        self._freshness = Freshness()
+        self._freshness = StaleAnswerFilter()
 
     def post(self, frame):
         self._waiting = frame

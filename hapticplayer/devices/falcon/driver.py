@@ -12,8 +12,8 @@ from hapticplayer.devices.falcon import usbfs
 from hapticplayer.devices.falcon.firmware import (
     PATIENCE,
     FirmwareImage,
-    Patience,
     Progress,
+    RetryLimits,
     find_image,
     open_running,
 )
@@ -69,7 +69,7 @@ class Options:
 
     event_character: bool = False
     homing_bit_stays: bool = True
-    patience: Patience = PATIENCE
+    patience: RetryLimits = PATIENCE
 
 
 DEFAULTS = Options()

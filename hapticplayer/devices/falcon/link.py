@@ -43,7 +43,7 @@ class Answer(NamedTuple):
 NO_ANSWER = Answer(None, 0.0, 0)
 
 
-class Freshness:
+class StaleAnswerFilter:
     """Separates current answers from those that waited in the chip unread.
 
     What a stall of the bus leaves there would be taken for the place of the hand
@@ -170,7 +170,7 @@ class ThreadedLink:
 
     def _read(self) -> None:
         read, keep, now_s = self._ftdi.read, self._packets.append, self._clock.now_s
-        is_fresh, data, frames_to_wait = Freshness().accepts, b"", 1
+        is_fresh, data, frames_to_wait = StaleAnswerFilter().accepts, b"", 1
         while not self._is_stopping:
             if len(data) < PAYLOAD_BYTES:  # else there may be more
                 self._wait_for_frames(frames_to_wait)

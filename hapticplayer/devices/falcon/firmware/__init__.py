@@ -12,8 +12,8 @@ from hapticplayer.devices.falcon.firmware.image import (
 )
 from hapticplayer.devices.falcon.firmware.loader import (
     PATIENCE,
-    Patience,
     Progress,
+    RetryLimits,
     UploadError,
     is_running,
     open_running,
@@ -38,8 +38,8 @@ __all__ = [
     "FirmwareImage",
     "FirmwareMissingError",
     "MemoryBlock",
-    "Patience",
     "Progress",
+    "RetryLimits",
     "UnknownFirmwareError",
     "UploadError",
     "build_image",

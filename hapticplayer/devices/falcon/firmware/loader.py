@@ -32,7 +32,7 @@ Progress = Callable[[float], None]
 
 
 @dataclass(frozen=True, slots=True)
-class Patience:
+class RetryLimits:
     """How often and how long to try."""
 
     attempts: int = 10  # uploads, each on a newly opened device
@@ -49,7 +49,7 @@ class Patience:
     rest_s: float = 0.2  # between closing and opening
 
 
-PATIENCE = Patience()
+PATIENCE = RetryLimits()
 
 
 class UploadError(DeviceError):
@@ -60,7 +60,7 @@ def open_running(
     open_transport: OpenTransport,
     find_image: Callable[[], FirmwareImage],
     clock: Clock,
-    patience: Patience = PATIENCE,
+    patience: RetryLimits = PATIENCE,
     progress: Progress | None = None,
 ) -> Ftdi:
     """Return an open Falcon whose firmware runs, loading it where necessary.
@@ -105,7 +105,7 @@ def open_running(
     ) from problem
 
 
-def is_running(ftdi: Ftdi, clock: Clock, patience: Patience = PATIENCE) -> bool:
+def is_running(ftdi: Ftdi, clock: Clock, patience: RetryLimits = PATIENCE) -> bool:
     """Whether the firmware answers; the frames that ask are without force."""
     ftdi.set_latency(1)
     ftdi.set_baud(RUN_BAUD)
@@ -125,7 +125,7 @@ def upload(
     ftdi: Ftdi,
     image: FirmwareImage,
     clock: Clock,
-    patience: Patience = PATIENCE,
+    patience: RetryLimits = PATIENCE,
     progress: Progress | None = None,
 ) -> None:
     """Load the firmware into a Falcon that has none, once.
@@ -153,7 +153,7 @@ def _nobody_looks(_part: float) -> None:
 
 
 def _say_hello(
-    ftdi: Ftdi, clock: Clock, patience: Patience, progress: Progress
+    ftdi: Ftdi, clock: Clock, patience: RetryLimits, progress: Progress
 ) -> None:
     """Reset the processors by the line DTR and wait for the one that boots."""
     ftdi.set_event_character(b"")
@@ -176,7 +176,7 @@ def _say_hello(
     raise UploadError("its boot processor does not answer")
 
 
-def _find_the_rate(ftdi: Ftdi, clock: Clock, patience: Patience) -> None:
+def _find_the_rate(ftdi: Ftdi, clock: Clock, patience: RetryLimits) -> None:
     """Change to the loader's rate, which the loader takes from one letter."""
     ftdi.set_dtr(is_high=False)
     ftdi.set_baud(LOADER_BAUD)
