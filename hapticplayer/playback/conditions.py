@@ -7,7 +7,7 @@ from pathlib import Path
 from hapticplayer.errors import UsageError
 from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.rendering import Ingredients, chosen_feedback, condition_named
+from hapticplayer.rendering import ConditionInputs, chosen_feedback, condition_named
 from hapticplayer.rendering.condition import Value
 
 Other = Callable[[str], ForceTrack]
@@ -74,7 +74,7 @@ def feedback_track(
             title=source.title,
             name=name,
         )
-    of = Ingredients(
+    of = ConditionInputs(
         realistic,
         rendered=lambda preset, effects: _rendered(source, preset, effects=effects),
         other=other or _of_folder,

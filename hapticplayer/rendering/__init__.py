@@ -5,8 +5,8 @@ A pure room: no I/O, no threads, no clocks.
 
 from hapticplayer.rendering.condition import (
     ChosenFeedback,
+    ConditionInputs,
     FeedbackCondition,
-    Ingredients,
     Parameter,
     ParameterKind,
 )
@@ -33,8 +33,8 @@ __all__ = [
     "FEEDBACKS",
     "LEVER_ARMS_M",
     "ChosenFeedback",
+    "ConditionInputs",
     "FeedbackCondition",
-    "Ingredients",
     "Parameter",
     "ParameterKind",
     "RigStep",

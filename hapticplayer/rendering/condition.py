@@ -80,7 +80,7 @@ def _unavailable(*_wanted: object) -> ForceTrack:
 
 
 @dataclass(frozen=True, slots=True)
-class Ingredients:
+class ConditionInputs:
     """What tracks are made of.
 
     Attributes:
@@ -161,7 +161,7 @@ class FeedbackCondition:
             known=known,
         )
 
-    def track(self, of: Ingredients, given: Mapping[str, Value]) -> ForceTrack:
+    def track(self, of: ConditionInputs, given: Mapping[str, Value]) -> ForceTrack:
         """Return the track; parameters that are not given have their defaults."""
         values = {one.name: one.default for one in self.parameters}
         return self.make(of, **values | dict(given))

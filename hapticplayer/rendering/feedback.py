@@ -10,8 +10,8 @@ from hapticplayer.errors import Message
 from hapticplayer.model import Feedback, ForceTrack, PresetName, Reconstruction, ranges
 from hapticplayer.rendering.condition import (
     ChosenFeedback,
+    ConditionInputs,
     FeedbackCondition,
-    Ingredients,
     Parameter,
     ParameterKind,
     pairs_of,
@@ -91,12 +91,12 @@ _EFFECTS = Parameter(
 )
 
 
-def _realistic(of: Ingredients, preset: str, effects: str) -> ForceTrack:
+def _realistic(of: ConditionInputs, preset: str, effects: str) -> ForceTrack:
     is_other = preset or effects
     return of.rendered(preset, not effects) if is_other else of.realistic
 
 
-def _shuffled(ingredients: Ingredients, of: str) -> ForceTrack:
+def _shuffled(ingredients: ConditionInputs, of: str) -> ForceTrack:
     return shuffled(ingredients.realistic, ingredients.other(of))
 
 

@@ -132,7 +132,10 @@ def set_mapping(
     )
     tracks = {
         condition.name: condition.track(
-            rendering.Ingredients(realistic, _seed(sequence.tracks[condition.name])), {}
+            rendering.ConditionInputs(
+                realistic, _seed(sequence.tracks[condition.name])
+            ),
+            {},
         )
         for condition in rendering.FEEDBACKS
         if condition.is_stored and condition.name in sequence.tracks

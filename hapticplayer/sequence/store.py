@@ -21,7 +21,7 @@ from hapticplayer.model import (
     Sampling,
     rendered_feedback,
 )
-from hapticplayer.rendering import FEEDBACKS, Ingredients, effects
+from hapticplayer.rendering import FEEDBACKS, ConditionInputs, effects
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence import files
 from hapticplayer.sequence.description import (
@@ -409,7 +409,7 @@ def _read_tracks(
     realistic = tracks[rendered_feedback(tracks)]
     for condition in FEEDBACKS:
         if condition.is_made_at_opening:
-            tracks[condition.name] = condition.track(Ingredients(realistic), {})
+            tracks[condition.name] = condition.track(ConditionInputs(realistic), {})
     order = [condition.name for condition in FEEDBACKS]
     return dict(sorted(tracks.items(), key=lambda i: [*order, i[0]].index(i[0])))
 

@@ -141,7 +141,7 @@ def _render(
         seed = int.from_bytes(hashlib.sha256(clip_hash.encode()).digest()[:4], "big")
     other = Feedback.REALISTIC if track.is_estimated else Feedback.ESTIMATED
     return mapping, {
-        condition.name: condition.track(rendering.Ingredients(rendered, seed), {})
+        condition.name: condition.track(rendering.ConditionInputs(rendered, seed), {})
         for condition in rendering.FEEDBACKS
         if condition.is_stored and condition.name != other
     }

@@ -10,7 +10,7 @@ from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.rendering import (
     FEEDBACKS,
-    Ingredients,
+    ConditionInputs,
     chosen_feedback,
     condition_named,
 )
@@ -25,7 +25,7 @@ def noise(rng, seconds, rms_n=(0.5, 1.0, 0.1), start_s=0.0):
 def made(text, of, **more):
     chosen = chosen_feedback(text)
     return condition_named(chosen.name).track(
-        Ingredients(of, **more), chosen.parameters
+        ConditionInputs(of, **more), chosen.parameters
     )
 
 
