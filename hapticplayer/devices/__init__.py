@@ -56,7 +56,7 @@ class HapticDevice(Protocol):
 
 
 @runtime_checkable
-class Delayed(Protocol):
+class DelayedDevice(Protocol):
     """A device that acts so much later that a stop must not wait for it."""
 
     def forget(self) -> None:

@@ -5,7 +5,7 @@ import math
 from dataclasses import dataclass, field
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import Delayed, HapticDevice
+from hapticplayer.devices import DelayedDevice, HapticDevice
 from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import Centring
@@ -110,7 +110,7 @@ class Loop(TrackFollower):
             self.block.beat_loop(0.0)  # the guard has no force to watch over
 
     def _note_mode(self, mode: Mode) -> None:
-        if mode is Mode.TRIPPED and isinstance(self.device, Delayed):
+        if mode is Mode.TRIPPED and isinstance(self.device, DelayedDevice):
             self.device.forget()
         if self.cpu_latency is not None:
             self.cpu_latency.set_active(is_active=mode not in _RESTING)
