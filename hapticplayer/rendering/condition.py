@@ -119,7 +119,7 @@ class FeedbackCondition:
     Attributes:
         name: in files and on the command line.
         text: for people.
-        make: returns the track; called with the ingredients and every parameter.
+        make: returns the track; called with the inputs and every parameter.
         meaning: what it is, in a few words.
         parameters: that `make` takes.
         is_stored: whether a sequence keeps the track in a file of its own.

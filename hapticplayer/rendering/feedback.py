@@ -96,8 +96,8 @@ def _realistic(of: ConditionInputs, preset: str, effects: str) -> ForceTrack:
     return of.rendered(preset, not effects) if is_other else of.realistic
 
 
-def _shuffled(ingredients: ConditionInputs, of: str) -> ForceTrack:
-    return shuffled(ingredients.realistic, ingredients.other(of))
+def _shuffled(inputs: ConditionInputs, of: str) -> ForceTrack:
+    return shuffled(inputs.realistic, inputs.other(of))
 
 
 FEEDBACKS: tuple[FeedbackCondition, ...] = (

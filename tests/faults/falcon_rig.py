@@ -28,7 +28,7 @@ class VirtualLink:
     def __init__(self, ftdi, clock, chip):
         self._ftdi, self._clock, self._chip = ftdi, clock, chip
         self._parser, self._answer, self._waiting = ReplyParser(), NO_ANSWER, None
-        self._freshness = StaleAnswerFilter()
+        self._answer_filter = StaleAnswerFilter()
 
     def post(self, frame):
         self._waiting = frame
@@ -39,7 +39,7 @@ class VirtualLink:
         while self._chip.due_s() <= self._clock.now_s() and not self._is_stalled():
             data = self._ftdi.read(PERIOD_S)
             now_s = self._clock.now_s()
-            if self._freshness.accepts(data, now_s):
+            if self._answer_filter.accepts(data, now_s):
                 self._answer = updated(self._answer, self._parser, data, now_s)
         return self._answer
 

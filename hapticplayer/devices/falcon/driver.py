@@ -10,7 +10,7 @@ from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.descriptor_passing import hand_over
 from hapticplayer.devices.falcon import usbfs
 from hapticplayer.devices.falcon.firmware import (
-    PATIENCE,
+    RETRY_LIMITS,
     FirmwareImage,
     Progress,
     RetryLimits,
@@ -64,12 +64,12 @@ class Options:
             driver does it.
         homing_bit_stays: keep asking for homing when it is done. libnifalcon says
             so; traces of the vendor's driver show it clear.
-        patience: of the firmware's loader.
+        retry: limits of the firmware's loader.
     """
 
     event_character: bool = False
     homing_bit_stays: bool = True
-    patience: RetryLimits = PATIENCE
+    retry: RetryLimits = RETRY_LIMITS
 
 
 DEFAULTS = Options()
@@ -139,7 +139,7 @@ class FalconDriver:
                 self._open_transport,
                 self._image,
                 self._clock,
-                self._options.patience,
+                self._options.retry,
                 progress,
             )
             self._session = _Session(ftdi, Tracker(self._kinematics))

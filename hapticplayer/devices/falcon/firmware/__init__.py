@@ -11,7 +11,7 @@ from hapticplayer.devices.falcon.firmware.image import (
     parse_image,
 )
 from hapticplayer.devices.falcon.firmware.loader import (
-    PATIENCE,
+    RETRY_LIMITS,
     Progress,
     RetryLimits,
     UploadError,
@@ -34,7 +34,7 @@ __all__ = [
     "KNOWN_IMAGES",
     "LICENCE_NOTE",
     "OVERRIDE",
-    "PATIENCE",
+    "RETRY_LIMITS",
     "FirmwareImage",
     "FirmwareMissingError",
     "MemoryBlock",

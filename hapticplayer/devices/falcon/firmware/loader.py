@@ -49,7 +49,7 @@ class RetryLimits:
     rest_s: float = 0.2  # between closing and opening
 
 
-PATIENCE = RetryLimits()
+RETRY_LIMITS = RetryLimits()
 
 
 class UploadError(DeviceError):
@@ -60,7 +60,7 @@ def open_running(
     open_transport: OpenTransport,
     find_image: Callable[[], FirmwareImage],
     clock: Clock,
-    patience: RetryLimits = PATIENCE,
+    retry: RetryLimits = RETRY_LIMITS,
     progress: Progress | None = None,
 ) -> Ftdi:
     """Return an open Falcon whose firmware runs, loading it where necessary.
@@ -75,22 +75,22 @@ def open_running(
     """
     ftdi = Ftdi(open_transport())
     try:
-        if is_running(ftdi, clock, patience):
+        if is_running(ftdi, clock, retry):
             return ftdi
         image = find_image()
     except DeviceError:
         ftdi.close()
         raise
     problem: DeviceError | None = None
-    for attempt in range(patience.attempts):
+    for attempt in range(retry.attempts):
         try:
             if attempt:
                 ftdi = Ftdi(open_transport())
-            upload(ftdi, image, clock, patience, progress)
+            upload(ftdi, image, clock, retry, progress)
         except DeviceError as failure:
             ftdi.close()
             problem = failure
-            clock.sleep_until(clock.now_s() + patience.rest_s)
+            clock.sleep_until(clock.now_s() + retry.rest_s)
         except Cancelled:
             ftdi.close()
             raise
@@ -100,21 +100,21 @@ def open_running(
         "the Falcon did not start in {attempts} attempts (the last: "
         "{reason}); unplug its power and USB, plug both in, if you can "
         "without a hub, and try again",
-        attempts=patience.attempts,
+        attempts=retry.attempts,
         reason=problem,
     ) from problem
 
 
-def is_running(ftdi: Ftdi, clock: Clock, patience: RetryLimits = PATIENCE) -> bool:
+def is_running(ftdi: Ftdi, clock: Clock, retry: RetryLimits = RETRY_LIMITS) -> bool:
     """Whether the firmware answers; the frames that ask are without force."""
     ftdi.set_latency(1)
     ftdi.set_baud(RUN_BAUD)
     ftdi.set_format()
     ftdi.purge()
     parser = ReplyParser()
-    for _ in range(patience.probes):
-        ftdi.write(ZERO_FRAME, patience.probe_s)
-        deadline_s = clock.now_s() + patience.probe_s
+    for _ in range(retry.probes):
+        ftdi.write(ZERO_FRAME, retry.probe_s)
+        deadline_s = clock.now_s() + retry.probe_s
         while (left_s := deadline_s - clock.now_s()) > 0.0:
             if parser.feed(ftdi.read(left_s)):
                 return True
@@ -125,7 +125,7 @@ def upload(
     ftdi: Ftdi,
     image: FirmwareImage,
     clock: Clock,
-    patience: RetryLimits = PATIENCE,
+    retry: RetryLimits = RETRY_LIMITS,
     progress: Progress | None = None,
 ) -> None:
     """Load the firmware into a Falcon that has none, once.
@@ -135,16 +135,16 @@ def upload(
         DeviceError: when it is gone.
     """
     progress = progress or _nobody_looks
-    _say_hello(ftdi, clock, patience, progress)
-    _find_the_rate(ftdi, clock, patience)
+    _say_hello(ftdi, clock, retry, progress)
+    _find_the_rate(ftdi, clock, retry)
     data = image.data
     for start in range(0, len(data), PAYLOAD_BYTES):
         block = data[start : start + PAYLOAD_BYTES]
         _send_with_echo(
-            ftdi, block, clock, patience.echo_s, Message("byte {number}", number=start)
+            ftdi, block, clock, retry.echo_s, Message("byte {number}", number=start)
         )
         progress((start + len(block)) / len(data))
-    if not is_running(ftdi, clock, patience):
+    if not is_running(ftdi, clock, retry):
         raise UploadError("the firmware was loaded and does not answer")
 
 
@@ -153,7 +153,7 @@ def _nobody_looks(_part: float) -> None:
 
 
 def _say_hello(
-    ftdi: Ftdi, clock: Clock, patience: RetryLimits, progress: Progress
+    ftdi: Ftdi, clock: Clock, retry: RetryLimits, progress: Progress
 ) -> None:
     """Reset the processors by the line DTR and wait for the one that boots."""
     ftdi.set_event_character(b"")
@@ -165,10 +165,10 @@ def _say_hello(
     ftdi.set_dtr(is_high=False)
     ftdi.set_dtr(is_high=True)
     heard = b""
-    for _ in range(patience.hellos):
+    for _ in range(retry.hellos):
         progress(0.0)  # here, too, a person may have had enough
-        ftdi.write(HELLO, patience.hello_s)
-        deadline_s = clock.now_s() + patience.hello_s
+        ftdi.write(HELLO, retry.hello_s)
+        deadline_s = clock.now_s() + retry.hello_s
         while (left_s := deadline_s - clock.now_s()) > 0.0:
             heard = heard[-PAYLOAD_BYTES:] + ftdi.read(left_s)
             if HELLO_ANSWER in heard:
@@ -176,17 +176,17 @@ def _say_hello(
     raise UploadError("its boot processor does not answer")
 
 
-def _find_the_rate(ftdi: Ftdi, clock: Clock, patience: RetryLimits) -> None:
+def _find_the_rate(ftdi: Ftdi, clock: Clock, retry: RetryLimits) -> None:
     """Change to the loader's rate, which the loader takes from one letter."""
     ftdi.set_dtr(is_high=False)
     ftdi.set_baud(LOADER_BAUD)
-    deadline_s = clock.now_s() + patience.clear_to_send_s
+    deadline_s = clock.now_s() + retry.clear_to_send_s
     late = b""
     while (left_s := deadline_s - clock.now_s()) > 0.0:
         late = ftdi.read(left_s)
         if ftdi.is_clear_to_send and not late:
             break
-    _send_with_echo(ftdi, AUTOBAUD, clock, patience.echo_s, Message("the letter A"))
+    _send_with_echo(ftdi, AUTOBAUD, clock, retry.echo_s, Message("the letter A"))
 
 
 def _send_with_echo(

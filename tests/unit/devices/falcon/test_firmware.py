@@ -19,7 +19,7 @@ from hapticplayer.devices.falcon.firmware import image as image_module
 from hapticplayer.errors import Cancelled, DeviceError, UsageError
 from hapticplayer.simulation.usb.board import Stage
 
-QUICK = replace(firmware.PATIENCE, attempts=3)
+QUICK = replace(firmware.RETRY_LIMITS, attempts=3)
 
 
 def test_an_image_is_read_as_the_boot_rom_reads_it():
@@ -152,9 +152,9 @@ def test_the_licence_note_says_whose_it_is():
         assert word in firmware.LICENCE_NOTE
 
 
-def start(bench, patience=QUICK, progress=None):
+def start(bench, retry=QUICK, progress=None):
     return firmware.open_running(
-        bench.open, lambda: bench.image, bench.clock, patience, progress
+        bench.open, lambda: bench.image, bench.clock, retry, progress
     )
 
 
