@@ -22,7 +22,7 @@ from tools.pages.stage import Pictures, Stage
 WIDTH_PX, HEIGHT_PX = 1280, 800
 AT_S, PLAYED_MS = 4.0, 2500  # of the demo: the plots have something to show
 LATEST_S = 9.0  # then it continues from there
-STEADY, RETRY_LIMITS = 10, 200  # looks: the whole window knows; a machine is too slow
+STEADY, MOST_LOOKS = 10, 200  # until the whole window is up to date; on a slow machine
 
 
 def pictures(stage: Stage) -> Pictures:
@@ -108,7 +108,7 @@ def _with_force(stage: Stage, window: PlayerWindow) -> QPixmap:
             player.seek(AT_S)
         latest = player.snapshot().tick
         felt.append(latest is not None and int(latest["mode"]) == Mode.FOLLOWING)
-        return all(felt[-STEADY:]) or len(felt) > RETRY_LIMITS
+        return all(felt[-STEADY:]) or len(felt) > MOST_LOOKS
 
     stage.wait_until(is_steady)
     return window.grab()
