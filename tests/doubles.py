@@ -6,7 +6,7 @@ from hapticplayer.devices.falcon.protocol import MotorCommand, Reply, Words
 from hapticplayer.devices.paced import Port
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceReading, Vector
-from hapticplayer.simulation.falcon.packets import Act, Control
+from hapticplayer.simulation.falcon.packets import Control, ScriptedEvent
 from hapticplayer.simulation.falcon.parameters import Electronics
 from hapticplayer.simulation.falcon.plant import ZERO
 from hapticplayer.simulation.falcon.simulation import Simulation
@@ -77,7 +77,7 @@ class SimulatedFalcon:
 
     def press(self, buttons: int) -> None:
         """Press the buttons of this bit mask, and release the others."""
-        self.simulation.act(Control(Act.BUTTONS, buttons))
+        self.simulation.act(Control(ScriptedEvent.BUTTONS, buttons))
 
     def unplug(self) -> None:
         """From now on every exchange raises DeviceError."""

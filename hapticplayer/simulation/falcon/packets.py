@@ -31,7 +31,7 @@ class ForceCommand(NamedTuple):
     force_n: Vector
 
 
-class Act(enum.IntEnum):
+class ScriptedEvent(enum.IntEnum):
     """Something that a test makes happen to the device; `value` says how much."""
 
     HELLO = 0  # nothing happens; asks whether anybody is there
@@ -45,9 +45,9 @@ class Act(enum.IntEnum):
 
 
 class Control(NamedTuple):
-    """One act."""
+    """One event, with how much of it."""
 
-    act: Act
+    event: ScriptedEvent
     value: float = 0.0
 
 
@@ -69,12 +69,12 @@ def pack_reply(serial: int, reading: DeviceReading) -> bytes:
 
 
 def pack_control(control: Control) -> bytes:
-    """Return the bytes of an act."""
-    return _sealed(_CONTROL.pack(_CONTROL_MAGIC, 0, control.value, control.act))
+    """Return the bytes of an event."""
+    return _sealed(_CONTROL.pack(_CONTROL_MAGIC, 0, control.value, control.event))
 
 
 def unpack(data: bytes) -> Packet | None:
-    """Return the command or act in the bytes, or None if they make no sense.
+    """Return the command or event in the bytes, or None if they make no sense.
 
     None covers another size, kind or checksum, and numbers that are not finite.
     """
@@ -87,9 +87,9 @@ def unpack(data: bytes) -> Packet | None:
         is_finite = math.isfinite(stamp_s + x + y + z)
         return ForceCommand(serial, stamp_s, (x, y, z)) if is_finite else None
     if kind == _CONTROL_MAGIC and size == _CONTROL.size:
-        _, _, value, act = _CONTROL.unpack(body)
-        known = act in Act.__members__.values() and math.isfinite(value)
-        return Control(Act(act), value) if known else None
+        _, _, value, event = _CONTROL.unpack(body)
+        known = event in ScriptedEvent.__members__.values() and math.isfinite(value)
+        return Control(ScriptedEvent(event), value) if known else None
     return None
 
 

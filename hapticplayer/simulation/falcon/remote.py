@@ -14,8 +14,8 @@ from hapticplayer.model.device import DeviceReading, Vector
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
     SERIAL_MASK,
-    Act,
     Control,
+    ScriptedEvent,
     command_bytes,
     pack_control,
     read_reply,
@@ -54,7 +54,7 @@ class RemoteFalcon:
         Raises:
             DeviceError: when there is no device at the other end, or it does not answer.
         """
-        hello = pack_control(Control(Act.HELLO))
+        hello = pack_control(Control(ScriptedEvent.HELLO))
         if not _write(self._send, hello):
             raise _unplugged()
         waiting = select.poll()
@@ -156,38 +156,38 @@ class Controls:
 
     def let_go(self) -> None:
         """Take the hand away."""
-        self._send(Act.LET_GO)
+        self._send(ScriptedEvent.LET_GO)
 
     def grasp(self) -> None:
         """Put the hand back, where the grip is."""
-        self._send(Act.GRASP)
+        self._send(ScriptedEvent.GRASP)
 
     def press(self, buttons: int) -> None:
         """Press the buttons of this bit mask, and release the others."""
-        self._send(Act.BUTTONS, buttons)
+        self._send(ScriptedEvent.BUTTONS, buttons)
 
     def unplug(self) -> None:
         """End the device without a word."""
-        self._send(Act.UNPLUG)
+        self._send(ScriptedEvent.UNPLUG)
 
     def stall(self, duration_s: float) -> None:
         """Let the device neither listen nor answer for so long."""
-        self._send(Act.STALL, duration_s)
+        self._send(ScriptedEvent.STALL, duration_s)
 
     def corrupt(self, count: int) -> None:
         """Falsify the next replies."""
-        self._send(Act.CORRUPT, count)
+        self._send(ScriptedEvent.CORRUPT, count)
 
     def lose_homing(self) -> None:
         """Let the device say from now on that its position means nothing."""
-        self._send(Act.LOSE_HOMING)
+        self._send(ScriptedEvent.LOSE_HOMING)
 
     def close(self) -> None:
         """Hang up."""
         self._end.close()
 
-    def _send(self, act: Act, value: float = 0.0) -> None:
-        if not _write(self._end.send, pack_control(Control(act, value))):
+    def _send(self, event: ScriptedEvent, value: float = 0.0) -> None:
+        if not _write(self._end.send, pack_control(Control(event, value))):
             raise _unplugged()
 
 

@@ -6,9 +6,9 @@ import socket
 from hapticplayer.clock import Clock
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
-    Act,
     Control,
     ForceCommand,
+    ScriptedEvent,
     pack_reply,
     unpack,
 )
@@ -136,15 +136,15 @@ class Server:
 
     def _act(self, control: Control, now_s: float) -> None:
         self._simulation.advance(now_s)
-        if control.act is Act.HELLO:
+        if control.event is ScriptedEvent.HELLO:
             self._reply(0, now_s)
-        elif control.act is Act.UNPLUG:
+        elif control.event is ScriptedEvent.UNPLUG:
             self.is_over = True
             self._line.close()
-        elif control.act is Act.STALL:
+        elif control.event is ScriptedEvent.STALL:
             self._deaf_until_s = now_s + control.value
             self._poll = self._watching()
-        elif control.act is Act.CORRUPT:
+        elif control.event is ScriptedEvent.CORRUPT:
             self._corrupt = int(control.value)
         else:
             self._simulation.act(control)

@@ -7,7 +7,7 @@ from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import RELAXED, Hand, Mechanism
 from hapticplayer.model.device import DeviceReading, Vector
 from hapticplayer.simulation.falcon.kinematics import PlantKinematics
-from hapticplayer.simulation.falcon.packets import Act, Control
+from hapticplayer.simulation.falcon.packets import Control, ScriptedEvent
 from hapticplayer.simulation.falcon.parameters import Electronics, PlantGeometry
 from hapticplayer.simulation.falcon.plant import MAX_STEP_S, ZERO, Energy, Plant
 
@@ -121,13 +121,13 @@ class Simulation:
 
     def act(self, control: Control) -> None:
         """Do what concerns hand, buttons and homing; other acts are not for here."""
-        if control.act is Act.LET_GO:
+        if control.event is ScriptedEvent.LET_GO:
             self.let_go()
-        elif control.act is Act.GRASP:
+        elif control.event is ScriptedEvent.GRASP:
             self.grasp()
-        elif control.act is Act.BUTTONS:
+        elif control.event is ScriptedEvent.BUTTONS:
             self.buttons = int(control.value)
-        elif control.act is Act.LOSE_HOMING:
+        elif control.event is ScriptedEvent.LOSE_HOMING:
             self.is_homed = False
 
     def let_go(self) -> None:

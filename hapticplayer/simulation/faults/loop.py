@@ -13,8 +13,8 @@ _NANS: Vector = (math.nan, math.nan, math.nan)
 _DELAYS_S = {Fault.LOOP_LATE: LATE_S, Fault.LOOP_LOST: LOST_S}
 
 
-class _Poisoned:
-    """A track whose numbers are none."""
+class _NonFiniteTrack:
+    """A track of NaN."""
 
     end_s = math.inf
 
@@ -57,7 +57,7 @@ class FaultyLoop(Loop):
             self._track, self._sound = self._sound, None
         super()._read_clock(count)
         if self._track is not None and self._is_due(Fault.FORCE_NAN):
-            self._sound, self._track = self._track, _Poisoned()  # type: ignore[assignment]
+            self._sound, self._track = self._track, _NonFiniteTrack()  # type: ignore[assignment]
 
     def _exchange(self, force_n: Vector, now_s: float) -> None:
         if self._is_due(Fault.STALE_COMMAND):

@@ -38,7 +38,7 @@ TREE_KINDS = (1, 2, 3)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Standing:
+class RoadsideSprites:
     """The N things beside the road, drawn as upright sprites of the kinds given."""
 
     foot_m: Floats
@@ -118,7 +118,9 @@ def _between(field: Floats, rows: Grid, columns: Grid) -> Grid:
     return np.ascontiguousarray(field, dtype=np.float32)
 
 
-def plant(route: Route, look: Surroundings, rng: np.random.Generator) -> Standing:
+def plant(
+    route: Route, look: Surroundings, rng: np.random.Generator
+) -> RoadsideSprites:
     """Return posts on both sides, and trees behind them; nothing on the road."""
     aside_m = look.road_half_m + look.verge_m
     things: list[tuple[float, float, float, int]] = []
@@ -136,7 +138,7 @@ def plant(route: Route, look: Surroundings, rng: np.random.Generator) -> Standin
     foot = route.middle_m[rows] + aside[:, None] * route.left[rows]
     clear = route.away_m(foot) > aside_m
     foot = np.column_stack([foot, np.zeros(len(foot))])
-    return Standing(foot[clear], height[clear], kinds[clear].astype(np.intp))
+    return RoadsideSprites(foot[clear], height[clear], kinds[clear].astype(np.intp))
 
 
 def _lengths(points: Floats) -> Floats:

@@ -16,9 +16,9 @@ from hapticplayer.haptics.scheduling import outlive_the_player
 from hapticplayer.simulation.falcon.options import device_parser
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
-    Act,
     Control,
     ForceCommand,
+    ScriptedEvent,
     unpack,
 )
 from hapticplayer.simulation.falcon.parameters import Electronics
@@ -94,17 +94,17 @@ class Process:
         return False
 
     def _acts(self, control: Control, now_s: float) -> bool:
-        if control.act is Act.HELLO:
+        if control.event is ScriptedEvent.HELLO:
             port = self._server.socket.getsockname()[1]
             self._ends[0].send(str(port).encode())
-        elif control.act is Act.STALL:
+        elif control.event is ScriptedEvent.STALL:
             self._deaf_until_s = now_s + control.value
-        elif control.act is Act.CORRUPT:
+        elif control.event is ScriptedEvent.CORRUPT:
             self._service.corrupt = int(control.value)
         else:
             self._service.simulation.advance(now_s)
             self._service.simulation.act(control)
-        return control.act is Act.UNPLUG
+        return control.event is ScriptedEvent.UNPLUG
 
     def _pass(self, now_s: float) -> None:
         self._service.simulation.advance(now_s)

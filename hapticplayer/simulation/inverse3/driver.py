@@ -10,7 +10,7 @@ from hapticplayer.devices.inverse3.driver import (
 )
 from hapticplayer.devices.websocket import Connection
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.falcon.packets import Act, Control, pack_control
+from hapticplayer.simulation.falcon.packets import Control, ScriptedEvent, pack_control
 
 PATIENCE_S = 10.0
 _MOST_BYTES = 64
@@ -30,7 +30,7 @@ class _Connecting:
 
     def __call__(self) -> ServiceConnection:
         try:
-            os.write(self._descriptor, pack_control(Control(Act.HELLO)))
+            os.write(self._descriptor, pack_control(Control(ScriptedEvent.HELLO)))
             while select.select([self._descriptor], [], [], PATIENCE_S)[0]:
                 answer = os.read(self._descriptor, _MOST_BYTES)
                 if answer.isdigit():

@@ -45,7 +45,7 @@ _DRIVER_EYE_M = (-0.38, 0.25, 1.22)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Ridden:
+class _ScriptedRide:
     """What a script gives, on the ride's own time (0 when the logger starts)."""
 
     trajectory: Trajectory
@@ -55,7 +55,7 @@ class _Ridden:
     stairs_m: tuple[float, ...] = ()
 
 
-Script = Callable[[np.random.Generator, float, float], _Ridden]
+Script = Callable[[np.random.Generator, float, float], _ScriptedRide]
 """Makes a ride from a generator, the time at which it starts and its whole length."""
 
 
@@ -107,7 +107,7 @@ def _steering(path: Path, vehicle: Vehicle) -> Floats | None:
     return np.asarray(np.arctan(_WHEELBASE_M[vehicle] * path.lateral_mps2 / speed**2))
 
 
-def _bike(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+def _bike(rng: np.random.Generator, start_s: float, length_s: float) -> _ScriptedRide:
     """A cycle path: low vertical shaking, gentle bends, one stop on the way."""
     drive = Drive(edge_s=1.3)  # a bicycle leans before it turns
     drive.stand(start_s, engine_off=True)
@@ -123,10 +123,10 @@ def _bike(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
         drive.cruise(rng.uniform(1.0, 2.5))
     drive.change_speed(0.0, 2.2)
     bike = replace(BICYCLE, ground_mps2=1.2, edges_s=0.0)
-    return _Ridden(ride_bike(drive, bike, rng, length_s), drive.path(length_s))
+    return _ScriptedRide(ride_bike(drive, bike, rng, length_s), drive.path(length_s))
 
 
-def _horse(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+def _horse(rng: np.random.Generator, start_s: float, length_s: float) -> _ScriptedRide:
     """Walk, trot, canter, trot and a halt, with wide bends."""
     drive = Drive(edge_s=0.8)
     drive.stand(start_s, engine_off=True)
@@ -141,17 +141,19 @@ def _horse(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden
     drive.cruise(2.0)
     drive.change_speed(0.0, 0.9)
     ridden = ride_horse(drive, rng, length_s)
-    return _Ridden(
+    return _ScriptedRide(
         ridden.trajectory, drive.path(length_s), ridden.footfalls, ridden.nod_rad
     )
 
 
-def _car(drive: Drive, rng: np.random.Generator, length_s: float) -> _Ridden:
+def _car(drive: Drive, rng: np.random.Generator, length_s: float) -> _ScriptedRide:
     car = Car(road_mps2=0.3, camera_m=_DRIVER_EYE_M)
-    return _Ridden(drive_car(drive, car, rng, length_s), drive.path(length_s))
+    return _ScriptedRide(drive_car(drive, car, rng, length_s), drive.path(length_s))
 
 
-def _car_turning(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+def _car_turning(
+    rng: np.random.Generator, start_s: float, length_s: float
+) -> _ScriptedRide:
     """Twice around a roundabout: strong lateral acceleration for a long time."""
     drive = Drive(edge_s=0.7)
     drive.stand(start_s, engine_off=False)
@@ -166,7 +168,9 @@ def _car_turning(rng: np.random.Generator, start_s: float, length_s: float) -> _
     return _car(drive, rng, length_s)
 
 
-def _car_braking(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+def _car_braking(
+    rng: np.random.Generator, start_s: float, length_s: float
+) -> _ScriptedRide:
     """Three times up to town speed and down again, as hard as a driver brakes."""
     drive = Drive(edge_s=0.35)
     drive.stand(start_s, engine_off=False)
@@ -185,12 +189,16 @@ def _standing(
     angles_rad: Floats,
     length_s: float,
     impacts_s: tuple[tuple[float, float], ...] = (),
-) -> _Ridden:
+) -> _ScriptedRide:
     path = Drive().path(length_s)
-    return _Ridden(Trajectory(path.time_s, position_m, angles_rad, impacts_s), path)
+    return _ScriptedRide(
+        Trajectory(path.time_s, position_m, angles_rad, impacts_s), path
+    )
 
 
-def _still(_rng: np.random.Generator, _start_s: float, length_s: float) -> _Ridden:
+def _still(
+    _rng: np.random.Generator, _start_s: float, length_s: float
+) -> _ScriptedRide:
     """A tripod: nothing moves but for the pats."""
     count = len(knot_times(length_s))
     position = np.tile([0.0, 0.0, 1.4], (count, 1))
@@ -202,7 +210,9 @@ _DROPS_S = (1.0, 5.5, 10.0)
 _DROP_M, _CUSHION_SHARE = 1.0, 0.12
 
 
-def _free_fall(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+def _free_fall(
+    rng: np.random.Generator, start_s: float, length_s: float
+) -> _ScriptedRide:
     """A camera in a hand that drops a metre, three times, caught softly.
 
     The deceleration makes up the fall's speed: level * time is the same for both.
@@ -241,7 +251,7 @@ STAIR_GAIT = replace(
 )
 
 
-def _stairs(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+def _stairs(rng: np.random.Generator, start_s: float, length_s: float) -> _ScriptedRide:
     """Up a flight of stairs: a step a riser, the body lifted at each."""
     gait = STAIR_GAIT
     drive = Drive(edge_s=0.6)
@@ -262,10 +272,10 @@ def _stairs(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridde
     lift[:, 2] = climbing.at(path.time_s)
     trajectory = go_on_foot(drive, gait, rng, length_s).changed(displacement_m=lift)
     risers = tuple(first_m + number * _TREAD_M for number in range(_UP))
-    return _Ridden(trajectory, path, _steps(trajectory), stairs_m=risers)
+    return _ScriptedRide(trajectory, path, _steps(trajectory), stairs_m=risers)
 
 
-def _stroll(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridden:
+def _stroll(rng: np.random.Generator, start_s: float, length_s: float) -> _ScriptedRide:
     """A walk on a path with bends, the camera on the chest."""
     drive = Drive(edge_s=0.6)
     drive.stand(start_s, engine_off=True)
@@ -275,7 +285,7 @@ def _stroll(rng: np.random.Generator, start_s: float, length_s: float) -> _Ridde
         drive.bend(rng.choice((-1.0, 1.0)) * float(rng.uniform(0.15, 0.35)), 3.0)
     drive.change_speed(0.0, 0.7)
     trajectory = go_on_foot(drive, WALK, rng, length_s)
-    return _Ridden(trajectory, drive.path(length_s), _steps(trajectory))
+    return _ScriptedRide(trajectory, drive.path(length_s), _steps(trajectory))
 
 
 def _steps(trajectory: Trajectory) -> tuple[tuple[float, float], ...]:

@@ -22,7 +22,7 @@ from hapticplayer.simulation.rides.people import (
 from hapticplayer.simulation.rides.script import Drive
 from hapticplayer.simulation.rides.sensors import (
     SENSORS,
-    Measured,
+    LogWithTruth,
     SensorModel,
     measure,
 )
@@ -52,7 +52,7 @@ class MotionScene:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SimulatedMotion(Measured):
+class SimulatedMotion(LogWithTruth):
     """A scene's log with its truth, at other times that of the trajectory."""
 
     title: str

@@ -176,7 +176,7 @@ SENSORS = {model.name: model for model in (CAMERA, PHONE, PAPER_BOARD, IDEAL)}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Measured:
+class LogWithTruth:
     """A log beside the truth of each of its samples.
 
     Attributes:
@@ -195,7 +195,7 @@ class Measured:
 
 def measure(
     trajectory: Trajectory, duration_s: float, model: SensorModel, seed: int
-) -> Measured:
+) -> LogWithTruth:
     """Let a sensor record a trajectory from 0 to `duration_s`.
 
     The trajectory reaches from at least one sensor sample before 0 on.
@@ -223,7 +223,7 @@ def measure(
         force, rate, up, acceleration = (window_means(v, per_window) for v in parts)
         truth = trajectory.at(_regular(len(force), 0.5, model.averaged_to_hz))
     log = ImuLog(truth.time_s, force, rate, sampling=sampling, source=model.name)
-    return Measured(log, truth, up, acceleration)
+    return LogWithTruth(log, truth, up, acceleration)
 
 
 def _regular(count: int, first: float, rate_hz: float) -> Floats:

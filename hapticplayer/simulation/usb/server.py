@@ -5,7 +5,7 @@ import socket
 import threading
 
 from hapticplayer.clock import Clock
-from hapticplayer.simulation.falcon.packets import Act, Control, unpack
+from hapticplayer.simulation.falcon.packets import Control, ScriptedEvent, unpack
 from hapticplayer.simulation.falcon.simulation import Simulation
 from hapticplayer.simulation.usb.board import Board
 from hapticplayer.simulation.usb.chip import Chip, UsbFault
@@ -95,11 +95,11 @@ def act(
 ) -> None:
     """Make one thing happen to the device."""
     with chip.held():
-        if control.act is Act.UNPLUG:
+        if control.event is ScriptedEvent.UNPLUG:
             chip.unplug()
-        elif control.act is Act.STALL:
+        elif control.event is ScriptedEvent.STALL:
             chip.stalled_until_s = clock.now_s() + control.value
-        elif control.act is Act.CORRUPT:
+        elif control.event is ScriptedEvent.CORRUPT:
             board.faults.corrupt = int(control.value)
         else:
             simulation.advance(clock.now_s())

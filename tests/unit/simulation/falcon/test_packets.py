@@ -8,9 +8,9 @@ import pytest
 from hapticplayer.model.device import DeviceReading
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
-    Act,
     Control,
     ForceCommand,
+    ScriptedEvent,
     command_bytes,
     pack_control,
     pack_reply,
@@ -20,7 +20,7 @@ from hapticplayer.simulation.falcon.packets import (
 
 COMMAND = ForceCommand(7, 1234.5, (1.25, -2.5, 0.125))
 READING = DeviceReading((0.01, -0.02, 0.03), 0b1010, is_homed=True, replied_s=99.0)
-CONTROL = Control(Act.STALL, 0.25)
+CONTROL = Control(ScriptedEvent.STALL, 0.25)
 PACKED = [command_bytes(*COMMAND), pack_reply(8, READING), pack_control(CONTROL)]
 
 
@@ -60,7 +60,7 @@ def test_numbers_that_are_none_are_not_taken(bad):
         assert read_reply(reply) is None
     assert unpack(command_bytes(*COMMAND._replace(stamp_s=bad))) is None
     assert read_reply(pack_reply(8, READING._replace(replied_s=bad))) is None
-    assert unpack(pack_control(Control(Act.STALL, bad))) is None
+    assert unpack(pack_control(Control(ScriptedEvent.STALL, bad))) is None
 
 
 def test_serial_numbers_wrap_around():
