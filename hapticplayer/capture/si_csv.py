@@ -3,7 +3,8 @@
 A log is `time_s,ax,ay,az,gx,gy,gz[,mx,my,mz]`: specific force in m/s2 (+9.8 up at
 rest), angular rate in rad/s, magnetic field in uT, frame A (x right, y front, z up).
 A force track is `time_s,fx_n,fy_n,fz_n` in frame D (x right, y up, z towards the
-user); each force holds from its time until the next one's.
+user); each force holds from its time until the next one's. A column `is_estimated` of
+ones is added where the motion was estimated from the picture.
 
 Loggers leave cells empty, repeat rows and swap them: this is repaired if possible, with a
 note (`motion.repair_samples`).
@@ -50,6 +51,7 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_FORCE_N
 
 FORCE_COLUMNS = (TIME, "fx_n", "fy_n", "fz_n")
+ESTIMATED_COLUMNS = ("is_estimated",)
 
 FORCE_STEP_S = 1e-4
 """The haptic loop takes a value every millisecond; denser rows cost memory only."""
@@ -178,14 +180,18 @@ def read_force_csv(
     """
     source = open_file(path)
     rows = _ForceRows(str(source.path), until_s)
-    values = _read_strict(source, FORCE_COLUMNS, min_rows=1, select=rows.select).values
-    if len(rows.last):
+    values = _read_strict(
+        source, FORCE_COLUMNS, ESTIMATED_COLUMNS, min_rows=1, select=rows.select
+    ).values
+    if rows.last is not None:
         values = np.concatenate([values, rows.last])
+    is_estimated = bool(values[:, len(FORCE_COLUMNS) :].any())
     return ForceTrack(
         time_s=values[:, 0],
         force_n=values[:, 1:4].astype(np.float32),
         reconstruction=Reconstruction.HOLD,
-        provenance={"source": source.path.name, "reader": "force csv"},
+        provenance={"source": source.path.name, "reader": "force csv"}
+        | ({"feedback": "estimated"} if is_estimated else {}),
     )
 
 
@@ -193,13 +199,13 @@ class _ForceRows:
     """Checks the rows of a force track chunk by chunk, and selects those that are felt.
 
     Attributes:
-        last: (1, 4) the last row if it is not selected, else (0, 4).
+        last: (1, columns) the last row if it is not selected.
     """
 
     def __init__(self, where: str, until_s: float) -> None:
         self._where, self._until_s = where, until_s
         self._last_s = -math.inf
-        self.last = np.empty((0, 4))
+        self.last: Floats | None = None
 
     def select(self, values: Floats, lines: Sequence[int]) -> Floats:
         """Return the rows before the end; of those in one slot of time the last one."""
@@ -219,7 +225,7 @@ class _ForceRows:
             slots = np.floor(values[:, 0] / FORCE_STEP_S)
         kept = np.append(slots[1:] > slots[:-1], True) & (values[:, 0] < self._until_s)
         kept[0] |= is_first
-        self.last = values[-1:][~kept[-1:]].copy()
+        self.last = None if kept[-1] else values[-1:].copy()
         return values[kept]
 
     def _check_order(self, time_s: Floats, lines: Sequence[int]) -> None:
@@ -265,7 +271,7 @@ def _check_finite(values: Floats, lines: Sequence[int], where: str) -> None:
     value = float(values[row, column])
     raise InputError(
         "{text} is not a finite number",
-        where=at(where, lines[row], FORCE_COLUMNS[column]),
+        where=at(where, lines[row], (*FORCE_COLUMNS, *ESTIMATED_COLUMNS)[column]),
         remedy="remove the line or correct the number",
         text=value,
     )

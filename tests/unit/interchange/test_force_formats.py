@@ -198,3 +198,16 @@ def test_a_format_is_known_by_its_suffix_or_its_name(tmp_path):
     assert format_of(tmp_path / "a.txt", "csv").name == "csv"
     with pytest.raises(UsageError, match=r"'a\.doc' is unknown"):
         format_of(tmp_path / "a.doc")
+
+
+@pytest.mark.parametrize("feedback", ["realistic", "estimated"])
+def test_a_table_says_whether_its_force_was_measured(feedback, tmp_path):
+    rows = [[0, 1, 2], [1, 0, 0]]
+    track = ForceTrack([0.0, 0.5], rows, provenance={"feedback": feedback})
+    _, back = there_and_back("csv", track, tmp_path, 0.6)
+    assert back.is_estimated is (feedback == "estimated")
+    assert differ_n(track, back, 0.6) <= ROUNDING_N
+    header = (tmp_path / "track.csv").read_text().splitlines()[0]
+    assert ("is_estimated" in header) is (feedback == "estimated")
+    again = WriteChoices(0.6, TOLERANCE_N, overwrite=True)
+    export_track(track, tmp_path / "track.csv", FORCE_FORMATS["csv"], again)
