@@ -144,7 +144,9 @@ class SyncPage(QWidget):
         self.keep_skew.setToolTip(found.clip_camera)
         pats_s = tuple(pat.heard_s for pat in sync.pats) if sync else ()
         clock = ClockMap(offset_s, sync.clock_map.rate if sync else 1.0)
-        self.strip.show_lanes(self._lanes(found), pats_s, clock)
+        is_by_turns = sync is not None and sync.method == "pictures"
+        lanes = self._lanes(found)
+        self.strip.show_lanes(lanes, pats_s, clock, is_by_turns=is_by_turns)
         is_near = bool(pats_s or len(found.turned[0]))
         if is_near:
             self.strip.show_close_up()
@@ -154,7 +156,8 @@ class SyncPage(QWidget):
         self.hear.setEnabled(found.clip.has_audio)
         self.frame.use(found.clip.path)
         begin_s, end_s = self.strip.view_s
-        self.strip.point_at(pats_s[0] if pats_s else is_near * 0.5 * (begin_s + end_s))
+        middle_s = is_near * 0.5 * (begin_s + end_s)
+        self.strip.point_at(middle_s if is_by_turns or not pats_s else pats_s[0])
         self._body.setVisible(not found.knows_clip_clock)
         self._show_verdict()
 

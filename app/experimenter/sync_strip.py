@@ -96,6 +96,7 @@ class ClipFrame(QWidget):
 STEP_S = 0.001
 FRAME_S = 1.0 / 30.0
 _PEAK_SHARE, _MOST_PEAKS = 0.2, 12
+_LEAST_SHARE = 0.1  # of a lane's largest value: less does not fill it, noise would
 PAT, OF_LOG, OF_CLIP = range(3)  # indices of the axis colours
 _CLOSE_UP_S = 6.0
 _SHORTEST_S = 0.05
@@ -143,16 +144,26 @@ class SyncStrip(QWidget):
         self.view_s = (0.0, 1.0)
         self.lanes: tuple[Lane, ...] = ()
         self._pats_s: tuple[float, ...] = ()
+        self._is_by_turns = False
         self._held_x: float | None = None
         self.cursor_s: float | None = None
         self.setMouseTracking(True)
 
     def show_lanes(
-        self, lanes: Sequence[Lane], pats_s: tuple[float, ...], clock: ClockMap
+        self,
+        lanes: Sequence[Lane],
+        pats_s: tuple[float, ...],
+        clock: ClockMap,
+        *,
+        is_by_turns: bool = False,
     ) -> None:
-        """Show curves, and where pats are heard, with the log on a clock map."""
+        """Show curves, and where pats are heard, with the log on a clock map.
+
+        Close up are the pats, or else (`is_by_turns`) where the camera turned most.
+        """
         self.lanes = tuple(lane for lane in lanes if len(lane.curve[0]))
         self._pats_s, self.rate = pats_s, clock.rate
+        self._is_by_turns = is_by_turns or not pats_s
         self.setAccessibleDescription(", ".join(lane.name for lane in self.lanes))
         self.set_shift(clock.offset_s)
         self.show_whole()
@@ -168,8 +179,8 @@ class SyncStrip(QWidget):
         self.show_span(0.0, float(max(ends_s, default=1.0)))
 
     def show_close_up(self) -> None:
-        """Show the first three pats, or else where the camera turned most."""
-        if self._pats_s:
+        """Show the first three pats, or where the camera turned most."""
+        if not self._is_by_turns:
             self.show_span(self._pats_s[0] - 0.4, self._pats_s[:3][-1] + 0.6)
             return
         for lane in reversed(self.lanes):
@@ -300,8 +311,10 @@ class SyncStrip(QWidget):
         painter.drawLine(place.bottomLeft(), place.bottomRight())
         x, y = columns(self._shown(lane), self.view_s, max(1, self.width()))
         if len(x):
-            top = max(float(y.max()), 1e-9)
-            floor, space = place.bottom() - 2, place.height() - 2 * _MARGIN_PX
+            least = _LEAST_SHARE * float(lane.curve[1].max())
+            top = max(float(y.max()), least, 1e-9)
+            words = _MARGIN_PX + painter.fontMetrics().height()
+            floor, space = place.bottom() - 2, place.height() - 4 - words
             points = [QPointF(x[0], floor)]
             points += [
                 QPointF(a, floor - space * b / top) for a, b in zip(x, y, strict=True)

@@ -448,18 +448,18 @@
     <name>DeviceDialogs</name>
     <message>
         <source>Choose a device first, then try out its forces</source>
-        <translation type="unfinished">Wählen Sie zuerst ein Gerät und probieren Sie dann seine Kräfte aus</translation>
+        <translation>Wählen Sie zuerst ein Gerät und probieren Sie dann seine Kräfte aus</translation>
     </message>
 </context>
 <context>
     <name>DeviceForm</name>
     <message>
         <source>Device</source>
-        <translation type="unfinished">Gerät</translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Address or settings</source>
-        <translation type="unfinished">Adresse oder Einstellungen</translation>
+        <translation>Adresse oder Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -525,15 +525,15 @@
     <name>DevicePicture</name>
     <message>
         <source>Grip</source>
-        <translation type="unfinished">Griff</translation>
+        <translation>Griff</translation>
     </message>
     <message>
         <source>Force is off</source>
-        <translation type="unfinished">Kraft ist aus</translation>
+        <translation>Kraft ist aus</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished">Testen</translation>
+        <translation>Testen</translation>
     </message>
     <message>
         <source>Platform of the rig</source>
@@ -564,11 +564,11 @@
     </message>
     <message>
         <source>STOP</source>
-        <translation type="unfinished">STOPP</translation>
+        <translation>STOPP</translation>
     </message>
     <message>
         <source>Stop the force immediately (Esc)</source>
-        <translation type="unfinished">Kraft sofort abschalten (Esc)</translation>
+        <translation>Kraft sofort abschalten (Esc)</translation>
     </message>
     <message>
         <source>Progress of the test</source>
@@ -588,7 +588,7 @@
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished">Angehalten.</translation>
+        <translation>Angehalten.</translation>
     </message>
     <message>
         <source>Coming to rest</source>
@@ -623,7 +623,7 @@
     </message>
     <message>
         <source>Starting</source>
-        <translation type="unfinished">Startet</translation>
+        <translation>Startet</translation>
     </message>
     <message>
         <source>Channel {label}: {what}</source>
@@ -655,7 +655,7 @@
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished">Angehalten.</translation>
+        <translation>Angehalten.</translation>
     </message>
     <message>
         <source>Test finished.</source>
@@ -1310,7 +1310,7 @@
     <name>ForceWords</name>
     <message>
         <source>Pull the grip all the way out, then push it in until it locks</source>
-        <translation type="unfinished">Ziehen Sie den Griff ganz heraus und schieben Sie ihn dann hinein, bis er einrastet</translation>
+        <translation>Ziehen Sie den Griff ganz heraus und schieben Sie ihn dann hinein, bis er einrastet</translation>
     </message>
     <message>
         <source>{percent} % of its strength</source>
@@ -1318,31 +1318,31 @@
     </message>
     <message>
         <source>To the right</source>
-        <translation type="unfinished">Nach rechts</translation>
+        <translation>Nach rechts</translation>
     </message>
     <message>
         <source>To the left</source>
-        <translation type="unfinished">Nach links</translation>
+        <translation>Nach links</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished">Nach oben</translation>
+        <translation>Nach oben</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished">Nach unten</translation>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <source>Towards you</source>
-        <translation type="unfinished">Zu Ihnen hin</translation>
+        <translation>Zu Ihnen hin</translation>
     </message>
     <message>
         <source>Away from you</source>
-        <translation type="unfinished">Von Ihnen weg</translation>
+        <translation>Von Ihnen weg</translation>
     </message>
     <message>
         <source>Vibration</source>
-        <translation type="unfinished">Vibration</translation>
+        <translation>Vibration</translation>
     </message>
 </context>
 <context>
@@ -1949,7 +1949,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Latency</source>
-        <translation type="unfinished">Latenz</translation>
+        <translation>Latenz</translation>
     </message>
     <message>
         <source>From a command to what is felt: compensated</source>
@@ -2809,7 +2809,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <name>Question</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -3492,7 +3492,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished">Testen</translation>
+        <translation>Testen</translation>
     </message>
     <message>
         <source>Looking for the device</source>
@@ -3504,7 +3504,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>No setup needed</source>
-        <translation type="unfinished">Keine Einrichtung nötig</translation>
+        <translation>Keine Einrichtung nötig</translation>
     </message>
     <message>
         <source>Ready to be tested</source>
@@ -6009,7 +6009,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Connect it as its maker says.</source>
-        <translation type="unfinished">Schließen Sie es nach Anleitung des Herstellers an.</translation>
+        <translation>Schließen Sie es nach Anleitung des Herstellers an.</translation>
     </message>
     <message>
         <source>Connect it by USB cable.</source>
@@ -6029,7 +6029,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Connect its USB cable and power supply; it is detected automatically.</source>
-        <translation type="unfinished">Schließen Sie USB-Kabel und Netzteil an; er wird automatisch erkannt.</translation>
+        <translation>Schließen Sie USB-Kabel und Netzteil an; er wird automatisch erkannt.</translation>
     </message>
     <message>
         <source>Connect its power supply and its USB cable.</source>
@@ -6313,7 +6313,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Simulated Falcon, held by a simulated hand: for trying everything without hardware.</source>
-        <translation type="unfinished">Simulierter Falcon, gehalten von einer simulierten Hand: zum Ausprobieren ohne Hardware.</translation>
+        <translation>Simulierter Falcon, gehalten von einer simulierten Hand: zum Ausprobieren ohne Hardware.</translation>
     </message>
     <message>
         <source>Sine</source>
@@ -7668,8 +7668,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Bewegung wurde aus dem Bild geschätzt, nichts hat sie gemessen: ihre Stärke ist geraten, und Studien lehnen sie ab, wenn sie das Feedback &apos;estimated&apos; nicht nennen</translation>
     </message>
     <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats and pictures, as far as there are any</source>
-        <translation>der Versatz, wenn gegeben; die eigene Uhr der Aufnahme, wenn sie die des Videos ist; sonst Klopfer und Bilder, soweit vorhanden</translation>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else tap marks (pats) and frames (pictures), as far as there are any</source>
+        <translation>der Versatz, wenn gegeben; die eigene Uhr der Aufnahme, wenn sie die des Videos ist; sonst Klopfer (pats) und Einzelbilder (pictures), soweit vorhanden</translation>
     </message>
     <message>
         <source>the realistic force with the effects of the sequence on it</source>

@@ -448,18 +448,18 @@
     <name>DeviceDialogs</name>
     <message>
         <source>Choose a device first, then try out its forces</source>
-        <translation type="unfinished">Choisissez d’abord un appareil, puis essayez ses forces</translation>
+        <translation>Choisissez d’abord un appareil, puis essayez ses forces</translation>
     </message>
 </context>
 <context>
     <name>DeviceForm</name>
     <message>
         <source>Device</source>
-        <translation type="unfinished">Appareil</translation>
+        <translation>Appareil</translation>
     </message>
     <message>
         <source>Address or settings</source>
-        <translation type="unfinished">Adresse ou réglages</translation>
+        <translation>Adresse ou réglages</translation>
     </message>
 </context>
 <context>
@@ -525,15 +525,15 @@
     <name>DevicePicture</name>
     <message>
         <source>Grip</source>
-        <translation type="unfinished">Poignée</translation>
+        <translation>Poignée</translation>
     </message>
     <message>
         <source>Force is off</source>
-        <translation type="unfinished">La force est coupée</translation>
+        <translation>La force est coupée</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished">Tester</translation>
+        <translation>Tester</translation>
     </message>
     <message>
         <source>Platform of the rig</source>
@@ -564,11 +564,11 @@
     </message>
     <message>
         <source>STOP</source>
-        <translation type="unfinished">STOP</translation>
+        <translation>STOP</translation>
     </message>
     <message>
         <source>Stop the force immediately (Esc)</source>
-        <translation type="unfinished">Couper la force immédiatement (Échap)</translation>
+        <translation>Couper la force immédiatement (Échap)</translation>
     </message>
     <message>
         <source>Progress of the test</source>
@@ -588,7 +588,7 @@
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished">Arrêté.</translation>
+        <translation>Arrêté.</translation>
     </message>
     <message>
         <source>Coming to rest</source>
@@ -623,7 +623,7 @@
     </message>
     <message>
         <source>Starting</source>
-        <translation type="unfinished">Démarrage</translation>
+        <translation>Démarrage</translation>
     </message>
     <message>
         <source>Channel {label}: {what}</source>
@@ -655,7 +655,7 @@
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished">Arrêté.</translation>
+        <translation>Arrêté.</translation>
     </message>
     <message>
         <source>Test finished.</source>
@@ -1310,7 +1310,7 @@
     <name>ForceWords</name>
     <message>
         <source>Pull the grip all the way out, then push it in until it locks</source>
-        <translation type="unfinished">Tirez la poignée à fond, puis poussez-la jusqu’au verrouillage</translation>
+        <translation>Tirez la poignée à fond, puis poussez-la jusqu’au verrouillage</translation>
     </message>
     <message>
         <source>{percent} % of its strength</source>
@@ -1318,31 +1318,31 @@
     </message>
     <message>
         <source>To the right</source>
-        <translation type="unfinished">Vers la droite</translation>
+        <translation>Vers la droite</translation>
     </message>
     <message>
         <source>To the left</source>
-        <translation type="unfinished">Vers la gauche</translation>
+        <translation>Vers la gauche</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished">Vers le haut</translation>
+        <translation>Vers le haut</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished">Vers le bas</translation>
+        <translation>Vers le bas</translation>
     </message>
     <message>
         <source>Towards you</source>
-        <translation type="unfinished">Vers vous</translation>
+        <translation>Vers vous</translation>
     </message>
     <message>
         <source>Away from you</source>
-        <translation type="unfinished">Loin de vous</translation>
+        <translation>Loin de vous</translation>
     </message>
     <message>
         <source>Vibration</source>
-        <translation type="unfinished">Vibration</translation>
+        <translation>Vibration</translation>
     </message>
 </context>
 <context>
@@ -1949,7 +1949,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Latency</source>
-        <translation type="unfinished">Latence</translation>
+        <translation>Latence</translation>
     </message>
     <message>
         <source>From a command to what is felt: compensated</source>
@@ -2809,7 +2809,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>Question</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annuler</translation>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -3492,7 +3492,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished">Tester</translation>
+        <translation>Tester</translation>
     </message>
     <message>
         <source>Looking for the device</source>
@@ -3504,7 +3504,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>No setup needed</source>
-        <translation type="unfinished">Aucune configuration nécessaire</translation>
+        <translation>Aucune configuration nécessaire</translation>
     </message>
     <message>
         <source>Ready to be tested</source>
@@ -6009,7 +6009,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Connect it as its maker says.</source>
-        <translation type="unfinished">Branchez-le selon les instructions de son fabricant.</translation>
+        <translation>Branchez-le selon les instructions de son fabricant.</translation>
     </message>
     <message>
         <source>Connect it by USB cable.</source>
@@ -6029,7 +6029,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Connect its USB cable and power supply; it is detected automatically.</source>
-        <translation type="unfinished">Branchez le câble USB et l’alimentation&#xa0;; il est détecté automatiquement.</translation>
+        <translation>Branchez le câble USB et l’alimentation&#xa0;; il est détecté automatiquement.</translation>
     </message>
     <message>
         <source>Connect its power supply and its USB cable.</source>
@@ -6313,7 +6313,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Simulated Falcon, held by a simulated hand: for trying everything without hardware.</source>
-        <translation type="unfinished">Falcon simulé, tenu par une main simulée&#xa0;: pour tout essayer sans matériel.</translation>
+        <translation>Falcon simulé, tenu par une main simulée&#xa0;: pour tout essayer sans matériel.</translation>
     </message>
     <message>
         <source>Sine</source>
@@ -7668,8 +7668,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le mouvement a été estimé d’après l’image, rien ne l’a mesuré&#xa0;: sa force est supposée, et les études le refusent si elles ne nomment pas le retour &apos;estimated&apos;</translation>
     </message>
     <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else pats and pictures, as far as there are any</source>
-        <translation>le décalage s&apos;il est donné, l&apos;horloge de l&apos;enregistrement si c&apos;est celle de la vidéo, sinon tapes et images, s&apos;il y en a</translation>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else tap marks (pats) and frames (pictures), as far as there are any</source>
+        <translation>le décalage s&apos;il est donné, l&apos;horloge de l&apos;enregistrement si c&apos;est celle de la vidéo, sinon tapes (pats) et images (pictures), s&apos;il y en a</translation>
     </message>
     <message>
         <source>the realistic force with the effects of the sequence on it</source>

@@ -2,28 +2,27 @@
 
 import os
 import shutil
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from scipy.signal import resample_poly
 
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.media.encode import write_clip
 from hapticplayer.sequence.build import build_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.import_preview import ImportPreview, preview_import
 from hapticplayer.simulation.recordings import demo_folder
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
+from hapticplayer.simulation.rides.recording import simulate, write_simulated_clip
 
-SECONDS, RATE_HZ, WIDE, HIGH = 20, 25, 320, 180
-SEED = 41_001
+WIDE, HIGH = 384, 216
+SEED = 2012
+LATER_S = 6.4  # clock of the log
 LONG_NAME = (
     "Twice round the lake and through the forest by the steep path with the roots, "
     "second attempt, front suspension locked, camera on the handlebar"
 )
-TITLES = ("Bicycle in the park", "Horse at a gallop", LONG_NAME)
+TITLES = ("Bicycle in the park", "Bicycle through the valley", LONG_NAME)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,12 +56,10 @@ def make_material(folder: Path) -> Material:
     """Make everything in an empty folder, in some seconds."""
     demo = Path(demo_folder(progress=lambda _share, _step: None))
     video, log, other = (folder / n for n in ("ride.mp4", "log.csv", "other.csv"))
-    ride = simulate_pats(SEED, hard=False, rate_hz=200, duration_s=SECONDS)
-    stranger = simulate_pats(SEED + 1, hard=False, rate_hz=200, duration_s=SECONDS)
-    sound = resample_poly(ride.audio, 3, 1).astype(np.float32)[:, None]
-    write_clip(video, _pictures(), frame_rate_hz=RATE_HZ, audio=sound)
-    write_imu_csv(log, ride.imu)
-    write_imu_csv(other, stranger.imu)
+    ride, stranger = (simulate(scene, SEED) for scene in ("bike", "horse"))
+    write_simulated_clip(replace(ride, width=WIDE, height=HIGH), video)
+    for path, ridden in ((log, ride), (other, stranger)):
+        write_imu_csv(path, replace(ridden.imu, time_s=ridden.imu.time_s + LATER_S))
     damaged = folder / "damaged.mp4"
     damaged.write_bytes(video.read_bytes()[: video.stat().st_size // 2])
     made = build_sequence(video, folder / "ride", imu_log=log)
@@ -79,22 +76,9 @@ def make_material(folder: Path) -> Material:
     )
 
 
-def _pictures():
-    """Yield a road that turns: something to look at, and small."""
-    across = np.linspace(-1.0, 1.0, WIDE)
-    down = np.linspace(0.0, 1.0, HIGH)[:, None]
-    for k in range(RATE_HZ * SECONDS):
-        bend = 0.4 * np.sin(k / 40.0) * (1.0 - down)
-        is_road = np.abs(across - bend) < 0.06 + 0.7 * down
-        picture = np.empty((HIGH, WIDE, 3), np.uint8)
-        picture[:] = np.where(down < 0.35, 190, 70)[..., None]
-        picture[is_road & (down >= 0.35)] = (110, 108, 104)
-        yield picture
-
-
 def _question(video: Path, log: Path) -> LogQuestion:
     """Return what is asked about a log whose columns have names but no units."""
-    time_s = np.arange(0.0, SECONDS, 0.01)
+    time_s = np.arange(0.0, 20.0, 0.01)
     rows = np.column_stack([time_s, *[np.sin(time_s + k) for k in range(6)]])
     header = "t;ax;ay;az;gx;gy;gz"
     np.savetxt(log, rows, delimiter=";", header=header, fmt="%.6f", comments="")

@@ -39,7 +39,7 @@ AUTO = "auto"
 
 _HERE = "hapticplayer.capture.sync.synchronize"
 SYNC_METHODS: tuple[SyncMethod, ...] = (
-    SyncMethod(AUTO, Message("the offset if given, the recording's own clock if it is the clip's, else pats and pictures, as far as there are any"), f"{_HERE}:automatic", Message("Automatic")),
+    SyncMethod(AUTO, Message("the offset if given, the recording's own clock if it is the clip's, else tap marks (pats) and frames (pictures), as far as there are any"), f"{_HERE}:automatic", Message("Automatic")),
     SyncMethod("pats", Message("three pats on the camera, heard and felt"), f"{_HERE}:by_pats", Message("Tap marks")),
     SyncMethod("pictures", Message("the camera's rotation in its frames against the gyro; coarse without the extra vision"), f"{_HERE}:by_pictures", Message("Frames")),
     SyncMethod("variance", Message("the first sudden rise of sound and motion, as in the paper"), f"{_HERE}:by_variance", Message("First sudden rise")),

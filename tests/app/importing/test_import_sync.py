@@ -131,6 +131,35 @@ def test_dragging_moves_the_log_by_what_the_pointer_moves(application, qtbot):
     assert strip.view_s == pytest.approx((0.6, 2.6))
 
 
+def test_close_up_is_what_the_synchronisation_went_by(application, qtbot):
+    strip = SyncStrip()
+    qtbot.addWidget(strip)
+    times = np.arange(0.0, 60.0, 0.01)
+    turns = np.exp(-0.5 * ((times - 40.0) / 0.5) ** 2)
+    lanes = [Lane("turns", (times, turns), OF_CLIP)]
+    pats_s = (1.0, 1.5, 2.0)
+    strip.show_lanes(lanes, pats_s, ClockMap(0.0))
+    strip.show_close_up()
+    assert strip.view_s == pytest.approx((0.6, 2.6))
+    strip.show_lanes(lanes, pats_s, ClockMap(0.0), is_by_turns=True)
+    strip.show_close_up()
+    assert np.mean(strip.view_s) == pytest.approx(40.0, abs=0.1)
+
+
+def test_noise_does_not_fill_a_lane(application, qtbot):
+    strip = SyncStrip()
+    qtbot.addWidget(strip)
+    strip.resize(400, 200)
+    times = np.arange(0.0, 60.0, 0.01)
+    turns = np.where(times > 30.0, 1.0, 0.01)
+    strip.show_lanes([Lane("", (times, turns), OF_CLIP)], (), ClockMap(0.0))
+    strip.show_span(1.0, 5.0)
+    image = strip.grab().toImage()
+    middle = image.pixelColor(200, 100)
+    strip.show_span(40.0, 45.0)
+    assert middle != strip.grab().toImage().pixelColor(200, 100)
+
+
 def test_frames_and_gyro_are_lanes_of_their_own(wizard, ride):
     found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
     times = np.arange(0.0, SECONDS, 1 / 30)
