@@ -93,11 +93,11 @@ def test_around_what_is_not_seen_it_fades_to_zero() -> None:
     assert "s without estimate" in str(found.notes[0])
 
 
-def test_a_camera_that_stands_still_gives_nothing_and_says_so() -> None:
+def test_a_camera_that_does_not_move_gives_nothing_and_says_so() -> None:
     found = suggested(steps(), speed=0.0)
 
     assert not found.motion.acceleration_mps2.any()
-    assert "stands still" in str(found.notes[0])
+    assert "does not move" in str(found.notes[0])
 
 
 def test_sigma_grows_with_what_the_halves_differ_by() -> None:
