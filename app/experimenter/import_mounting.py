@@ -28,15 +28,16 @@ from app.widgets.layout import (
     row_of,
     scrolling,
 )
-from hapticplayer.capture.limits import UPRIGHT
+from app.widgets.texts import local
 from hapticplayer.capture.mounting import (
     AS_RECORDED,
     MOUNTINGS,
     all_mountings,
     axes_matrix,
+    gravity_agrees,
     proposed_mounting,
-    up_in_frame_a,
 )
+from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.import_preview import ImportPreview
@@ -185,6 +186,7 @@ class MountingPage(QWidget):
         super().__init__()
         self.library = library
         self._up: tuple[float, float, float] | None = None
+        self._by_frames: FoundMounting | None = None
         self.mounting = QComboBox()
         self.mounting.setAccessibleName(self.tr("Mounting"))
         self.triad = Triad()
@@ -250,11 +252,11 @@ class MountingPage(QWidget):
         """Propose the mounting that the frames show, or in which up is up, and a title."""
         self._show_recording(is_recorded=True)
         self._up = found.up
-        mounting = found.found.mounting if found.found else None
-        is_clear = mounting is not None and mounting.is_clear
-        axes = mounting.axes if mounting and is_clear else proposed_mounting(found.up)
-        at = self.mounting.findData(axes)
-        self.mounting.setCurrentIndex(at)
+        shown = found.found.mounting if found.found else None
+        is_right = shown and shown.is_clear and gravity_agrees(found.up, shown.axes)
+        self._by_frames = shown if is_right else None
+        axes = shown.axes if shown and is_right else proposed_mounting(found.up)
+        self.mounting.setCurrentIndex(self.mounting.findData(axes))
         self._on_mounting()
         self.title.setText(found.clip.path.stem)
 
@@ -289,12 +291,19 @@ class MountingPage(QWidget):
 
     def _on_mounting(self) -> None:
         self.triad.show_axes(self.axes, self._up)
-        if self._up is None:
+        if self._by_frames is not None and self._by_frames.axes == self.axes:
+            text = self.tr(
+                "The frames show this mounting (ratio {ratio} to the next best); "
+                "gravity does not contradict it."
+            )
+            text = text.format(ratio=local(f"{self._by_frames.ratio:.2f}"))
+            colour = theme.GOOD
+        elif self._up is None:
             text = self.tr(
                 "The sensor rotated too much to determine the mounting from gravity."
             )
             colour = theme.WARN
-        elif up_in_frame_a(self._up, self.axes)[2] >= UPRIGHT:
+        elif gravity_agrees(self._up, self.axes):
             text = self.tr(
                 "Consistent with gravity. Only you know which side faced forward."
             )

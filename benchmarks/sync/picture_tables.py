@@ -8,8 +8,7 @@ import numpy as np
 from benchmarks.common import Report
 from benchmarks.motion.budget import make_ride, shifted
 from benchmarks.sync.picture_clips import RATES_HZ
-from hapticplayer.capture.limits import UPRIGHT
-from hapticplayer.capture.mounting import mean_up, up_in_frame_a
+from hapticplayer.capture.mounting import gravity_agrees, mean_up
 from hapticplayer.capture.sync.pictures import synchronize_pictures
 from hapticplayer.capture.sync.result import CLEAR_RATIO, Synchronisation
 from hapticplayer.capture.vision import FrameRotation
@@ -71,7 +70,7 @@ def _is_upside_down(log: ImuLog, found: Synchronisation) -> bool:
     up = mean_up(log)
     if found.mounting is None or up is None:
         return True
-    return bool(up_in_frame_a(up, found.mounting.axes)[2] < UPRIGHT)
+    return not gravity_agrees(up, found.mounting.axes)
 
 
 def figures(outcomes: list[Outcome], method: str) -> dict[str, Any]:

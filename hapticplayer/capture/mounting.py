@@ -256,6 +256,11 @@ def up_in_frame_a(up: tuple[float, float, float], axes: str) -> Floats:
     return np.asarray(axes_matrix(axes) @ np.array(up))
 
 
+def gravity_agrees(up: tuple[float, float, float] | None, axes: str) -> bool:
+    """Whether gravity, as far as it is known, shows no other side up."""
+    return up is None or bool(up_in_frame_a(up, axes)[2] >= UPRIGHT)
+
+
 def proposed_mounting(up: tuple[float, float, float] | None) -> str:
     """Return the axes of the common mounting with this up; the front is a guess."""
     if up is None:

@@ -3,8 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from hapticplayer.capture.limits import UPRIGHT
-from hapticplayer.capture.mounting import mean_up, up_in_frame_a
+from hapticplayer.capture.mounting import gravity_agrees, mean_up
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.errors import Message, Progress, UsageError
@@ -39,8 +38,7 @@ def mounting_by_frames(clip: ClipInfo, recording: Recording, progress: Progress)
             ratio=found.ratio,
             give=_GIVE,
         )
-    up = mean_up(recording.imu)
-    if up is not None and up_in_frame_a(up, found.axes)[2] < UPRIGHT:
+    if not gravity_agrees(mean_up(recording.imu), found.axes):
         raise UsageError(
             "{clip}: by its frames the mounting is {axes}, but by gravity another side "
             "is up; is the video upright and not mirrored? Otherwise {give}",

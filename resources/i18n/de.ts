@@ -2388,6 +2388,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Zeichnung zeigt den Rekorder an der Person, die nach vorn blickt; die gestrichelte Linie zeigt nach der Schwerkraft, wo oben war.</translation>
     </message>
     <message>
+        <source>The frames show this mounting (ratio {ratio} to the next best); gravity does not contradict it.</source>
+        <translation>Die Bilder zeigen diese Befestigung (Verhältnis {ratio} zur nächstbesten); die Schwerkraft widerspricht ihr nicht.</translation>
+    </message>
+    <message>
         <source>The sensor rotated too much to determine the mounting from gravity.</source>
         <translation>Der Sensor hat sich zu stark gedreht, um die Befestigung aus der Schwerkraft zu bestimmen.</translation>
     </message>

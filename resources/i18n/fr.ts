@@ -2388,6 +2388,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Le dessin montre l’enregistreur sur l’acteur, qui regarde devant lui&#xa0;; la ligne pointillée indique le haut d’après la pesanteur.</translation>
     </message>
     <message>
+        <source>The frames show this mounting (ratio {ratio} to the next best); gravity does not contradict it.</source>
+        <translation>Les images montrent cette fixation (rapport {ratio} à la suivante)&#xa0;; la pesanteur ne la contredit pas.</translation>
+    </message>
+    <message>
         <source>The sensor rotated too much to determine the mounting from gravity.</source>
         <translation>Le capteur a trop tourné pour déterminer la fixation d’après la pesanteur.</translation>
     </message>

@@ -1,7 +1,14 @@
 """The page that says how the sensor was mounted, and how it is rendered."""
 
+import dataclasses
+
+import pytest
+
 from app.experimenter.import_mounting import Triad
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.capture.sync.result import FoundMounting, Synchronisation
+from hapticplayer.model import ClockMap
+from hapticplayer.sequence.import_preview import preview_import
 
 
 def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
@@ -22,6 +29,27 @@ def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
     page.mounting.setCurrentIndex(0)
     assert "another side" in page.gravity.text()
     assert page.triad.axes == "x,y,z"
+
+
+@pytest.mark.parametrize(
+    ("by_frames", "taken", "told"),
+    [
+        ("-y,x,z", "-y,x,z", "frames show this mounting (ratio 2.40"),
+        ("x,-y,-z", "x,y,z", "Only you know"),  # a mirrored film
+    ],
+)
+def test_frames_propose_a_mounting_that_gravity_allows(
+    wizard, ride, by_frames, taken, told
+):
+    found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
+    seen = FoundMounting(by_frames, 2.4, "y,-x,z")
+    sync = Synchronisation(ClockMap(4.0), "pictures", mounting=seen)
+    page = wizard.mounting
+    page.show_found(dataclasses.replace(found, found=sync))
+    assert page.axes == taken
+    assert told in page.gravity.text()
+    page.mounting.setCurrentIndex(page.mounting.findData("-x,-y,z"))
+    assert "Only you know" in page.gravity.text()
 
 
 def test_the_chosen_rendering_is_explained_and_taken(wizard):
