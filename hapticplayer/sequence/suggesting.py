@@ -1,9 +1,12 @@
 """What a sequence is made of whose motion was estimated from the picture."""
 
+from pathlib import Path
+
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.recording import refuse_gravity_free
 from hapticplayer.capture.source import LogPath
 from hapticplayer.errors import InputError, Message, Progress, UsageError, joined
 from hapticplayer.media.clip_info import ClipInfo
-from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import ClockMap, Mapping
 from hapticplayer.sequence.writing import Content
 
@@ -33,12 +36,12 @@ def suggested(
         progress: called while the frames are followed; raises Cancelled to stop.
 
     Raises:
-        UsageError: when there is a log, or telemetry in the clip: what was measured is
-            better; or for a lever arm.
+        UsageError: when there is a log, or telemetry in the clip that can be used: what
+            was measured is better; or for a lever arm.
         InputError: without OpenCV, when the clip is too short, or shows nothing.
         MediaError: when it cannot be decoded.
     """
-    if log is not None or read_telemetry_packets(clip.path):
+    if log is not None or _is_recorded(clip.path):
         raise UsageError(
             "the motion of {name} was recorded, which is better than an estimate from the "
             "picture; import it without --suggest-motion",
@@ -77,3 +80,14 @@ def suggested(
     return Content(
         found.motion, ClockMap(), None, notes, provenance, {ESTIMATE: arrays}
     )
+
+
+def _is_recorded(video: Path) -> bool:
+    """Whether a clip holds a recording that can be imported."""
+    try:
+        refuse_gravity_free(read_recording(video))
+    except InputError:
+        return False
+    except UsageError:  # readable, once a decision is made
+        return True
+    return True

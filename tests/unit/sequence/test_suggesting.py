@@ -7,12 +7,12 @@ import pytest
 
 from hapticplayer.capture.vision import estimate, watching
 from hapticplayer.cli import main
-from hapticplayer.errors import InputError, StudyError, UsageError
+from hapticplayer.errors import InputError, StudyError, TelemetryError, UsageError
 from hapticplayer.interchange import sharing
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering import render_force
-from hapticplayer.sequence import open_sequence, store
+from hapticplayer.sequence import open_sequence, store, suggesting
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.comparison import stored_rendering
 from hapticplayer.sequence.editing import set_mapping
@@ -21,6 +21,7 @@ from hapticplayer.sequence.packed import read_packed
 from hapticplayer.sequence.report import Mark
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.session_setup import load_study_sources
+from tests.unit.capture.conftest import recorded
 from tests.unit.capture.vision.made_up import stepping, steps, suggested, turning
 
 
@@ -178,6 +179,26 @@ def test_what_was_recorded_is_not_estimated(suggest, tiny_clip, tmp_path, capsys
     assert "import it without --suggest-motion" in words
     assert run(tiny_clip, tmp_path / "ride", "--suggest-gain", "2") == 2
     assert "belongs to --suggest-motion" in capsys.readouterr().err
+
+
+def test_telemetry_that_cannot_be_read_is_no_recording(
+    suggest, tiny_clip, tmp_path, monkeypatch
+):
+    def unreadable(_video):
+        raise TelemetryError("record at least 4 s")
+
+    monkeypatch.setattr(suggesting, "read_recording", unreadable)
+
+    assert run(tiny_clip, tmp_path / "ride", "--suggest-motion") == 0
+
+
+def test_telemetry_that_can_be_read_is_not_estimated(suggest, tmp_path, capsys):
+    clip = recorded("gopro/karma.mp4")
+
+    status = main(["import", str(clip), "--suggest-motion", "-o", str(tmp_path / "a")])
+
+    assert status == 2
+    assert "the motion of karma.mp4 was recorded" in capsys.readouterr().err
 
 
 def test_without_opencv_it_says_what_to_install(tiny_clip, monkeypatch):
