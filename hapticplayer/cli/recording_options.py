@@ -14,7 +14,7 @@ from hapticplayer.capture.choices import (
 )
 from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
 from hapticplayer.capture.sync import methods
-from hapticplayer.capture.sync.result import COARSE, COARSE_NOTE
+from hapticplayer.capture.sync.result import COARSE
 from hapticplayer.cli.common import add_number, add_overwrite
 from hapticplayer.cli.plots import is_plot
 from hapticplayer.errors import UsageError
@@ -23,7 +23,11 @@ from hapticplayer.motion import DEFAULT_METHOD, METHODS
 from hapticplayer.outputs import FILE, IsOurs, refuse_existing
 from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.processing import Processing
-from hapticplayer.sequence.synchronizing import SyncChoices, stored_skews
+from hapticplayer.sequence.synchronizing import (
+    SyncChoices,
+    coarse_notes,
+    stored_skews,
+)
 
 PLOT_FORMATS = (".png", ".svg")
 
@@ -258,7 +262,7 @@ def _pictures_text(found: Mapping[str, Any]) -> list[str]:
             f"read-out {1e3 * evidence['read_out_s']:.0f} ms"
         )
         if evidence.get("kind") == COARSE:
-            lines.append(f"  {COARSE_NOTE}")
+            lines += [f"  {note}" for note in coarse_notes()]
     if second:
         lines.append(
             f"  by {second['method']}: offset {second['offset_s']:.3f} s "

@@ -11,7 +11,12 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
 from hapticplayer.capture.sync.synchronize import ClipSound, SyncInput, read_sound
-from hapticplayer.capture.vision import FrameRotation, is_available, rotation
+from hapticplayer.capture.vision import (
+    FrameRotation,
+    is_available,
+    rotation,
+    why_broken,
+)
 from hapticplayer.errors import InputError, Message, Progress, SequenceError, UsageError
 from hapticplayer.media.clip_info import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
@@ -85,7 +90,16 @@ def notes_on_sync(recording: Recording, found: Synchronisation) -> tuple[str, ..
     notes, before, after = recording.notes, recording.lag, found.lag
     if before is not None and after is not None:
         notes = tuple(after.text if n == before.text else n for n in notes)
-    return (*notes, COARSE_NOTE) if found.is_coarse else notes
+    return (*notes, *coarse_notes()) if found.is_coarse else notes
+
+
+def coarse_notes() -> tuple[Message, ...]:
+    """Return that frames were compared coarsely, and why if OpenCV is installed."""
+    return (COARSE_NOTE, _broken()) if why_broken() else (COARSE_NOTE,)
+
+
+def _broken() -> Message:
+    return Message("OpenCV is installed, but cannot be loaded: {why}", why=why_broken())
 
 
 def moved_to(found: Synchronisation, offset_s: float) -> Synchronisation:
@@ -166,7 +180,7 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
         "--offset S"
     )
     if not is_available():
-        look = Message("{look}; {brings}", look=look, brings=_EXTRA)
+        look = Message("{look}; {brings}", look=look, brings=_brings())
     if not found.pats:
         return Message(
             "{clip}: no three pats are both heard and felt; {look}",
@@ -226,7 +240,12 @@ def _doubtful_frames(found: Synchronisation, clip: str) -> str:
     )
     if not evidence.is_coarse:
         return doubt
-    return Message("{look}; {brings}", look=doubt, brings=_EXTRA)
+    return Message("{look}; {brings}", look=doubt, brings=_brings())
+
+
+def _brings() -> Message:
+    """Return what keeps the frames from being compared exactly."""
+    return _broken() if why_broken() else _EXTRA
 
 
 class _Skews(Struct):

@@ -6264,6 +6264,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Nur sein Bild bewegt sich.</translation>
     </message>
     <message>
+        <source>OpenCV is installed, but cannot be loaded: {why}</source>
+        <translation>OpenCV ist installiert, lässt sich aber nicht laden: {why}</translation>
+    </message>
+    <message>
         <source>Other sequence</source>
         <translation>Andere Sequenz</translation>
     </message>
@@ -6674,6 +6678,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>finding events</source>
         <translation>Ereignisse werden gesucht</translation>
+    </message>
+    <message>
+        <source>following frames needs OpenCV, which cannot be loaded ({why})</source>
+        <translation>Um Bildern zu folgen, braucht es OpenCV, das sich nicht laden lässt ({why})</translation>
     </message>
     <message>
         <source>following the frames</source>

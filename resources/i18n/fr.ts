@@ -6264,6 +6264,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Seule son image bouge.</translation>
     </message>
     <message>
+        <source>OpenCV is installed, but cannot be loaded: {why}</source>
+        <translation>OpenCV est installé, mais ne peut pas être chargé&#xa0;: {why}</translation>
+    </message>
+    <message>
         <source>Other sequence</source>
         <translation>Autre séquence</translation>
     </message>
@@ -6674,6 +6678,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>finding events</source>
         <translation>recherche d’événements</translation>
+    </message>
+    <message>
+        <source>following frames needs OpenCV, which cannot be loaded ({why})</source>
+        <translation>suivre les images demande OpenCV, qui ne peut pas être chargé ({why})</translation>
     </message>
     <message>
         <source>following the frames</source>

@@ -115,9 +115,21 @@ class Seen(NamedTuple):
     travel: Floats
 
 
+@functools.cache
+def why_broken() -> str:
+    """Return why OpenCV cannot be loaded though it is installed; "" otherwise."""
+    if importlib.util.find_spec("cv2") is None:
+        return ""
+    try:
+        importlib.import_module("cv2")
+    except Exception as problem:  # noqa: BLE001 - whatever a broken build raises
+        return str(problem)
+    return ""
+
+
 def is_available() -> bool:
-    """Whether the optional library is installed."""
-    return importlib.util.find_spec("cv2") is not None
+    """Whether the optional library is installed and can be loaded."""
+    return importlib.util.find_spec("cv2") is not None and not why_broken()
 
 
 def watched(
@@ -160,7 +172,11 @@ def watched(
 
 
 def opencv() -> Any:
-    """Return OpenCV's module; raises InputError where it is not installed."""
+    """Return OpenCV's module; raises InputError where it cannot be loaded."""
+    if why := why_broken():
+        raise InputError(
+            "following frames needs OpenCV, which cannot be loaded ({why})", why=why
+        )
     if not is_available():
         raise InputError(
             "following frames needs OpenCV, which is not installed",
