@@ -35,6 +35,8 @@ from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 from hapticplayer.sequence.writing import Content, write_folder
 from hapticplayer.untrusted import HeldFile
 
+_FOLLOWING_SHARE = 0.75  # of the time of an import in which frames are followed
+
 
 @dataclass(frozen=True, slots=True)
 class Choices:
@@ -101,7 +103,8 @@ def build_sequence(
             clip_file.refuse_changed()
             progress(fraction, step)
 
-        report(0.0, Message("reading {name}", name=video.name))
+        bar = _Bar(report)
+        bar.rest(0.0, Message("reading {name}", name=video.name))
         clip = probe(video)
         if choices.suggest_gain is not None:
             content = suggested(
@@ -109,25 +112,44 @@ def build_sequence(
                 imu_log,
                 choices.suggest_gain,
                 choices.mapping,
-                lambda share, step: report(0.2 * share, step),
+                bar.following(),
             )
-            return write_folder(clip, content, target, choices, report)
+            return write_folder(clip, content, target, choices, bar.rest)
         recording = read_recording(source, choices.log)
         refuse_gravity_free(recording)
         if not choices.mounting and not (choices.log and choices.log.axes):
             ask_for_mounting(recording.imu, name_of(source))
-        report(0.02, Message("synchronising"))
-        recording = synchronized(clip, recording, choices.sync, _share(report))
+        bar.rest(0.0, Message("synchronising"))
+        recording = synchronized(clip, recording, choices.sync, bar.following())
         axes = choices.mounting
         if axes == BY_FRAMES:
-            axes = mounting_by_frames(clip, recording, _share(report))
+            axes = mounting_by_frames(clip, recording, bar.following())
         recording = _mounted(recording, axes)
-        return write_sequence(clip, recording, target, choices=choices, progress=report)
+        return write_sequence(
+            clip, recording, target, choices=choices, progress=bar.rest
+        )
 
 
-def _share(report: Progress) -> Progress:
-    """Return the progress of following frames, within that of an import."""
-    return lambda share, step: report(0.02 + 0.03 * share, step)
+class _Bar:
+    """Progress of an import, most of which is following frames where that is done."""
+
+    def __init__(self, report: Progress) -> None:
+        self._report = report
+        self._done = 0.0
+
+    def following(self) -> Progress:
+        """Return the progress of following frames."""
+        begin = self._done
+
+        def report(share: float, step: str) -> None:
+            self._done = begin + _FOLLOWING_SHARE * (1.0 - begin) * share
+            self._report(self._done, step)
+
+        return report
+
+    def rest(self, share: float, step: str) -> None:
+        """Report the share of everything else, in what following frames has left."""
+        self._report(self._done + (1.0 - self._done) * share, step)
 
 
 def _mounted(recording: Recording, axes: str) -> Recording:

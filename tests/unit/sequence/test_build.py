@@ -8,11 +8,14 @@ import shutil
 import numpy as np
 import pytest
 
+from hapticplayer.capture.mounting import BY_FRAMES
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.capture.sync import pictures
+from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.cli import main
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, SequenceError
 from hapticplayer.model import ClockMap
-from hapticplayer.sequence import files, open_sequence
+from hapticplayer.sequence import files, mounting_by_frames, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence, write_sequence
 from hapticplayer.sequence.synchronizing import SyncChoices
 from hapticplayer.untrusted import HeldFile
@@ -39,6 +42,31 @@ def test_a_video_with_a_log_becomes_a_sequence(tmp_path, tiny_clip, log_file):
     assert sequence.description["clock_map"]["offset_s"] == -1.5
     fractions = [fraction for fraction, _ in steps]
     assert fractions == sorted(fractions)
+    assert (fractions[0], fractions[-1]) == (0.0, 1.0)
+
+
+def test_following_frames_moves_the_bar_for_most_of_it(
+    tmp_path, tiny_clip, log_file, monkeypatch
+):
+    def watch(_clip, progress):
+        for share in (0.0, 0.5, 1.0):
+            progress(share, "following the frames")
+
+    monkeypatch.setattr(mounting_by_frames, "watch", watch)
+    found = FoundMounting("y,-x,z", 2.0, "x,y,z")
+    monkeypatch.setattr(pictures, "find_mounting", lambda *_arguments: found)
+    steps = []
+    build_sequence(
+        tiny_clip.path,
+        tmp_path / "ride",
+        imu_log=log_file,
+        choices=Choices(sync=SyncChoices(offset_s=0.0), mounting=BY_FRAMES),
+        progress=lambda fraction, step: steps.append((fraction, step)),
+    )
+    fractions = [fraction for fraction, _ in steps]
+    assert fractions == sorted(fractions)
+    followed = [fraction for fraction, step in steps if step == "following the frames"]
+    assert followed[-1] - followed[0] > 0.7
     assert (fractions[0], fractions[-1]) == (0.0, 1.0)
 
 
