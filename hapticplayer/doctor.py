@@ -45,6 +45,7 @@ PYTHON_PACKAGES = {
     "usb": "pyusb",
     "vqf": "vqf",
 }
+OPENCV = "opencv-python-headless"  # of the extra vision
 
 LOOP_PRIORITY = 80  # what the haptics process asks for
 OLDEST_SLICE_KERNEL = (6, 12)  # first Linux that grants a time slice on request
@@ -147,6 +148,7 @@ def check() -> list[MachineCheck]:
         _check_python(),
         *_check_apt(),
         _check_python_packages(),
+        _check_opencv(),
         _check_display(),
         _check_sound(),
         _check_scheduling(),
@@ -192,28 +194,52 @@ def _check_apt() -> list[MachineCheck]:
     ]
 
 
-def _check_python_packages() -> MachineCheck:
+def _is_beside_venv() -> bool:
+    """Whether this Python is not the one of the environment that ./run makes."""
+    return sys.prefix == sys.base_prefix and (ROOT / ".venv").is_dir()
+
+
+def _version(module: str, name: str) -> str | None:
     """Metadata and finders only: importing them all would take seconds."""
     import importlib.metadata  # with all of email's: a start must not wait for it
 
     paths = sys.path
-    if sys.prefix == sys.base_prefix and (ROOT / ".venv").is_dir():
+    if _is_beside_venv():
         paths = [str(path) for path in ROOT.glob(".venv/lib/python3*/site-packages")]
+    if PathFinder.find_spec(module, paths) is None:
+        return None
+    found = importlib.metadata.distributions(name=name, path=paths)
+    return next((one.version for one in found), None)
+
+
+def _check_python_packages() -> MachineCheck:
     found, missing = [], []
     for module, name in PYTHON_PACKAGES.items():
-        distribution = next(
-            iter(importlib.metadata.distributions(name=name, path=paths)), None
-        )
-        if distribution is None or PathFinder.find_spec(module, paths) is None:
+        version = _version(module, name)
+        if version is None:
             missing.append(name)
         else:
-            found.append(f"{name} {distribution.version}")
+            found.append(f"{name} {version}")
     return MachineCheck(
         "Python packages",
         not missing,
         required=True,
         detail="missing: " + ", ".join(missing) if missing else ", ".join(found),
         remedy="./run sets them up in .venv",
+    )
+
+
+def _check_opencv() -> MachineCheck:
+    version = _version("cv2", OPENCV)
+    python = ROOT / ".venv/bin/python" if _is_beside_venv() else sys.executable
+    return MachineCheck(
+        "OpenCV",
+        version is not None,
+        required=False,
+        detail=f"{OPENCV} {version}"
+        if version
+        else "synchronising by frames is coarse, no motion is suggested from the picture",
+        remedy=f"{python} -m pip install {OPENCV} (150 MB)",
     )
 
 

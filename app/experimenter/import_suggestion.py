@@ -38,7 +38,10 @@ class SuggestionBox(QFrame):
             )
         )
         self.missing = paragraph(
-            self.tr("This needs OpenCV: install hapticplayer[vision]."), theme.WARN
+            self.tr(
+                "This needs OpenCV; `hapticplayer doctor` shows how to install it."
+            ),
+            theme.WARN,
         )
         parts = (self.reason, self.choice, self.expect, self.missing)
         column_of(*parts, margins=(9, 9, 9, 9), of=self)

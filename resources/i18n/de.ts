@@ -4019,8 +4019,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Zu spüren sind Kurven eines Fahrzeugs und Schritte beim Gehen oder Reiten; Bremsen, Stöße und Schlaglöcher fehlen. Nichts misst diese Bewegung: stellen Sie ihre Stärke von Hand mit der Verstärkung ein, und verwenden Sie sie in keiner Studie, ohne es zu sagen.</translation>
     </message>
     <message>
-        <source>This needs OpenCV: install hapticplayer[vision].</source>
-        <translation>Das braucht OpenCV: installieren Sie hapticplayer[vision].</translation>
+        <source>This needs OpenCV; `hapticplayer doctor` shows how to install it.</source>
+        <translation>Das braucht OpenCV; `hapticplayer doctor` zeigt, wie es installiert wird.</translation>
     </message>
     <message>
         <source>Choose its motion log above, if there is one.</source>

@@ -4019,8 +4019,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Vous sentirez les virages d’un véhicule et les pas à pied ou à cheval&#xa0;; freinages, chocs et nids-de-poule manqueront. Rien ne mesure ce mouvement&#xa0;: réglez sa force à la main avec le gain, et ne l’utilisez pas dans une étude sans le dire.</translation>
     </message>
     <message>
-        <source>This needs OpenCV: install hapticplayer[vision].</source>
-        <translation>Cela nécessite OpenCV&#xa0;: installez hapticplayer[vision].</translation>
+        <source>This needs OpenCV; `hapticplayer doctor` shows how to install it.</source>
+        <translation>Cela nécessite OpenCV&#xa0;; `hapticplayer doctor` montre comment l’installer.</translation>
     </message>
     <message>
         <source>Choose its motion log above, if there is one.</source>

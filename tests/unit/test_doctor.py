@@ -126,11 +126,21 @@ def test_a_missing_python_package_is_named(monkeypatch, lack, capsys) -> None:
     assert "missing: gone-package: ./run sets them up" in capsys.readouterr().out
 
 
+def test_opencv_may_be_missing(monkeypatch, lack, capsys) -> None:
+    lack()
+    monkeypatch.setattr(doctor, "OPENCV", "gone-package")
+
+    assert doctor.main([]) == 0
+    assert f"{sys.executable} -m pip install gone-package" in capsys.readouterr().out
+
+
 def test_python_packages_are_those_of_the_project() -> None:
     project = tomllib.loads((doctor.ROOT / "pyproject.toml").read_text())["project"]
     wanted = {re.split(r"[<>=;]", each)[0] for each in project["dependencies"]}
 
     assert set(doctor.PYTHON_PACKAGES.values()) == wanted
+    extra = project["optional-dependencies"]["vision"]
+    assert [re.split(r"[<>=;]", each)[0] for each in extra] == [doctor.OPENCV]
 
 
 def test_the_file_runs_alone_on_a_bare_python(tmp_path) -> None:
