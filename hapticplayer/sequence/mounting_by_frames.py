@@ -24,8 +24,12 @@ def mounting_by_frames(clip: ClipInfo, recording: Recording, progress: Progress)
     """
     found = _already(recording.provenance.get("synchronisation"))
     if found is None:
-        from hapticplayer.capture.sync.pictures import find_mounting
+        from hapticplayer.capture.sync.pictures import (
+            find_mounting,
+            refuse_without_gyro,
+        )
 
+        refuse_without_gyro(recording.imu)
         frames = watch(clip, progress)
         found = find_mounting(recording.imu, frames, recording.clock_map)
     if not found.is_clear:

@@ -10,14 +10,27 @@ from msgspec import Meta, Struct
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
-from hapticplayer.capture.sync.synchronize import ClipSound, SyncInput, read_sound
+from hapticplayer.capture.sync.synchronize import (
+    NO_FIT,
+    NO_PATS,
+    ClipSound,
+    SyncInput,
+    read_sound,
+)
 from hapticplayer.capture.vision import (
     FrameRotation,
     is_available,
     rotation,
     why_broken,
 )
-from hapticplayer.errors import InputError, Message, Progress, SequenceError, UsageError
+from hapticplayer.errors import (
+    InputError,
+    Message,
+    Progress,
+    SequenceError,
+    UsageError,
+    joined,
+)
 from hapticplayer.media.clip_info import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
 from hapticplayer.model.ranges import SKEW_S
@@ -173,31 +186,38 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
     """Return why a result is uncertain and what to do."""
     if _disagree(found):
         return _disagreement(found, clip)
-    if found.method == "pictures":
-        return _doubtful_frames(found, clip)
-    look = Message(
-        "compare sound and motion with `hapticplayer sync --plot FILE`, then give "
-        "--offset S"
-    )
-    if not is_available():
-        look = Message("{look}; {brings}", look=look, brings=_brings())
-    if not found.pats:
-        return Message(
-            "{clip}: no three pats are both heard and felt; {look}",
-            clip=clip,
-            look=look,
+    reasons: list[str] = [
+        _reason(one) for one in (found, found.second) if one is not None
+    ]
+    if found.unused:
+        reasons.append(found.unused)
+    look = Message("otherwise give --offset S")
+    if found.method != "pictures":
+        look = Message(
+            "compare sound and motion with `hapticplayer sync --plot FILE`, then give "
+            "--offset S"
         )
+    if found.is_coarse or not is_available():
+        look = Message("{look}; {brings}", look=look, brings=_brings())
+    why = joined(Message("; "), reasons)
+    return Message("{clip}: {why}; {look}", clip=clip, why=why, look=look)
+
+
+def _reason(found: Synchronisation) -> Message:
+    """Return why the result of one method is uncertain."""
+    if found.method == "pictures":
+        return _doubtful_frames(found)
+    if not found.pats:
+        return NO_PATS
     clock = found.clock_map
     others = [f"{one.shift_s:.3f}" for one in found.rivals[:_NEXT_BEST]]
     next_best = Message(", others {known} s", known=", ".join(others)) if others else ""
     return Message(
-        "{clip}: the pats are uncertain (confidence {confidence:.2f}); the best offset "
-        "is {offset_s:.3f} s{next_best}; {look}",
-        clip=clip,
+        "the pats are uncertain (confidence {confidence:.2f}); the best offset is "
+        "{offset_s:.3f} s{next_best}",
         confidence=clock.confidence,
         offset_s=clock.offset_s,
         next_best=next_best,
-        look=look,
     )
 
 
@@ -219,28 +239,18 @@ def _disagreement(found: Synchronisation, clip: str) -> str:
     )
 
 
-def _doubtful_frames(found: Synchronisation, clip: str) -> str:
+def _doubtful_frames(found: Synchronisation) -> Message:
     evidence = found.pictures
     if evidence is None:
-        return Message(
-            "{clip}: the camera's rotation in the frames fits the log nowhere; is it "
-            "the log of this clip, and the video not stabilised? Otherwise give "
-            "--offset S",
-            clip=clip,
-        )
-    doubt = Message(
-        "{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro "
-        "explains {explained:.0%} of the camera's rotation, at an offset of "
-        "{offset_s:.3f} s; is it the log of this clip, and the video not stabilised? "
-        "Otherwise give --offset S",
-        clip=clip,
+        return NO_FIT
+    return Message(
+        "the frames are uncertain (confidence {confidence:.2f}): the gyro explains "
+        "{explained:.0%} of the camera's rotation, at an offset of {offset_s:.3f} s (is "
+        "it the log of this clip, and the video not stabilised?)",
         confidence=found.clock_map.confidence,
         explained=evidence.explained,
         offset_s=found.clock_map.offset_s,
     )
-    if not evidence.is_coarse:
-        return doubt
-    return Message("{look}; {brings}", look=doubt, brings=_brings())
 
 
 def _brings() -> Message:

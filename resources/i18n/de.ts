@@ -5012,6 +5012,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fehler lassen sich nur bei einem simulierten Gerät einspielen, das dafür geöffnet wurde</translation>
     </message>
     <message>
+        <source>film something with detail, or use --sync pats (sync: --method pats)</source>
+        <translation>filmen Sie etwas mit Einzelheiten, oder nehmen Sie --sync pats (sync: --method pats)</translation>
+    </message>
+    <message>
         <source>has an invalid header</source>
         <translation>hat einen ungültigen Kopf</translation>
     </message>
@@ -6672,10 +6676,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Feedback {feedback} hat keine Parameter</translation>
     </message>
     <message>
-        <source>film something with detail, or use --method pats</source>
-        <translation>Filmen Sie etwas mit Einzelheiten, oder nehmen Sie --method pats</translation>
-    </message>
-    <message>
         <source>finding events</source>
         <translation>Ereignisse werden gesucht</translation>
     </message>
@@ -6758,10 +6758,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>hat mehr als {most_mb} MB an Kraft und Bewegung, zu viel für eine Datei</translation>
-    </message>
-    <message>
-        <source>has no angular rate, which frames could be compared with</source>
-        <translation>enthält keine Drehrate, mit der Bilder verglichen werden könnten</translation>
     </message>
     <message>
         <source>has no usual format</source>
@@ -7052,6 +7048,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>aus seinem Bild lässt sich keine Bewegung schätzen ({why})</translation>
     </message>
     <message>
+        <source>no three pats are both heard and felt</source>
+        <translation>es gibt kein dreimaliges Klopfen, das zu hören und zu spüren ist</translation>
+    </message>
+    <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
         <translation>bei {address} hört niemand zu: Starten Sie die Software der Plattform</translation>
     </message>
@@ -7118,6 +7118,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>order {order} plays {sequence} twice in a row</source>
         <translation>Reihenfolge {order} spielt {sequence} zweimal hintereinander</translation>
+    </message>
+    <message>
+        <source>otherwise give --offset S</source>
+        <translation>sonst geben Sie --offset S an</translation>
     </message>
     <message>
         <source>port {port} cannot be opened ({reason}); end what listens there</source>
@@ -7656,10 +7660,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Format von {name!r} ist unbekannt; wählen Sie eines von {known}</translation>
     </message>
     <message>
-        <source>the camera&apos;s rotation can be estimated in only {told_s:.1f} s of the video</source>
-        <translation>die Drehung der Kamera lässt sich nur in {told_s:.1f} s des Videos schätzen</translation>
-    </message>
-    <message>
         <source>the gyro explains {explained:.0%} of their rotation (video stabilised, or a calm camera)</source>
         <translation>Das Gyroskop erklärt {explained:.0%} ihrer Drehung (Video stabilisiert oder Kamera ruhig)</translation>
     </message>
@@ -7738,18 +7738,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation>hapticplayer hier und beim Anbieter aktualisieren</translation>
-    </message>
-    <message>
-        <source>use --method pats, or give --offset S</source>
-        <translation>Nehmen Sie --method pats, oder geben Sie --offset S an</translation>
-    </message>
-    <message>
-        <source>{clip}: the camera&apos;s rotation in the frames fits the log nowhere; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
-        <translation>{clip}: Die Drehung der Kamera in den Bildern passt nirgends zum Log; gehört es zu diesem Video, und ist das Video nicht stabilisiert? Sonst geben Sie --offset S an</translation>
-    </message>
-    <message>
-        <source>{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
-        <translation>{clip}: Die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s; gehört das Log zu diesem Video, und ist das Video nicht stabilisiert? Sonst geben Sie --offset S an</translation>
     </message>
     <message>
         <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
@@ -8202,14 +8190,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{axes}{words} are right, front, up</source>
         <translation>{axes}{words} sind rechts, vorn, oben</translation>
-    </message>
-    <message>
-        <source>{clip}: no three pats are both heard and felt; {look}</source>
-        <translation>{clip}: Es gibt kein dreimaliges Klopfen, das zu hören und zu spüren ist; {look}</translation>
-    </message>
-    <message>
-        <source>{clip}: the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}; {look}</source>
-        <translation>{clip}: Das Klopfen ist nicht sicher (Konfidenz {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}; {look}</translation>
     </message>
     <message>
         <source>{count} Falcons are plugged in: {known}; choose one, such as falcon:{serial}</source>
@@ -8728,8 +8708,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kamera bewegt sich nicht: es gibt nichts zu schätzen</translation>
     </message>
     <message>
+        <source>the camera&apos;s rotation can be estimated in only {told_s:.2f} s of the video, at least {least_s:.0f} s are needed</source>
+        <translation>die Drehung der Kamera lässt sich nur in {told_s:.2f} s des Videos schätzen, mindestens {least_s:.0f} s sind nötig</translation>
+    </message>
+    <message>
         <source>the camera&apos;s rotation in its frames against the gyro; coarse without the extra vision</source>
         <translation>die Drehung der Kamera in ihren Bildern gegen das Gyroskop; ohne das Extra vision grob</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s rotation in the frames fits the log nowhere (is it the log of this clip, and the video not stabilised?)</source>
+        <translation>die Drehung der Kamera in den Bildern passt nirgends zum Log (gehört es zu diesem Video, und ist das Video nicht stabilisiert?)</translation>
     </message>
     <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
@@ -8752,6 +8740,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>dies ist die Seite {page}, nicht {expected}</translation>
     </message>
     <message>
+        <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s (is it the log of this clip, and the video not stabilised?)</source>
+        <translation>die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s (gehört das Log zu diesem Video, und ist das Video nicht stabilisiert?)</translation>
+    </message>
+    <message>
         <source>the guard could not be started: {reason}</source>
         <translation>der Wächter konnte nicht gestartet werden: {reason}</translation>
     </message>
@@ -8772,8 +8764,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der persönliche Ordner ist unbekannt; {variable} auf den Pfad der Firmware setzen</translation>
     </message>
     <message>
+        <source>the log has no angular rate, which frames could be compared with</source>
+        <translation>das Log enthält keine Drehrate, mit der Bilder verglichen werden könnten</translation>
+    </message>
+    <message>
         <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
         <translation>die Bewegung von {name} wurde aufgezeichnet, und das ist besser als eine Schätzung aus dem Bild; importieren Sie es ohne --suggest-motion</translation>
+    </message>
+    <message>
+        <source>the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
+        <translation>das Klopfen ist nicht sicher (Konfidenz {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}</translation>
     </message>
     <message>
         <source>the sequence {key!r}: {reason}</source>
@@ -8852,6 +8852,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>entpacken Sie es und geben Sie den Ordner an</translation>
     </message>
     <message>
+        <source>use --sync pats (sync: --method pats), or give --offset S</source>
+        <translation>nehmen Sie --sync pats (sync: --method pats), oder geben Sie --offset S an</translation>
+    </message>
+    <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
         <translation>eine Datei verwenden, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
     </message>
@@ -8928,6 +8932,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ja</translation>
     </message>
     <message>
+        <source>{clip}: {why}; {look}</source>
+        <translation>{clip}: {why}; {look}</translation>
+    </message>
+    <message>
         <source>{code}: no record of a device, markers only</source>
         <translation>{code}: keine Aufzeichnung eines Geräts, nur Marker</translation>
     </message>
@@ -8994,10 +9002,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} does not hold numbers only ({reason})</source>
         <translation>{name} enthält nicht nur Zahlen ({reason})</translation>
-    </message>
-    <message>
-        <source>{name} does not know the clip&apos;s clock; use --method pats or give --offset S</source>
-        <translation>{name} kennt die Uhr des Clips nicht; nehmen Sie --method pats, oder geben Sie --offset S an</translation>
     </message>
     <message>
         <source>{name} has the shape {shape}, expected {count} x 3</source>
@@ -9186,6 +9190,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the sound output was lost; video and force continue</source>
         <translation>die Tonausgabe ist ausgefallen; Video und Kraft laufen weiter</translation>
+    </message>
+    <message>
+        <source>{name} does not know the clip&apos;s clock; use --sync pats (sync: --method pats) or give --offset S</source>
+        <translation>{name} kennt die Uhr des Videos nicht; nehmen Sie --sync pats (sync: --method pats), oder geben Sie --offset S an</translation>
     </message>
     <message>
         <source>{share:.1%} of the force samples reach the force limit</source>

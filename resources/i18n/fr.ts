@@ -5012,6 +5012,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les pannes ne peuvent être injectées que dans un appareil simulé ouvert à cet effet</translation>
     </message>
     <message>
+        <source>film something with detail, or use --sync pats (sync: --method pats)</source>
+        <translation>filmez quelque chose de détaillé, ou utilisez --sync pats (sync&#xa0;: --method pats)</translation>
+    </message>
+    <message>
         <source>has an invalid header</source>
         <translation>a un en-tête non valide</translation>
     </message>
@@ -6672,10 +6676,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le retour {feedback} n’a pas de paramètres</translation>
     </message>
     <message>
-        <source>film something with detail, or use --method pats</source>
-        <translation>filmez quelque chose de détaillé, ou utilisez --method pats</translation>
-    </message>
-    <message>
         <source>finding events</source>
         <translation>recherche d’événements</translation>
     </message>
@@ -6758,10 +6758,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>a plus de {most_mb} Mo de force et de mouvement, trop pour un seul fichier</translation>
-    </message>
-    <message>
-        <source>has no angular rate, which frames could be compared with</source>
-        <translation>ne contient pas de vitesse angulaire à laquelle comparer les images</translation>
     </message>
     <message>
         <source>has no usual format</source>
@@ -7052,6 +7048,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun mouvement ne peut être estimé d’après son image ({why})</translation>
     </message>
     <message>
+        <source>no three pats are both heard and felt</source>
+        <translation>aucune série de trois tapes n’est à la fois entendue et sentie</translation>
+    </message>
+    <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
         <translation>personne n’écoute à {address}&#xa0;: lancez le logiciel de la plateforme</translation>
     </message>
@@ -7118,6 +7118,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>order {order} plays {sequence} twice in a row</source>
         <translation>l’ordre {order} joue {sequence} deux fois de suite</translation>
+    </message>
+    <message>
+        <source>otherwise give --offset S</source>
+        <translation>sinon, donnez --offset S</translation>
     </message>
     <message>
         <source>port {port} cannot be opened ({reason}); end what listens there</source>
@@ -7656,10 +7660,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le format de {name!r} est inconnu&#xa0;; choisissez parmi {known}</translation>
     </message>
     <message>
-        <source>the camera&apos;s rotation can be estimated in only {told_s:.1f} s of the video</source>
-        <translation>la rotation de la caméra ne peut être estimée que dans {told_s:.1f} s de la vidéo</translation>
-    </message>
-    <message>
         <source>the gyro explains {explained:.0%} of their rotation (video stabilised, or a calm camera)</source>
         <translation>le gyroscope explique {explained:.0%} de leur rotation (vidéo stabilisée ou caméra calme)</translation>
     </message>
@@ -7738,18 +7738,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>update hapticplayer here and where the clip is served</source>
         <translation>mettez hapticplayer à jour ici et là où le clip est servi</translation>
-    </message>
-    <message>
-        <source>use --method pats, or give --offset S</source>
-        <translation>utilisez --method pats, ou donnez --offset S</translation>
-    </message>
-    <message>
-        <source>{clip}: the camera&apos;s rotation in the frames fits the log nowhere; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
-        <translation>{clip}&#xa0;: la rotation de la caméra dans les images ne correspond nulle part au journal&#xa0;; est-ce celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Sinon, donnez --offset S</translation>
-    </message>
-    <message>
-        <source>{clip}: the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s; is it the log of this clip, and the video not stabilised? Otherwise give --offset S</source>
-        <translation>{clip}&#xa0;: les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s&#xa0;; est-ce le journal de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Sinon, donnez --offset S</translation>
     </message>
     <message>
         <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
@@ -8202,14 +8190,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{axes}{words} are right, front, up</source>
         <translation>{axes}{words} sont droite, avant, haut</translation>
-    </message>
-    <message>
-        <source>{clip}: no three pats are both heard and felt; {look}</source>
-        <translation>{clip}&#xa0;: aucune série de trois tapes n’est à la fois entendue et sentie&#xa0;; {look}</translation>
-    </message>
-    <message>
-        <source>{clip}: the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}; {look}</source>
-        <translation>{clip}&#xa0;: les tapes ne sont pas sûres (confiance {confidence:.2f})&#xa0;: le meilleur décalage est de {offset_s:.3f} s{next_best}&#xa0;; {look}</translation>
     </message>
     <message>
         <source>{count} Falcons are plugged in: {known}; choose one, such as falcon:{serial}</source>
@@ -8728,8 +8708,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la caméra est immobile&#xa0;: rien à estimer</translation>
     </message>
     <message>
+        <source>the camera&apos;s rotation can be estimated in only {told_s:.2f} s of the video, at least {least_s:.0f} s are needed</source>
+        <translation>la rotation de la caméra ne peut être estimée que dans {told_s:.2f} s de la vidéo, il en faut au moins {least_s:.0f} s</translation>
+    </message>
+    <message>
         <source>the camera&apos;s rotation in its frames against the gyro; coarse without the extra vision</source>
         <translation>la rotation de la caméra dans ses images contre le gyroscope&#xa0;; grossière sans l&apos;extra vision</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s rotation in the frames fits the log nowhere (is it the log of this clip, and the video not stabilised?)</source>
+        <translation>la rotation de la caméra dans les images ne correspond nulle part au journal (est-ce celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;?)</translation>
     </message>
     <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
@@ -8752,6 +8740,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>c’est la page {page}, pas {expected}</translation>
     </message>
     <message>
+        <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s (is it the log of this clip, and the video not stabilised?)</source>
+        <translation>les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s (est-ce le journal de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;?)</translation>
+    </message>
+    <message>
         <source>the guard could not be started: {reason}</source>
         <translation>le gardien n’a pas pu démarrer&#xa0;: {reason}</translation>
     </message>
@@ -8772,8 +8764,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le dossier personnel est inconnu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
     </message>
     <message>
+        <source>the log has no angular rate, which frames could be compared with</source>
+        <translation>le journal ne contient pas de vitesse angulaire à laquelle comparer les images</translation>
+    </message>
+    <message>
         <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
         <translation>le mouvement de {name} a été enregistré, ce qui vaut mieux qu’une estimation d’après l’image&#xa0;; importez-la sans --suggest-motion</translation>
+    </message>
+    <message>
+        <source>the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
+        <translation>les tapes ne sont pas sûres (confiance {confidence:.2f})&#xa0;: le meilleur décalage est de {offset_s:.3f} s{next_best}</translation>
     </message>
     <message>
         <source>the sequence {key!r}: {reason}</source>
@@ -8852,6 +8852,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>décompressez-la et donnez le dossier</translation>
     </message>
     <message>
+        <source>use --sync pats (sync: --method pats), or give --offset S</source>
+        <translation>utilisez --sync pats (sync&#xa0;: --method pats), ou donnez --offset S</translation>
+    </message>
+    <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
         <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
     </message>
@@ -8928,6 +8932,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>oui</translation>
     </message>
     <message>
+        <source>{clip}: {why}; {look}</source>
+        <translation>{clip}&#xa0;: {why}&#xa0;; {look}</translation>
+    </message>
+    <message>
         <source>{code}: no record of a device, markers only</source>
         <translation>{code}&#xa0;: aucun enregistrement d’un appareil, marqueurs seulement</translation>
     </message>
@@ -8994,10 +9002,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} does not hold numbers only ({reason})</source>
         <translation>{name} ne contient pas que des nombres ({reason})</translation>
-    </message>
-    <message>
-        <source>{name} does not know the clip&apos;s clock; use --method pats or give --offset S</source>
-        <translation>{name} ne connaît pas l’horloge de la vidéo&#xa0;; prenez --method pats ou donnez --offset S</translation>
     </message>
     <message>
         <source>{name} has the shape {shape}, expected {count} x 3</source>
@@ -9186,6 +9190,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the sound output was lost; video and force continue</source>
         <translation>la sortie audio a été perdue&#xa0;; la vidéo et la force continuent</translation>
+    </message>
+    <message>
+        <source>{name} does not know the clip&apos;s clock; use --sync pats (sync: --method pats) or give --offset S</source>
+        <translation>{name} ne connaît pas l&apos;horloge de la vidéo&#xa0;; utilisez --sync pats (sync&#xa0;: --method pats) ou donnez --offset S</translation>
     </message>
     <message>
         <source>{share:.1%} of the force samples reach the force limit</source>

@@ -140,20 +140,27 @@ def usable(imu: ImuLog, frames: FrameRotation) -> Watched:
     Raises:
         InputError: when the frames or the log tell of no rotation at all.
     """
-    if not imu.angular_rate_radps.any():
-        raise InputError(
-            "has no angular rate, which frames could be compared with",
-            where=imu.source,
-            remedy="use --method pats, or give --offset S",
-        )
+    refuse_without_gyro(imu)
     told_s = float((frames.end_s - frames.begin_s) @ (frames.quality > 0.0))
     if told_s < _LEAST_S:
         raise InputError(
-            "the camera's rotation can be estimated in only {told_s:.1f} s of the video",
-            remedy="film something with detail, or use --method pats",
+            "the camera's rotation can be estimated in only {told_s:.2f} s of the video, "
+            "at least {least_s:.0f} s are needed",
+            remedy="film something with detail, or use --sync pats (sync: --method pats)",
             told_s=told_s,
+            least_s=_LEAST_S,
         )
     return Watched.of(frames)
+
+
+def refuse_without_gyro(imu: ImuLog) -> None:
+    """Reject a log that tells of no rotation, before its clip is looked at."""
+    if not imu.angular_rate_radps.any():
+        raise InputError(
+            "the log has no angular rate, which frames could be compared with",
+            where=imu.source,
+            remedy="use --sync pats (sync: --method pats), or give --offset S",
+        )
 
 
 def finding(fits: list[RotationFit], line: Line, kind: FeatureKind) -> Synchronisation:

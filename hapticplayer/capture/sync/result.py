@@ -131,6 +131,7 @@ class Synchronisation:
         pictures: result of the frames.
         mounting: which mounting they tell.
         second: what another method found, which agrees, or does not.
+        unused: why another method found nothing.
         lag: of the camera's own motion, if its clock is used.
     """
 
@@ -147,6 +148,7 @@ class Synchronisation:
     pictures: PictureEvidence | None = None
     mounting: FoundMounting | None = None
     second: "Synchronisation | None" = None
+    unused: Message | str = ""
     lag: ClockLag | None = None
 
     @property

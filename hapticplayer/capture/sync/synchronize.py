@@ -25,6 +25,12 @@ SOUND_RATE_HZ = 16_000
 MIN_IMU_RATE_HZ = 20.0
 MAX_SOUND_S = 4 * 3600.0
 
+NO_PATS = Message("no three pats are both heard and felt")
+NO_FIT = Message(
+    "the camera's rotation in the frames fits the log nowhere (is it the log of this "
+    "clip, and the video not stabilised?)"
+)
+
 _MIN_SOUND_RATE_HZ = 4000.0
 _AGREES_S = 0.0167
 _PATS_SIGMA_S = 0.004  # of pats at the least, beyond what their fit says
@@ -137,14 +143,16 @@ def automatic(inputs: SyncInput) -> Synchronisation:
         return by_pats(inputs)
     pats, problem = _tried(by_pats, inputs)
     pictures, unseen = _tried(by_pictures, inputs)
-    if pats is None and pictures is None:
+    if pats is not None and pictures is not None:
+        return joined_findings(pats, pictures)
+    if pictures is not None:
         assert problem is not None
-        raise _with_both_remedies(problem, unseen)
-    if pats is None or pictures is None:
-        found = pats or pictures
-        assert found is not None
-        return found
-    return joined_findings(pats, pictures)
+        return dataclasses.replace(pictures, unused=problem.what)
+    assert unseen is not None
+    if pats is not None:
+        return dataclasses.replace(pats, unused=unseen.what)
+    assert problem is not None
+    raise _with_both_reasons(problem, unseen)
 
 
 def _tried(
@@ -157,22 +165,23 @@ def _tried(
         return None, problem
 
 
-def _with_both_remedies(unheard: InputError, unseen: InputError | None) -> InputError:
-    """Return why there are no pats, with what makes the frames visible as well."""
-    if not isinstance(unseen, MediaError) or not unseen.remedy:
-        return unheard
-    remedy = Message("{one}; {other}", one=unseen.remedy, other=unheard.remedy)
-    return InputError(unheard.what, where=unheard.where, remedy=remedy)
+def _with_both_reasons(unheard: InputError, unseen: InputError) -> InputError:
+    """Return why there are no pats and what is wrong with the frames, with remedies."""
+    what = Message("{one}; {other}", one=unheard.what, other=unseen.what)
+    remedy = unheard.remedy
+    if isinstance(unseen, MediaError) and unseen.remedy:
+        remedy = Message("{one}; {other}", one=unseen.remedy, other=remedy)
+    return InputError(what, where=unheard.where, remedy=remedy)
 
 
 def joined_findings(
     pats: Synchronisation, pictures: Synchronisation
 ) -> Synchronisation:
     """Return one result: where both agree the pictures', if they are certain."""
-    if pictures.pictures is None:  # nothing fits
-        return pats
+    if pictures.pictures is None:
+        return dataclasses.replace(pats, unused=NO_FIT)
     if not pats.pats:
-        return pictures
+        return dataclasses.replace(pictures, unused=NO_PATS)
     likelier, other = pictures, pats
     if pats.clock_map.confidence > pictures.clock_map.confidence:
         likelier, other = pats, pictures
@@ -220,8 +229,8 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
     """
     if inputs.own is None:
         raise UsageError(
-            "{name} does not know the clip's clock; use --method pats or give "
-            "--offset S",
+            "{name} does not know the clip's clock; use --sync pats (sync: --method "
+            "pats) or give --offset S",
             name=Path(inputs.imu.source).name,
         )
     lag = inputs.lag
@@ -256,8 +265,12 @@ def by_pictures(inputs: SyncInput) -> Synchronisation:
     """Compare the camera's rotation in the frames with the log's gyro."""
     if inputs.look is None:
         raise UsageError("the method pictures needs a clip")
-    from hapticplayer.capture.sync.pictures import synchronize_pictures
+    from hapticplayer.capture.sync.pictures import (
+        refuse_without_gyro,
+        synchronize_pictures,
+    )
 
+    refuse_without_gyro(inputs.imu)
     return synchronize_pictures(inputs.imu, inputs.look())
 
 

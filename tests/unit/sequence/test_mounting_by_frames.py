@@ -23,7 +23,7 @@ def recording(axes: str, by_frames: FoundMounting | None) -> Recording:
     accel = np.tile(np.array([0.0, 0.0, 9.81]) @ axes_matrix(axes), (len(time_s), 1))
     found = {"mounting": by_frames.described()} if by_frames else {}
     return Recording(
-        imu=ImuLog(time_s, accel, np.zeros_like(accel)),
+        imu=ImuLog(time_s, accel, np.ones_like(accel)),
         clock_map=ClockMap(),
         camera="logger",
         provenance={"synchronisation": found},

@@ -18,6 +18,7 @@ from hapticplayer.capture.sync.synchronize import SyncInput, automatic, joined_f
 from hapticplayer.capture.vision import FeatureKind, FrameRotation
 from hapticplayer.errors import InputError, MediaError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
+from hapticplayer.sequence.synchronizing import uncertainty
 
 CLIP_S = 30.0
 FRAME_S = 1 / 30.0
@@ -204,7 +205,7 @@ def test_still_camera_or_no_gyro_is_refused() -> None:
     blind = replace(frames, quality=np.zeros(len(frames)))
     no_gyro = replace(imu, angular_rate_radps=np.zeros((len(imu), 3)))
 
-    with pytest.raises(InputError, match=r"only 0\.0 s of the video"):
+    with pytest.raises(InputError, match=r"only 0\.00 s of the video, at least 5 s"):
         synchronize_pictures(imu, blind)
     with pytest.raises(InputError, match="no angular rate"):
         synchronize_pictures(no_gyro, frames)
@@ -332,14 +333,50 @@ def test_auto_uses_what_there_is(pictures, monkeypatch) -> None:
     monkeypatch.setattr(module, "by_pats", lambda _inputs: by_pats(2.0, 0.9))
     assert automatic(SyncInput(imu, missing, look=missing)).method == "pats"
     monkeypatch.undo()
-    with pytest.raises(InputError, match="there is none"):
-        automatic(SyncInput(imu, missing, look=missing))
 
     def unreadable() -> FrameRotation:
         raise MediaError("no vectors", remedy="install this")
 
-    with pytest.raises(InputError, match=r"there is none.*install this"):
+    with pytest.raises(InputError, match=r"there is none; no vectors; install this"):
         automatic(SyncInput(imu, missing, look=unreadable))
+
+    def dark() -> FrameRotation:
+        raise InputError("too dark", remedy="use another method")
+
+    with pytest.raises(InputError, match=r"there is none; too dark$"):
+        automatic(SyncInput(imu, missing, look=dark))
+
+
+def test_a_doubt_tells_of_both_methods(pictures, monkeypatch) -> None:
+    imu, doubtful = Ride(1).log(ClockMap(1.0)), with_confidence(pictures, 0.3)
+
+    def dark() -> FrameRotation:
+        raise InputError("too dark")
+
+    monkeypatch.setattr(module, "by_pats", lambda _inputs: by_pats(7.0, 0.4))
+    alone = automatic(SyncInput(imu, lambda: None, look=dark))
+    assert "pats are uncertain (confidence 0.40)" in uncertainty(alone, "ride.mp4")
+    assert "too dark" in uncertainty(alone, "ride.mp4")
+
+    words = uncertainty(joined_findings(by_pats(7.0, 0.4), doubtful), "ride.mp4")
+    assert "pats are uncertain" in words
+    assert "the gyro explains 99%" in words
+    assert "not stabilised" in words
+    nowhere = replace(doubtful, pictures=None)
+    words = uncertainty(joined_findings(by_pats(7.0, 0.4), nowhere), "ride.mp4")
+    assert "fits the log nowhere" in words
+    no_pats = replace(by_pats(7.0, 0.0), pats=())
+    words = uncertainty(joined_findings(no_pats, doubtful), "ride.mp4")
+    assert "the frames are uncertain" in words
+    assert "no three pats" in words
+
+
+def test_a_log_without_a_gyro_is_refused_at_once() -> None:
+    imu = Ride(1).log(ClockMap())
+    no_gyro = replace(imu, angular_rate_radps=np.zeros((len(imu), 3)))
+
+    with pytest.raises(InputError, match=r"no angular rate.*--sync pats"):
+        module.by_pictures(SyncInput(no_gyro, lambda: None, look=pytest.fail))
 
 
 def test_coarse_frames_are_less_certain(pictures) -> None:
