@@ -22,7 +22,7 @@ MOST_LAG_S = 0.05
 """Cameras are 10 to 30 ms off; a larger one is not believed."""
 
 _REACH_S, _STEP_S = 0.06, 0.004
-_FEW = 0.5  # of the windows
+_MUCH = 0.5  # of the rotation in frames
 _MARGIN_S = 0.5  # of the log around the parts that are looked at
 
 Spans = Sequence[tuple[float, float]]
@@ -109,7 +109,7 @@ def _compared(
 def _doubt(found: Synchronisation | None) -> Message:
     assert found is not None
     assert found.pictures is not None
-    if found.pictures.telling_share < _FEW:
+    if found.pictures.explained > _MUCH:
         return Message("the camera rotates too slowly to show the time")
     return Message(
         "the gyro explains {explained:.0%} of their rotation (video stabilised, or a "

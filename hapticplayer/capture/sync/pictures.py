@@ -13,7 +13,7 @@ from hapticplayer.capture.sync.result import (
     Rival,
     Synchronisation,
 )
-from hapticplayer.capture.sync.rotation_line import Line, fit_line
+from hapticplayer.capture.sync.rotation_line import WINDOW_S, Line, fit_line
 from hapticplayer.capture.sync.rotation_match import (
     Gyro,
     RotationFit,
@@ -36,8 +36,8 @@ _CHECKED_S = 6.0  # parts of this length are compared by themselves
 # thresholds at which the confidence is a half; see benchmarks.sync pictures
 _MARGIN = 2.3  # logs of other clips reach 2.0, right ones 2.7 or more
 _EXPLAINED = 0.6
-_TELLING_SHARE = 0.4
-_TELLING_S = 0.006
+_TELLING_S = 3.0  # one window of 4 s is enough
+_KNOWN_S = 0.006  # SD of a window that tells the time
 _SPREAD_S = 0.006
 _DRIFT = 150e-6  # two quartzes differ by less; a frame rate that is wrong by 1000e-6
 
@@ -90,10 +90,15 @@ def _is_cut(frames: FrameRotation, gyro: Gyro, line: Line) -> bool:
     Only parts that fit worse than others are searched for.
     """
     parts = [Watched.of(part) for part in _parts(frames)]
-    here = [fit_at(part, gyro, line.at(part.begin_s)).unexplained for part in parts]
-    usual = float(np.median(here)) if here else 1.0
-    for part, unexplained in zip(parts, here, strict=True):
-        if unexplained < _MARGIN * usual:
+    here = [fit_at(part, gyro, line.at(part.begin_s)) for part in parts]
+    logged = [
+        fit.used.sum() * part.step_s >= _LEAST_S
+        for fit, part in zip(here, parts, strict=True)
+    ]
+    left = [fit.unexplained for fit in here]
+    usual = float(np.median(np.compress(logged, left))) if any(logged) else 1.0
+    for part, unexplained, is_logged in zip(parts, left, logged, strict=True):
+        if not is_logged or unexplained < _MARGIN * usual:
             continue
         fits = candidates(part, gyro)
         best = min((fit.unexplained for fit in fits), default=1.0)
@@ -199,12 +204,12 @@ def _evidence(
 ) -> PictureEvidence:
     best = fits[0].unexplained
     rival = fits[1].unexplained if len(fits) > 1 else 1.0
-    telling = line.window_sigma_s < _TELLING_S
+    telling = line.window_sigma_s < _KNOWN_S
     return PictureEvidence(
         line.middle_s,
-        1.0 - best,
+        max(0.0, 1.0 - best),
         rival / max(best, 1e-6),
-        float(telling.mean()),
+        WINDOW_S * float(telling.sum()),
         line.spread_s,
         *read_out_s,
         str(kind),
@@ -219,7 +224,7 @@ def _confidence(evidence: PictureEvidence, drift: float) -> float:
     weakest = min(
         math.log2(evidence.margin / _MARGIN),
         (evidence.explained - _EXPLAINED) / 0.1,
-        (evidence.telling_share - _TELLING_SHARE) / 0.2,
+        math.log2(max(evidence.telling_s, 1e-3) / _TELLING_S),
         math.log2(_SPREAD_S / max(evidence.spread_s, 1e-6)),
         math.log2(_DRIFT / max(drift, 1e-9)),
     )

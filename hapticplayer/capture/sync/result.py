@@ -57,7 +57,7 @@ class PictureEvidence:
         middle_s: media time of the middle of what was compared.
         explained: share of the frames' rotation that the gyro explains.
         margin: unexplained share of the best alternative shift over that of this one.
-        telling_share: share of the windows of 4 s that know the shift to 6 ms.
+        telling_s: length of all windows of 4 s that know the shift to 6 ms.
         spread_s: RMS of the windows about the line.
         read_out_s: from the first row of a frame to the last one, estimated.
         read_out_sigma_s: SD of its error.
@@ -67,7 +67,7 @@ class PictureEvidence:
     middle_s: float
     explained: float
     margin: float
-    telling_share: float
+    telling_s: float
     spread_s: float
     read_out_s: float
     read_out_sigma_s: float

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from scipy.ndimage import uniform_filter1d
 
 from hapticplayer.capture.sync.rotation_match import (
     QUIET_RADPS,
@@ -16,6 +17,7 @@ from hapticplayer.model.arrays import Floats
 WINDOW_S = 4.0
 DRIFT_PRIOR = 60e-6
 _WINDOW_FLOOR_S = 0.0015  # what a window is wrong by beyond its noise
+_LEAST_KNOWN_S = 0.02  # a window of a camera that does not turn holds noise only
 _OUTLIER = 12.0  # squares of a sigma at which weights fall to a quarter
 _CORRELATED = 1.5  # errors of neighbouring intervals are not independent
 _FEWEST_WINDOWS = 3  # that show a drift
@@ -116,6 +118,16 @@ def fit_line(watched: Watched, gyro: Gyro, start: RotationFit) -> Line:
     )
 
 
+def _explained(watched: Watched, camera_rad: Floats, error: Floats) -> Floats:
+    """Return which share (N,) of the camera's rotation around each interval is explained."""
+    count = max(1, round(WINDOW_S / watched.step_s))
+    left, whole = (
+        uniform_filter1d((one**2).sum(axis=1), count, mode="nearest")
+        for one in (error, camera_rad)
+    )
+    return np.asarray(np.clip(1.0 - left / np.maximum(whole, 1e-18), 0.0, 1.0))
+
+
 class _Windows(NamedTuple):
     """Media time of the middle, shift and its sigma of windows (W,)."""
 
@@ -164,21 +176,24 @@ class _Steps(NamedTuple):
             noise = np.maximum(noise, 1.4826 * np.median(np.abs(error[used]), axis=0))
         robust = 1.0 / (1.0 + ((error / noise) ** 2).sum(axis=1) / _OUTLIER) ** 2
         trust = (watched.weight * used * robust)[:, None] / (_CORRELATED * noise) ** 2
-        power = trust * slope**2
+        # where the camera does not turn, the slope is the gyro's own noise
+        power = trust * slope**2 * _explained(watched, camera_rad, error)[:, None] ** 2
         total = np.maximum(power.sum(axis=1), 1e-12)
         shift_s = (trust * slope * error).sum(axis=1) / total
         return cls(np.asarray(shift_s), np.asarray(power), slope)
 
     def windows(self, times_s: Floats) -> _Windows:
-        """Return windows of 4 s that are at least half full."""
+        """Return windows of 4 s that are at least half full, and know the shift at all."""
         number = ((times_s - times_s[0]) / WINDOW_S).astype(np.intp)
         count = np.bincount(number)
-        full = count >= 0.5 * count.max()
         weight = self.power.sum(axis=1)
-        power = np.bincount(number, weight)[full] + 1e-12
-        shift_s = np.bincount(number, weight * self.shift_s)[full] / power
-        at_s = np.bincount(number, times_s)[full] / count[full]
-        return _Windows(at_s, shift_s, 1.0 / np.sqrt(power))
+        power = np.bincount(number, weight) + 1e-12
+        full = count >= 0.5 * count.max()
+        knows = full & (power >= 1.0 / _LEAST_KNOWN_S**2)
+        kept = knows if knows.any() else full
+        shift_s = np.bincount(number, weight * self.shift_s)[kept] / power[kept]
+        at_s = np.bincount(number, times_s)[kept] / count[kept]
+        return _Windows(at_s, shift_s, 1.0 / np.sqrt(power[kept]))
 
     def read_out(self, watched: Watched) -> tuple[float, float, float]:
         """Return the deciding row, the read-out time and its sigma.

@@ -80,6 +80,14 @@ class Ride:
         )
 
 
+class Nod(Ride):
+    """Some seconds of it; before and after the camera is still."""
+
+    def angles(self, time_s: np.ndarray) -> np.ndarray:
+        """(N, 3) rad, around 5 s."""
+        return super().angles(time_s) * np.exp(-(((time_s - 5.0) / 2.5) ** 4))[:, None]
+
+
 def error_s(found: Synchronisation, clock: ClockMap) -> float:
     """Error at the middle of the clip."""
     middle_s = CLIP_S / 2
@@ -161,6 +169,43 @@ def test_cut_and_gap_do_not_matter() -> None:
 
     assert found.is_confident
     assert abs(error_s(found, clock)) < 0.001
+
+
+@pytest.mark.parametrize("span_s", [(8.0, 20.0), (18.0, 60.0), (-20.0, 12.0)])
+def test_log_of_a_part_of_the_clip_is_believed(span_s) -> None:
+    ride, clock = Ride(3), ClockMap(4.0)
+    imu = ride.log(clock)
+    media_s = imu.time_s + clock.offset_s
+    kept = (media_s < span_s[0]) | (media_s > span_s[1])
+    imu = ImuLog(
+        imu.time_s[kept],
+        imu.specific_force_mps2[kept],
+        imu.angular_rate_radps[kept],
+        sampling=imu.sampling,
+    )
+
+    found = synchronize_pictures(imu, ride.frames())
+
+    assert found.is_confident
+    assert abs(error_s(found, clock)) < 0.001
+
+
+@pytest.mark.parametrize("drift_ppm", [-80.0, 0.0, 80.0])
+def test_seconds_of_turning_are_enough_and_tell_no_clock_rate(drift_ppm) -> None:
+    ride, clock = Nod(1, 0.5), ClockMap(7.0, 1.0 + 1e-6 * drift_ppm)
+
+    found = synchronize_pictures(ride.log(clock), ride.frames())
+
+    assert found.is_confident
+    log_s = (5.0 - clock.offset_s) / clock.rate
+    assert abs(found.media_s(log_s) - 5.0) < 0.001
+    assert abs(found.drift_ppm - drift_ppm) < 2.0 * found.drift_sigma_ppm
+
+
+def test_turning_of_another_ride_is_not_believed() -> None:
+    found = synchronize_pictures(Nod(2, 0.5).log(ClockMap()), Nod(1, 0.5).frames())
+
+    assert not found.is_confident
 
 
 @pytest.mark.parametrize("slower", [1.2, 1 / 1.001])
