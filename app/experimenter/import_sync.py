@@ -20,6 +20,7 @@ from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import STRETCH, captioned, column_of, indent, paragraph, row_of
 from app.widgets.texts import local
+from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
 from hapticplayer.errors import HapticPlayerError, message_of
@@ -99,6 +100,8 @@ class SyncPage(QWidget):
         self.hear.clicked.connect(self._hear)
         offset = captioned(self.tr("&Offset"), self.offset)
         late = captioned(self.tr("S&ound delay"), self.skew)
+        self._sound_delay = QWidget()
+        row_of(*late, self.keep_skew, STRETCH, of=self._sound_delay)
         how = captioned(self.tr("&Method"), self.method)
         buttons = (whole, self.near, self.hear)
         hint = paragraph(
@@ -113,7 +116,7 @@ class SyncPage(QWidget):
         texts = column_of(
             hint,
             row_of(*buttons, *offset, STRETCH, spacing=8),
-            row_of(*late, self.keep_skew, STRETCH),
+            self._sound_delay,
             row_of(*how, (self.method_text, 1)),
             *(self.looked, self.problem, STRETCH),
         )
@@ -158,7 +161,9 @@ class SyncPage(QWidget):
         begin_s, end_s = self.strip.view_s
         middle_s = is_near * 0.5 * (begin_s + end_s)
         self.strip.point_at(middle_s if is_by_turns or not pats_s else pats_s[0])
-        self._body.setVisible(not found.knows_clip_clock)
+        self._sound_delay.setVisible(not found.knows_clip_clock)
+        is_followed = bool(len(found.turned[0]))
+        self._body.setVisible(is_followed or not found.knows_clip_clock)
         self._show_verdict()
 
     def _lanes(self, found: ImportPreview) -> list[Lane]:
@@ -170,11 +175,7 @@ class SyncPage(QWidget):
         ]
 
     def choice(self) -> Synchronisation:
-        """Return what a person has taken, or the recorder's own clock."""
-        found = self._recognised
-        assert found is not None
-        if found.found is not None and found.knows_clip_clock:
-            return found.found
+        """Return what a person has taken."""
         offset_s = self.offset.value()
         sync = self._shifted()
         if sync is None:
@@ -183,14 +184,14 @@ class SyncPage(QWidget):
 
     def may_go_on(self) -> bool:
         """Whether everything has been confirmed."""
-        found = self._recognised
-        if found is None:
+        if self._recognised is None:
             return False
-        return self._is_sure(found) or self.looked.isChecked()
+        return self._is_sure() or self.looked.isChecked()
 
-    def _is_sure(self, found: ImportPreview) -> bool:
+    def _is_sure(self) -> bool:
         choice = self.choice()
-        return found.knows_clip_clock or (choice.is_confident and choice.is_measured)
+        is_own_clock = choice.method == "embedded"
+        return is_own_clock or (choice.is_confident and choice.is_measured)
 
     def keep(self) -> None:
         """Keep the camera's skew for its next clips, where that was wanted."""
@@ -270,28 +271,36 @@ class SyncPage(QWidget):
         text, colour = self._verdict(found)
         self.verdict.setText(text)
         self.verdict.setStyleSheet(f"color: {colour};")
-        self.looked.setVisible(not self._is_sure(found))
+        self.looked.setVisible(not self._is_sure())
         self.decided.emit()
 
     def _verdict(self, found: ImportPreview) -> tuple[str, str]:
-        if found.knows_clip_clock:
-            text = self.tr(
-                "{recorder} records its motion on the clip's clock; no "
-                "synchronisation is needed."
-            )
-            text = text.format(recorder=translated(found.recorder))
-            lag = None if found.found is None else found.found.lag
-            if lag is None:
-                return text, theme.GOOD
-            colour = theme.GOOD if lag.is_measured else theme.WARN
-            return f"{text} {translated(lag.text)}", colour
         sync = found.found
+        if sync is None and not found.problem:
+            text = self.tr("Enter the offset, or drag the log's curves.")
+            return text, theme.WARN
         if sync is None:
             text = self.tr("Could not synchronise: {why}. Enter the offset manually.")
             return text.format(why=translated(found.problem)), theme.WARN
         if self.choice().method == "offset":
             return self.tr("The offset was set manually."), theme.WARN
+        if found.knows_clip_clock:
+            return self._verdict_of_own_clock(found.recorder, sync.lag)
         return self._verdict_of(sync)
+
+    def _verdict_of_own_clock(
+        self, recorder: str, lag: ClockLag | None
+    ) -> tuple[str, str]:
+        if lag is None:
+            text = self.tr(
+                "{recorder} records its motion on the clip's clock; no "
+                "synchronisation is needed."
+            )
+            return text.format(recorder=translated(recorder)), theme.GOOD
+        text = self.tr("{recorder} records its motion with the clip.")
+        text = text.format(recorder=translated(recorder))
+        colour = theme.GOOD if lag.is_measured else theme.WARN
+        return f"{text} {translated(lag.text)}", colour
 
     def _verdict_of(self, sync: Synchronisation) -> tuple[str, str]:
         confidence = local(f"{sync.clock_map.confidence:.2f}")

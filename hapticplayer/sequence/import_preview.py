@@ -55,7 +55,7 @@ class ImportPreview:
         turned: media times and turn rate of the camera as its frames show it, rad/s;
             empty where they were not followed.
         gyro: log times and turn rate of the gyro, rad/s; empty where `turned` is.
-        found: the synchronisation; None if none was possible.
+        found: the synchronisation; None if none was possible, or a person gives it.
         problem: why none was possible.
     """
 
@@ -149,7 +149,8 @@ def _sync(
 
     found, problem = None, ""
     try:
-        found = find_sync(clip, recording, SyncChoices(method), look=look)
+        if method != "offset":  # which is left to a person
+            found = find_sync(clip, recording, SyncChoices(method), look=look)
     except (InputError, UsageError) as failure:
         problem = message_of(failure)
     is_heard = clip.has_audio and not (found and found.method == "embedded")

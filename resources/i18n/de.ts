@@ -4154,6 +4154,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Gyroskop</translation>
     </message>
     <message>
+        <source>Enter the offset, or drag the log&apos;s curves.</source>
+        <translation>Geben Sie den Versatz ein, oder ziehen Sie die Kurven des Protokolls.</translation>
+    </message>
+    <message>
+        <source>{recorder} records its motion with the clip.</source>
+        <translation>{recorder} zeichnet die Bewegung zusammen mit dem Clip auf.</translation>
+    </message>
+    <message>
         <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
         <translation>Die Drehung in den Bildern passt nirgends zum Protokoll. Gehört es zu diesem Clip, und ist das Video nicht stabilisiert? Ziehen Sie von Hand.</translation>
     </message>

@@ -4154,6 +4154,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>gyroscope</translation>
     </message>
     <message>
+        <source>Enter the offset, or drag the log&apos;s curves.</source>
+        <translation>Saisissez le décalage, ou faites glisser les courbes de l&apos;enregistrement.</translation>
+    </message>
+    <message>
+        <source>{recorder} records its motion with the clip.</source>
+        <translation>{recorder} enregistre son mouvement avec la vidéo.</translation>
+    </message>
+    <message>
         <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
         <translation>La rotation dans les images ne correspond nulle part à l&apos;enregistrement. Est-ce bien celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Alignez à la main.</translation>
     </message>

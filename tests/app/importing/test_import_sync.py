@@ -17,6 +17,7 @@ from app.experimenter.sync_strip import (
     columns,
     tick_step_s,
 )
+from hapticplayer.capture.clock_lag import FRAMES, ClockLag
 from hapticplayer.capture.sync.result import PictureEvidence, Synchronisation
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import open_sequence
@@ -186,6 +187,52 @@ def test_frames_and_gyro_are_lanes_of_their_own(wizard, ride):
     assert 0.5 * (begin_s + end_s) == pytest.approx(12.0, abs=0.1)
     assert page.strip.cursor_s == pytest.approx(12.0, abs=0.1)
     assert page.choice().clock_map.rate == 1.00008
+
+
+def test_the_lag_of_an_own_clock_is_shown_and_can_be_dragged(wizard, ride):
+    found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
+    times = np.arange(0.0, SECONDS, 1 / 30)
+    turns = np.exp(-0.5 * ((times - 12.0) / 0.5) ** 2)
+    lag = ClockLag(FRAMES, -0.0198, 0.003)
+    sync = Synchronisation(
+        ClockMap(0.0198, confidence=1.0), "embedded", has_drift=True, lag=lag
+    )
+    nothing = (np.zeros(0), np.zeros(0))
+    own = dataclasses.replace(found, found=sync, sound=nothing, turned=nothing)
+    page = wizard.sync
+    page.show_found(own)
+    assert not page.strip.isVisibleTo(page)
+    curve = (times, turns)
+    page.show_found(dataclasses.replace(own, turned=curve, gyro=curve))
+    assert page.strip.isVisibleTo(page)
+    assert not page.skew.isVisibleTo(page)
+    text = page.verdict.text()
+    assert "this is corrected" in text
+    assert "no synchronisation" not in text
+    assert page.may_go_on()
+    assert page.choice() == sync
+    page.offset.setValue(0.015)
+    assert "set manually" in page.verdict.text()
+    assert page.choice().clock_map.offset_s == 0.015
+    assert not page.may_go_on()
+    page.looked.setChecked(True)
+    assert page.may_go_on()
+
+
+def test_a_given_offset_is_left_to_the_person(wizard, ride, wait_for):
+    folder, _ = ride
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    page = wizard.sync
+    page.method.setCurrentIndex(page.method.findData("offset"))
+    page.method.activated.emit(page.method.currentIndex())
+    wait_for(lambda: "Enter the offset" in page.verdict.text())
+    assert "--offset" not in page.verdict.text()
+    page.offset.setValue(1.5)
+    page.looked.setChecked(True)
+    assert page.choice().clock_map.offset_s == 1.5
+    assert page.may_go_on()
 
 
 def _move(strip, x: float, held: Qt.MouseButton) -> None:
