@@ -10,7 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from hapticplayer.capture.clock_lag import FRAMES, ClockLag, unstamped
-from hapticplayer.capture.sync.pictures import finding, spans_to_watch, usable
+from hapticplayer.capture.sync.pictures import (
+    find_mounting,
+    finding,
+    spans_to_watch,
+    usable,
+)
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.sync.rotation_line import Line, fit_line
 from hapticplayer.capture.sync.rotation_match import Gyro, RotationFit, fit_at
@@ -81,11 +86,16 @@ def by_frames(
         lag = unstamped(why or _doubt(found))
         return Synchronisation(own, "embedded", offset_sigma_s=lag.sigma_s, lag=lag)
     clock = dataclasses.replace(found.clock_map, confidence=own.confidence)
-    assert found.pictures is not None
-    media_s = found.pictures.middle_s
-    log_s = (media_s - clock.offset_s) / clock.rate
-    lag = ClockLag(FRAMES, log_s - media_s, found.offset_sigma_s)
+    lag = lag_by_frames(found)
     return dataclasses.replace(found, clock_map=clock, method="embedded", lag=lag)
+
+
+def lag_by_frames(found: Synchronisation) -> ClockLag:
+    """Return the lag that a result of the frames means for a camera's own motion."""
+    assert found.pictures is not None
+    clock, media_s = found.clock_map, found.pictures.middle_s
+    log_s = (media_s - clock.offset_s) / clock.rate
+    return ClockLag(FRAMES, log_s - media_s, found.offset_sigma_s)
 
 
 def _compared(
@@ -103,7 +113,12 @@ def _compared(
         )
     if fitted is None:
         return None, Message("their rotation is not that of the gyro")
-    return finding([fitted.fit], fitted.line, frames.kind), ""
+    found = finding([fitted.fit], fitted.line, frames.kind)
+    if not found.is_confident:
+        return found, ""
+    near = _near(imu, spans_to_watch(float(frames.end_s[-1])))
+    mounting = find_mounting(near, frames, found.clock_map)
+    return dataclasses.replace(found, mounting=mounting), ""
 
 
 def _doubt(found: Synchronisation | None) -> Message:

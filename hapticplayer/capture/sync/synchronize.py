@@ -193,11 +193,19 @@ def joined_findings(
             likelier, other = pictures, pats
         best = likelier
         clock = dataclasses.replace(best.clock_map, confidence=1.0 - doubt)
-        return dataclasses.replace(best, clock_map=clock, pats=pats.pats, second=other)
+        found = dataclasses.replace(best, clock_map=clock, pats=pats.pats)
+        return _with_second(found, other, pictures)
     if pats.is_confident and pictures.is_confident:
         clock = dataclasses.replace(likelier.clock_map, confidence=0.0)
-        return dataclasses.replace(likelier, clock_map=clock, second=other)
-    return dataclasses.replace(likelier, second=other)
+        likelier = dataclasses.replace(likelier, clock_map=clock)
+    return _with_second(likelier, other, pictures)
+
+
+def _with_second(
+    found: Synchronisation, other: Synchronisation, pictures: Synchronisation
+) -> Synchronisation:
+    """Return a result with that of another method, and the mounting of the frames."""
+    return dataclasses.replace(found, second=other, mounting=pictures.mounting)
 
 
 def agree(pats: Synchronisation, pictures: Synchronisation) -> bool:
@@ -271,7 +279,13 @@ def by_pictures(inputs: SyncInput) -> Synchronisation:
     )
 
     refuse_without_gyro(inputs.imu)
-    return synchronize_pictures(inputs.imu, inputs.look())
+    found, lag = synchronize_pictures(inputs.imu, inputs.look()), inputs.lag
+    if lag is None or lag.is_measured or not found.is_confident:
+        return found
+    from hapticplayer.capture.sync.own_clock import MOST_LAG_S, lag_by_frames
+
+    lag = lag_by_frames(found)
+    return dataclasses.replace(found, lag=lag if abs(lag.lag_s) < MOST_LAG_S else None)
 
 
 def by_variance(inputs: SyncInput) -> Synchronisation:

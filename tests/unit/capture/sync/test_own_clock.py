@@ -8,7 +8,11 @@ import pytest
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.clock_lag import unstamped
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
-from hapticplayer.capture.sync.synchronize import SyncInput, by_own_clock
+from hapticplayer.capture.sync.synchronize import (
+    SyncInput,
+    by_own_clock,
+    by_pictures,
+)
 from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import probe
@@ -46,6 +50,24 @@ def test_lag_is_measured_and_taken_out(lag_s, rms_radps):
     error_s = found.media_s(CLIP_S / 2 + lag_s) - CLIP_S / 2
     assert abs(error_s) < 0.0015
     assert found.described()["lag"]["measured_by"] == "frames"
+    assert found.mounting is not None
+    assert found.mounting.axes == "x,y,z"
+
+
+@pytest.mark.parametrize(("offset_s", "is_lag"), [(0.02, True), (0.2, False)])
+def test_pictures_measure_the_lag_of_an_own_clock(offset_s, is_lag):
+    ride = Ride(1)
+    inputs = SyncInput(
+        ride.log(ClockMap(offset_s)), lambda: None, look=ride.frames, lag=unstamped()
+    )
+
+    found = by_pictures(inputs)
+
+    assert found.method == "pictures"
+    assert (found.lag is not None) == is_lag
+    if found.lag is not None:
+        assert found.lag.lag_s == pytest.approx(-offset_s, abs=0.0015)
+        assert found.lag.measured_by == "frames"
 
 
 def test_stabilised_frames_change_nothing():
