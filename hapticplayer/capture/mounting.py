@@ -190,8 +190,8 @@ def ask_for_mounting(imu: ImuLog, where: str) -> None:
     axes = proposed_mounting(up)
     name = next(name for name, one in MOUNTINGS.items() if one.axes == axes)
     raise UsageError(
-        "{file}: {what}; give --mounting {name}, or another of {known}, or "
-        "--mounting forward to keep its axes",
+        "{file}: {what}; give --mounting {name}, or another of {known}, or auto for what "
+        "the frames tell, or --mounting forward to keep its axes",
         file=where,
         what=fallen_text(up),
         name=name,

@@ -24,6 +24,7 @@ from hapticplayer.cli.recording_options import (
     chosen_processing,
     chosen_sync,
     keep_template,
+    mounting_text,
     sync_text,
 )
 from hapticplayer.errors import Cancelled, HapticPlayerError, Progress, UsageError
@@ -31,6 +32,7 @@ from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import ranges
 from hapticplayer.sequence import Sequence, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
+from hapticplayer.sequence.mounting_by_frames import SHOWN
 from hapticplayer.sequence.presets import DEFAULT_PRESET, preset_of
 from hapticplayer.sequence.suggesting import ESTIMATE
 
@@ -162,6 +164,11 @@ def _say_imported(folder: Path, sequence: Sequence) -> None:
     if found and found["method"] in ("pats", "pictures", "variance"):
         synchronised = sync_text(found)
         say(synchronised)
+    if (
+        SHOWN in made_of
+        and (shown := mounting_text(made_of[SHOWN])) not in synchronised
+    ):
+        say(shown)
     for note in (*made_of["conditioning"], *made_of["notes"]):
         if note not in synchronised:
             say(f"note: {note}")

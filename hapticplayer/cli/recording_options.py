@@ -14,7 +14,7 @@ from hapticplayer.capture.choices import (
 )
 from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
 from hapticplayer.capture.sync import methods
-from hapticplayer.capture.sync.result import COARSE
+from hapticplayer.capture.sync.result import COARSE, FoundMounting
 from hapticplayer.cli.common import add_number, add_overwrite
 from hapticplayer.cli.plots import is_plot
 from hapticplayer.errors import UsageError
@@ -58,8 +58,8 @@ def add_mounting(command: argparse.ArgumentParser) -> None:
         metavar="HOW",
         help="how the camera or logger was mounted on the actor, who faces the front: "
         f"{', '.join(MOUNTINGS)}, or right, front and up of the actor in the "
-        "recorder's axes, such as --mounting=-x,y,-z (default: forward, and gravity has "
-        "to agree); of `import` also auto: as the frames of the clip tell it",
+        "recorder's axes, such as --mounting=-x,y,-z (default: forward, and gravity and "
+        "frames have to agree); of `import` also auto: as the frames of the clip tell it",
     )
 
 
@@ -232,7 +232,10 @@ def sync_text(found: Mapping[str, Any]) -> str:
         f"residual {1e3 * found['residual_s']:.1f} ms"
     )
     if found["drift_is_fitted"]:
-        first += f", drift {found['drift_ppm']:+.1f} ppm"
+        first += f", drift {found['drift_ppm']:+.1f}"
+        if found["drift_sigma_ppm"]:
+            first += f" ± {found['drift_sigma_ppm']:.1f}"
+        first += " ppm"
     if found["sound_late_s"]:
         skew_ms = 1e3 * found["sound_late_s"]
         first += f", {skew_ms:.0f} ms of the camera's skew taken off"
@@ -259,10 +262,13 @@ def _pictures_text(found: Mapping[str, Any]) -> list[str]:
         lines.append(
             f"  frames: the gyro explains {100 * evidence['explained']:.0f} % of the "
             f"camera's rotation; offset ± {1e3 * found['offset_sigma_s']:.1f} ms, "
-            f"read-out {1e3 * evidence['read_out_s']:.0f} ms"
+            f"read-out {1e3 * evidence['read_out_s']:.0f} ± "
+            f"{1e3 * evidence['read_out_sigma_s']:.0f} ms"
         )
         if evidence.get("kind") == COARSE:
             lines += [f"  {note}" for note in coarse_notes()]
+    if found.get("mounting"):
+        lines.append(f"  {mounting_text(found['mounting'])}")
     if second:
         lines.append(
             f"  by {second['method']}: offset {second['offset_s']:.3f} s "
@@ -270,6 +276,16 @@ def _pictures_text(found: Mapping[str, Any]) -> list[str]:
             f"confidence {second['confidence']:.2f}"
         )
     return lines
+
+
+def mounting_text(found: Mapping[str, Any]) -> str:
+    """Return the sentence on what `FoundMounting.described` holds."""
+    if FoundMounting(**found).is_clear:
+        return f"mounting {found['axes']} by the frames, ratio {found['ratio']:.1f}"
+    return (
+        f"mounting {found['axes']} or {found['next_best']}: the frames do not tell, "
+        f"ratio {found['ratio']:.2f}"
+    )
 
 
 def rarity_text(rarity_hz: float) -> str:

@@ -22,7 +22,11 @@ from hapticplayer.model import (
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import files
-from hapticplayer.sequence.mounting_by_frames import mounting_by_frames
+from hapticplayer.sequence.mounting_by_frames import (
+    SHOWN,
+    ask_for_shown_mounting,
+    mounting_by_frames,
+)
 from hapticplayer.sequence.presets import DEFAULT_PRESET
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.report import (
@@ -52,8 +56,8 @@ class Choices:
         log: answers about a log that does not describe itself.
         sync: how the log is synchronised with the clip.
         mounting: right, front and up of the actor in the recorder's axes; "" if not
-            given: then gravity has to confirm that the recorder was upright;
-            `BY_FRAMES` for what the frames of the clip tell.
+            given: then gravity has to confirm that the recorder was upright, and the
+            frames may not show another one; `BY_FRAMES` for what the frames of the clip tell.
         suggest_gain: estimate the motion from the picture, with this gain; None for a
             recording.
     """
@@ -91,7 +95,8 @@ def build_sequence(
         InputError: when the files cannot be used, or change meanwhile; no partial
             sequence remains.
         UsageError: when the synchronisation is uncertain, or gravity shows that the
-            recorder was not upright and no mounting was given.
+            recorder was not upright, or the frames that it was mounted otherwise, and no
+            mounting was given.
     """
     video, target = Path(video), Path(target)
     refuse_existing(target, FOLDER, error=SequenceError)
@@ -121,10 +126,13 @@ def build_sequence(
             ask_for_mounting(recording.imu, name_of(source))
         bar.rest(0.0, Message("synchronising"))
         recording = synchronized(clip, recording, choices.sync, bar.following())
-        axes = choices.mounting
-        if axes == BY_FRAMES:
-            axes = mounting_by_frames(clip, recording, bar.following())
-        recording = _mounted(recording, axes)
+        if not choices.mounting:
+            ask_for_shown_mounting(clip, recording)
+        elif choices.mounting == BY_FRAMES:
+            found = mounting_by_frames(clip, recording, bar.following())
+            recording = _mounted(recording, found.axes, by_frames=found.described())
+        else:
+            recording = _mounted(recording, choices.mounting)
         return write_sequence(
             clip, recording, target, choices=choices, progress=bar.rest
         )
@@ -152,14 +160,15 @@ class _Bar:
         self._report(self._done + (1.0 - self._done) * share, step)
 
 
-def _mounted(recording: Recording, axes: str) -> Recording:
+def _mounted(
+    recording: Recording, axes: str, by_frames: dict[str, Any] | None = None
+) -> Recording:
     """Return the recording in the actor's axes, with the mounting in its provenance."""
-    if not axes:
-        return recording
+    provenance = {**recording.provenance, "mounting": axes}
+    if by_frames is not None:
+        provenance[SHOWN] = by_frames
     return dataclasses.replace(
-        recording,
-        imu=mounted(recording.imu, axes),
-        provenance={**recording.provenance, "mounting": axes},
+        recording, imu=mounted(recording.imu, axes), provenance=provenance
     )
 
 

@@ -3,18 +3,23 @@
 from collections.abc import Mapping
 from typing import Any
 
-from hapticplayer.capture.mounting import gravity_agrees, mean_up
+from hapticplayer.capture.mounting import AS_RECORDED, gravity_agrees, mean_up
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.errors import Message, Progress, UsageError
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.sequence.synchronizing import watch
 
+SHOWN = "mounting_by_frames"
+"""In the provenance: a mounting that was taken as the frames show it, with its ratio."""
+
 _GIVE = Message("give --mounting (right, front and up of the actor)")
 
 
-def mounting_by_frames(clip: ClipInfo, recording: Recording, progress: Progress) -> str:
-    """Return the axes of the mounting of a synchronised recording.
+def mounting_by_frames(
+    clip: ClipInfo, recording: Recording, progress: Progress
+) -> FoundMounting:
+    """Return the mounting of a synchronised recording.
 
     What synchronising has found is used; else the frames are followed now.
 
@@ -50,7 +55,28 @@ def mounting_by_frames(clip: ClipInfo, recording: Recording, progress: Progress)
             axes=found.axes,
             give=_GIVE,
         )
-    return found.axes
+    return found
+
+
+def ask_for_shown_mounting(clip: ClipInfo, recording: Recording) -> None:
+    """Ask for the mounting if the frames that were followed show another one.
+
+    Raises:
+        UsageError: naming both; a person knows which is that of the actor.
+    """
+    found = _already(recording.provenance.get("synchronisation"))
+    if found is None or not found.is_clear or found.axes == AS_RECORDED:
+        return
+    if gravity_agrees(mean_up(recording.imu), found.axes):
+        raise UsageError(
+            "{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; "
+            "give --mounting auto to take it, or --mounting forward to keep the axes of "
+            "the log",
+            clip=clip.path.name,
+            axes=found.axes,
+            ratio=found.ratio,
+            used=AS_RECORDED,
+        )
 
 
 def _already(synchronisation: Any) -> FoundMounting | None:

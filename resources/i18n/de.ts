@@ -8284,10 +8284,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{file}: ist keine Tabelle mit Zahlen; wählen Sie ein anderes Protokoll</translation>
     </message>
     <message>
-        <source>{file}: {what}; give --mounting {name}, or another of {known}, or --mounting forward to keep its axes</source>
-        <translation>{file}: {what}; geben Sie --mounting {name} an, oder etwas anderes von {known}, oder --mounting forward, um es so zu nehmen, wie es ist</translation>
-    </message>
-    <message>
         <source>{accel_unit} and {rate_unit} for {ranges}</source>
         <translation>{accel_unit} und {rate_unit} für {ranges}</translation>
     </message>
@@ -8940,6 +8936,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ja</translation>
     </message>
     <message>
+        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; give --mounting auto to take it, or --mounting forward to keep the axes of the log</source>
+        <translation>{clip}: Die Bilder zeigen die Montage {axes} (Verhältnis {ratio:.1f}), nicht {used}; geben Sie --mounting auto an, um sie zu übernehmen, oder --mounting forward, um die Achsen des Logs zu behalten</translation>
+    </message>
+    <message>
         <source>{clip}: {why}; {look}</source>
         <translation>{clip}: {why}; {look}</translation>
     </message>
@@ -8974,6 +8974,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
+    </message>
+    <message>
+        <source>{file}: {what}; give --mounting {name}, or another of {known}, or auto for what the frames tell, or --mounting forward to keep its axes</source>
+        <translation>{file}: {what}; geben Sie --mounting {name} an, oder etwas anderes von {known}, oder auto für das, was die Bilder zeigen, oder --mounting forward, um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
         <source>{free_gb:.1f} GB free</source>

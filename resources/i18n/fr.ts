@@ -8284,10 +8284,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{file}&#xa0;: n’est pas un tableau de nombres&#xa0;; choisissez un autre journal</translation>
     </message>
     <message>
-        <source>{file}: {what}; give --mounting {name}, or another of {known}, or --mounting forward to keep its axes</source>
-        <translation>{file}&#xa0;: {what}&#xa0;; donnez --mounting {name}, ou une autre de {known}, ou --mounting forward pour la prendre telle quelle</translation>
-    </message>
-    <message>
         <source>{accel_unit} and {rate_unit} for {ranges}</source>
         <translation>{accel_unit} et {rate_unit} pour {ranges}</translation>
     </message>
@@ -8940,6 +8936,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>oui</translation>
     </message>
     <message>
+        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; give --mounting auto to take it, or --mounting forward to keep the axes of the log</source>
+        <translation>{clip}&#xa0;: ses images montrent le montage {axes} (rapport {ratio:.1f}), non {used}&#xa0;; donnez --mounting auto pour le prendre, ou --mounting forward pour garder les axes du journal</translation>
+    </message>
+    <message>
         <source>{clip}: {why}; {look}</source>
         <translation>{clip}&#xa0;: {why}&#xa0;; {look}</translation>
     </message>
@@ -8974,6 +8974,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
+    </message>
+    <message>
+        <source>{file}: {what}; give --mounting {name}, or another of {known}, or auto for what the frames tell, or --mounting forward to keep its axes</source>
+        <translation>{file}&#xa0;: {what}&#xa0;; donnez --mounting {name}, ou une autre de {known}, ou auto pour celle que montrent les images, ou --mounting forward pour la prendre telle quelle</translation>
     </message>
     <message>
         <source>{free_gb:.1f} GB free</source>

@@ -12,7 +12,10 @@ from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.sequence import mounting_by_frames as module
 from hapticplayer.sequence.files import no_progress
-from hapticplayer.sequence.mounting_by_frames import mounting_by_frames
+from hapticplayer.sequence.mounting_by_frames import (
+    ask_for_shown_mounting,
+    mounting_by_frames,
+)
 
 CLIP = ClipInfo(Path("ride.mp4"), 10.0, 320, 180, 30.0, 300, False, 0, False)
 
@@ -33,9 +36,9 @@ def recording(axes: str, by_frames: FoundMounting | None) -> Recording:
 def test_what_synchronising_found_is_taken() -> None:
     by_frames = FoundMounting("z,y,-x", 4.0, "x,y,z")
 
-    axes = mounting_by_frames(CLIP, recording("z,y,-x", by_frames), no_progress)
+    found = mounting_by_frames(CLIP, recording("z,y,-x", by_frames), no_progress)
 
-    assert axes == "z,y,-x"
+    assert found == by_frames
 
 
 def test_frames_are_followed_where_nothing_was_found(monkeypatch) -> None:
@@ -47,7 +50,9 @@ def test_frames_are_followed_where_nothing_was_found(monkeypatch) -> None:
         lambda _imu, frames, _clock: {"frames": by_frames}[frames],
     )
 
-    assert mounting_by_frames(CLIP, recording("x,y,z", None), no_progress) == "y,-x,z"
+    found = mounting_by_frames(CLIP, recording("x,y,z", None), no_progress)
+
+    assert found == by_frames
 
 
 def test_a_close_rival_is_a_question() -> None:
@@ -62,3 +67,23 @@ def test_gravity_that_disagrees_is_a_question() -> None:
 
     with pytest.raises(UsageError, match="by gravity another side is up"):
         mounting_by_frames(CLIP, recording("x,y,z", by_frames), no_progress)
+
+
+def test_a_mounting_that_frames_contradict_is_a_question() -> None:
+    by_frames = FoundMounting("-x,-y,z", 25.6, "z,y,-x")
+
+    with pytest.raises(UsageError, match=r"-x,-y,z \(ratio 25\.6\), not x,y,z.* auto"):
+        ask_for_shown_mounting(CLIP, recording("x,y,z", by_frames))
+
+
+@pytest.mark.parametrize(
+    "by_frames",
+    [
+        None,
+        FoundMounting("x,y,z", 25.6, "z,y,-x"),
+        FoundMounting("-x,-y,z", 1.1, "x,y,z"),  # not clear
+        FoundMounting("-x,y,-z", 25.6, "x,y,z"),  # against gravity: mirrored, perhaps
+    ],
+)
+def test_a_mounting_without_contradiction_is_no_question(by_frames) -> None:
+    ask_for_shown_mounting(CLIP, recording("x,y,z", by_frames))

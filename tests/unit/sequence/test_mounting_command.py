@@ -7,8 +7,9 @@ import pytest
 
 from hapticplayer.capture.mounting import mounted
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.cli import main
-from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence import build, open_sequence
 
 
 @pytest.fixture
@@ -30,6 +31,7 @@ def test_an_import_asks_for_a_recorder_that_hung(tmp_path, tiny_clip, hanging, c
     words = capsys.readouterr().err
     assert "gravity shows that -z of the recorder was up" in words
     assert "--mounting upside-down" in words
+    assert "or auto for what the frames tell" in words
     assert not target.exists()
 
 
@@ -53,6 +55,20 @@ def test_a_mounting_against_gravity_gets_a_note(tmp_path, tiny_clip, hanging):
     made_of = open_sequence(tmp_path / "ride").description["provenance"]
     assert made_of["mounting"] == "x,y,z"
     assert any("-z of the recorder was up" in note for note in made_of["notes"])
+
+
+def test_the_mounting_that_frames_show_is_stored_and_printed(
+    tmp_path, tiny_clip, hanging, monkeypatch, capsys
+):
+    shown = FoundMounting("-x,y,-z", 4.04, "x,y,z")
+    monkeypatch.setattr(build, "mounting_by_frames", lambda *_given: shown)
+
+    assert run(tiny_clip, hanging, tmp_path / "ride", "--mounting", "auto") == 0
+
+    assert "mounting -x,y,-z by the frames, ratio 4.0\n" in capsys.readouterr().out
+    made_of = open_sequence(tmp_path / "ride").description["provenance"]
+    assert made_of["mounting"] == "-x,y,-z"
+    assert made_of["mounting_by_frames"] == shown.described()
 
 
 def test_process_rotates_too_or_adds_a_note(hanging, capsys):

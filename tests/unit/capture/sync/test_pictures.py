@@ -1,5 +1,6 @@
 """Frames whose rotation is made up, with the errors that real ones have."""
 
+import re
 from dataclasses import fields, replace
 
 import numpy as np
@@ -16,6 +17,7 @@ from hapticplayer.capture.sync.pictures import (
 from hapticplayer.capture.sync.result import Pat, Synchronisation
 from hapticplayer.capture.sync.synchronize import SyncInput, automatic, joined_findings
 from hapticplayer.capture.vision import FeatureKind, FrameRotation
+from hapticplayer.cli.recording_options import sync_text
 from hapticplayer.errors import InputError, MediaError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.sequence.synchronizing import uncertainty
@@ -289,6 +291,10 @@ def test_mounting_is_told_when_synchronising() -> None:
     assert found.mounting is not None
     assert found.mounting.axes == "-x,z,y"
     assert found.mounting.is_clear
+    words = sync_text(found.described())
+    assert "  mounting -x,z,y by the frames, ratio" in words
+    assert re.search(r"drift [+-][\d.]+ ± [\d.]+ ppm", words)
+    assert re.search(r"read-out -?\d+ ± \d+ ms", words)
 
 
 def test_turning_about_one_axis_does_not_tell_the_mounting() -> None:
@@ -333,6 +339,7 @@ def test_agreement_raises_the_confidence(pictures) -> None:
     assert both.method == "pictures"
     assert len(both.pats) == 3
     assert both.clock_map.offset_s == first.clock_map.offset_s
+    assert both.mounting == first.mounting
 
 
 def test_doubtful_frames_only_support_the_pats(pictures) -> None:
@@ -438,6 +445,7 @@ def test_coarse_frames_are_less_certain(pictures) -> None:
     assert not pictures.is_coarse
     # pats that are as certain are the more exact ones
     both = joined_findings(by_pats(1.004, 0.9), found)
+    assert both.mounting is not None
     assert both.method == "pats"
     assert both.clock_map.confidence > 0.97
     assert both.is_coarse
