@@ -353,7 +353,8 @@ class SyncPage(QWidget):
         if not sync.is_confident:
             text = self.tr(
                 "The frames are uncertain (confidence {confidence}): the gyro explains "
-                "{share} % of the rotation. Check that both line up, and drag if not."
+                "{share} % of the rotation ({doubt}). Check that both line up, and drag "
+                "if not."
             )
         elif sync.pats:
             text = self.tr(
@@ -369,6 +370,7 @@ class SyncPage(QWidget):
             confidence=local(f"{sync.clock_map.confidence:.2f}"),
             ms=local(f"{1e3 * sync.offset_sigma_s:.1f}"),
             share=local(f"{100.0 * sync.pictures.explained:.0f}"),
+            doubt=translated(sync.pictures.doubt),
         )
         if sync.is_coarse:
             shown = f"{shown} {translated(COARSE_NOTE)}"

@@ -245,11 +245,12 @@ def _doubtful_frames(found: Synchronisation) -> Message:
         return NO_FIT
     return Message(
         "the frames are uncertain (confidence {confidence:.2f}): the gyro explains "
-        "{explained:.0%} of the camera's rotation, at an offset of {offset_s:.3f} s (is "
-        "it the log of this clip, and the video not stabilised?)",
+        "{explained:.0%} of the camera's rotation, at an offset of {offset_s:.3f} s "
+        "({doubt})",
         confidence=found.clock_map.confidence,
         explained=evidence.explained,
         offset_s=found.clock_map.offset_s,
+        doubt=evidence.doubt,
     )
 
 

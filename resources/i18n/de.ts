@@ -4166,8 +4166,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Drehung in den Bildern passt nirgends zum Protokoll. Gehört es zu diesem Clip, und ist das Video nicht stabilisiert? Ziehen Sie von Hand.</translation>
     </message>
     <message>
-        <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation. Check that both line up, and drag if not.</source>
-        <translation>Die Bilder sind unsicher (Sicherheit {confidence}): Das Gyroskop erklärt {share} % der Drehung. Prüfen Sie, ob beide untereinander liegen, und ziehen Sie sonst.</translation>
+        <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation ({doubt}). Check that both line up, and drag if not.</source>
+        <translation>Die Bilder sind unsicher (Sicherheit {confidence}): Das Gyroskop erklärt {share} % der Drehung ({doubt}). Prüfen Sie, ob beide untereinander liegen, und ziehen Sie sonst.</translation>
     </message>
     <message>
         <source>Frames and tap marks agree, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
@@ -6468,6 +6468,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Matrix von Kräften hat nicht drei Zahlen je Zeile</translation>
     </message>
     <message>
+        <source>a part of the clip fits another part of the log: was the video cut?</source>
+        <translation>ein Teil des Videos passt zu einem anderen Teil des Logs: Wurde das Video geschnitten?</translation>
+    </message>
+    <message>
         <source>a rig moves only with the realistic feedback of a sequence that has its motion</source>
         <translation>eine Plattform bewegt sich nur mit der realistischen Rückmeldung einer Sequenz, die ihre Bewegung hat</translation>
     </message>
@@ -6872,6 +6876,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist mit gzip komprimiert</translation>
     </message>
     <message>
+        <source>is it the log of this clip, and the video not stabilised?</source>
+        <translation>gehört das Log zu diesem Video, und ist das Video nicht stabilisiert?</translation>
+    </message>
+    <message>
         <source>is longer than {most_h:g} h</source>
         <translation>ist länger als {most_h:g} h</translation>
     </message>
@@ -7128,8 +7136,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Reihenfolge {order} spielt {sequence} zweimal hintereinander</translation>
     </message>
     <message>
+        <source>other offsets fit nearly as well</source>
+        <translation>andere Versätze passen fast ebenso gut</translation>
+    </message>
+    <message>
         <source>otherwise give --offset S</source>
         <translation>sonst geben Sie --offset S an</translation>
+    </message>
+    <message>
+        <source>parts of the clip give different offsets</source>
+        <translation>Teile des Videos ergeben verschiedene Versätze</translation>
     </message>
     <message>
         <source>port {port} cannot be opened ({reason}); end what listens there</source>
@@ -8712,6 +8728,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kamera bewegt sich nicht: es gibt nichts zu schätzen</translation>
     </message>
     <message>
+        <source>the camera turns too little to show the time</source>
+        <translation>die Kamera dreht sich zu wenig, um die Zeit zu zeigen</translation>
+    </message>
+    <message>
         <source>the camera&apos;s rotation can be estimated in only {told_s:.2f} s of the video, at least {least_s:.0f} s are needed</source>
         <translation>die Drehung der Kamera lässt sich nur in {told_s:.2f} s des Videos schätzen, mindestens {least_s:.0f} s sind nötig</translation>
     </message>
@@ -8736,16 +8756,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Clip ist zu kurz, um Bewegung vorzuschlagen; er muss {least_s:g} s haben</translation>
     </message>
     <message>
+        <source>the clocks differ by {ppm:.0f} ppm or more: is the video played at the frame rate it was recorded with?</source>
+        <translation>die Uhren weichen um mindestens {ppm:.0f} ppm voneinander ab: Wird das Video mit der Bildrate abgespielt, mit der es aufgenommen wurde?</translation>
+    </message>
+    <message>
         <source>the columns must be {columns}</source>
         <translation>die Spalten müssen {columns} sein</translation>
     </message>
     <message>
         <source>the current page is {page}, not {expected}</source>
         <translation>dies ist die Seite {page}, nicht {expected}</translation>
-    </message>
-    <message>
-        <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s (is it the log of this clip, and the video not stabilised?)</source>
-        <translation>die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s (gehört das Log zu diesem Video, und ist das Video nicht stabilisiert?)</translation>
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
@@ -8842,6 +8862,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>holds rotations, which are not read</source>
         <translation>dreht und wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
+        <translation>die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s ({doubt})</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>

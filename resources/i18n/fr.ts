@@ -4166,8 +4166,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>La rotation dans les images ne correspond nulle part à l&apos;enregistrement. Est-ce bien celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Alignez à la main.</translation>
     </message>
     <message>
-        <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation. Check that both line up, and drag if not.</source>
-        <translation>Les images sont incertaines (confiance {confidence})&#xa0;: le gyroscope explique {share} % de la rotation. Vérifiez que les deux s&apos;alignent, sinon faites glisser.</translation>
+        <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation ({doubt}). Check that both line up, and drag if not.</source>
+        <translation>Les images sont incertaines (confiance {confidence})&#xa0;: le gyroscope explique {share} % de la rotation ({doubt}). Vérifiez que les deux s&apos;alignent, sinon faites glisser.</translation>
     </message>
     <message>
         <source>Frames and tap marks agree, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
@@ -6468,6 +6468,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une matrice de forces n’a pas trois nombres par ligne</translation>
     </message>
     <message>
+        <source>a part of the clip fits another part of the log: was the video cut?</source>
+        <translation>une partie de la vidéo correspond à une autre partie du journal&#xa0;: la vidéo a-t-elle été coupée&#xa0;?</translation>
+    </message>
+    <message>
         <source>a rig moves only with the realistic feedback of a sequence that has its motion</source>
         <translation>une plateforme ne bouge qu’avec le retour réaliste d’une séquence qui contient son mouvement</translation>
     </message>
@@ -6872,6 +6876,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est compressé avec gzip</translation>
     </message>
     <message>
+        <source>is it the log of this clip, and the video not stabilised?</source>
+        <translation>est-ce le journal de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;?</translation>
+    </message>
+    <message>
         <source>is longer than {most_h:g} h</source>
         <translation>dure plus de {most_h:g} h</translation>
     </message>
@@ -7128,8 +7136,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’ordre {order} joue {sequence} deux fois de suite</translation>
     </message>
     <message>
+        <source>other offsets fit nearly as well</source>
+        <translation>d&apos;autres décalages conviennent presque aussi bien</translation>
+    </message>
+    <message>
         <source>otherwise give --offset S</source>
         <translation>sinon, donnez --offset S</translation>
+    </message>
+    <message>
+        <source>parts of the clip give different offsets</source>
+        <translation>des parties de la vidéo donnent des décalages différents</translation>
     </message>
     <message>
         <source>port {port} cannot be opened ({reason}); end what listens there</source>
@@ -8712,6 +8728,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la caméra est immobile&#xa0;: rien à estimer</translation>
     </message>
     <message>
+        <source>the camera turns too little to show the time</source>
+        <translation>la caméra tourne trop peu pour indiquer le temps</translation>
+    </message>
+    <message>
         <source>the camera&apos;s rotation can be estimated in only {told_s:.2f} s of the video, at least {least_s:.0f} s are needed</source>
         <translation>la rotation de la caméra ne peut être estimée que dans {told_s:.2f} s de la vidéo, il en faut au moins {least_s:.0f} s</translation>
     </message>
@@ -8736,16 +8756,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le clip est trop court pour suggérer un mouvement&#xa0;; il faut {least_s:g} s</translation>
     </message>
     <message>
+        <source>the clocks differ by {ppm:.0f} ppm or more: is the video played at the frame rate it was recorded with?</source>
+        <translation>les horloges diffèrent d&apos;au moins {ppm:.0f} ppm&#xa0;: la vidéo est-elle lue à la fréquence d&apos;images à laquelle elle a été filmée&#xa0;?</translation>
+    </message>
+    <message>
         <source>the columns must be {columns}</source>
         <translation>les colonnes doivent être {columns}</translation>
     </message>
     <message>
         <source>the current page is {page}, not {expected}</source>
         <translation>c’est la page {page}, pas {expected}</translation>
-    </message>
-    <message>
-        <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s (is it the log of this clip, and the video not stabilised?)</source>
-        <translation>les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s (est-ce le journal de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;?)</translation>
     </message>
     <message>
         <source>the guard could not be started: {reason}</source>
@@ -8842,6 +8862,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>holds rotations, which are not read</source>
         <translation>est une rotation et n’est pas lu</translation>
+    </message>
+    <message>
+        <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
+        <translation>les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s ({doubt})</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>

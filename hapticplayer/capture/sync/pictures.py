@@ -8,6 +8,7 @@ import numpy as np
 
 from hapticplayer.capture.mounting import all_mountings, axes_matrix
 from hapticplayer.capture.sync.result import (
+    ENOUGH_CONFIDENCE,
     FoundMounting,
     PictureEvidence,
     Rival,
@@ -22,7 +23,7 @@ from hapticplayer.capture.sync.rotation_match import (
     fit_at,
 )
 from hapticplayer.capture.vision import FeatureKind, FrameRotation
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 
@@ -48,6 +49,8 @@ _FLOOR_S = 0.003  # what simulated rides are wrong by beyond the fit
 # an encoder chooses its vectors to save bits: only those of x264 and a HERO5 were seen
 _COARSE_FLOOR_S = 0.006
 _COARSE_CONFIDENCE = 0.8
+
+_CUT = Message("a part of the clip fits another part of the log: was the video cut?")
 
 
 def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:
@@ -79,7 +82,9 @@ def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
         return found
     if _is_cut(frames, gyro, line):
         doubted = dataclasses.replace(found.clock_map, confidence=0.0)
-        return dataclasses.replace(found, clock_map=doubted)
+        assert found.pictures is not None
+        seen = dataclasses.replace(found.pictures, doubt=_CUT)
+        return dataclasses.replace(found, clock_map=doubted, pictures=seen)
     mounting = _mounting(watched, gyro, line.at(watched.begin_s))
     return dataclasses.replace(found, mounting=mounting)
 
@@ -174,10 +179,14 @@ def finding(fits: list[RotationFit], line: Line, kind: FeatureKind) -> Synchroni
     # rows that were read earlier than the middle show an earlier time
     shift_s = line.shift_s - line.row * read_out_s
     evidence = _evidence(fits, line, (read_out_s, read_out_sd_s), kind)
+    weakest, doubt = _weakest(evidence, line.least_drift)
+    confidence = _confidence(weakest, is_coarse=evidence.is_coarse)
+    if confidence < ENOUGH_CONFIDENCE:
+        evidence = dataclasses.replace(evidence, doubt=doubt)
     floor_s = _COARSE_FLOOR_S if evidence.is_coarse else _FLOOR_S
     sigma_s = math.hypot(line.shift_sigma_s, line.row * read_out_sd_s, floor_s)
     return Synchronisation(
-        line.clock_map(shift_s, _confidence(evidence, line.least_drift)),
+        line.clock_map(shift_s, confidence),
         "pictures",
         margin=evidence.margin,
         rivals=tuple(Rival(-one.shift_s, 1.0 - one.unexplained) for one in fits[1:]),
@@ -216,17 +225,41 @@ def _evidence(
     )
 
 
-def _confidence(evidence: PictureEvidence, drift: float) -> float:
+def _weakest(evidence: PictureEvidence, drift: float) -> tuple[float, Message]:
+    """Return the weakest sign, 0 at its threshold, and what it makes doubtful."""
+    signs = (
+        (
+            math.log2(evidence.margin / _MARGIN),
+            Message("other offsets fit nearly as well"),
+        ),
+        (
+            (evidence.explained - _EXPLAINED) / 0.1,
+            Message("is it the log of this clip, and the video not stabilised?"),
+        ),
+        (
+            math.log2(max(evidence.telling_s, 1e-3) / _TELLING_S),
+            Message("the camera turns too little to show the time"),
+        ),
+        (
+            math.log2(_SPREAD_S / max(evidence.spread_s, 1e-6)),
+            Message("parts of the clip give different offsets"),
+        ),
+        (
+            math.log2(_DRIFT / max(drift, 1e-9)),
+            Message(
+                "the clocks differ by {ppm:.0f} ppm or more: is the video played at the "
+                "frame rate it was recorded with?",
+                ppm=1e6 * drift,
+            ),
+        ),
+    )
+    return min(signs, key=lambda sign: sign[0])
+
+
+def _confidence(weakest: float, *, is_coarse: bool) -> float:
     """Return 0 to 1: a half where the weakest sign is at its threshold.
 
     Less where the features are coarse.
     """
-    weakest = min(
-        math.log2(evidence.margin / _MARGIN),
-        (evidence.explained - _EXPLAINED) / 0.1,
-        math.log2(max(evidence.telling_s, 1e-3) / _TELLING_S),
-        math.log2(_SPREAD_S / max(evidence.spread_s, 1e-6)),
-        math.log2(_DRIFT / max(drift, 1e-9)),
-    )
-    most = _COARSE_CONFIDENCE if evidence.is_coarse else 1.0
+    most = _COARSE_CONFIDENCE if is_coarse else 1.0
     return most / (1.0 + math.exp(-3.0 * min(max(weakest, -10.0), 10.0)))

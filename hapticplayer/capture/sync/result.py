@@ -62,6 +62,7 @@ class PictureEvidence:
         read_out_s: from the first row of a frame to the last one, estimated.
         read_out_sigma_s: SD of its error.
         kind: of the features that were compared.
+        doubt: why it is uncertain, for people; empty where it is not.
     """
 
     middle_s: float
@@ -72,6 +73,7 @@ class PictureEvidence:
     read_out_s: float
     read_out_sigma_s: float
     kind: str = "corners"
+    doubt: Message | str = ""
 
     @property
     def is_coarse(self) -> bool:

@@ -204,6 +204,19 @@ def test_seconds_of_turning_are_enough_and_tell_no_clock_rate(drift_ppm) -> None
     assert abs(found.drift_ppm - drift_ppm) < 2.0 * found.drift_sigma_ppm
 
 
+def test_slow_film_is_asked_for_its_frame_rate() -> None:
+    ride = Ride(1)
+    frames = ride.frames()
+    slower = replace(frames, begin_s=frames.begin_s / 1.001, end_s=frames.end_s / 1.001)
+
+    found = synchronize_pictures(ride.log(ClockMap()), slower)
+
+    assert not found.is_confident
+    assert found.pictures is not None
+    assert "ppm" in found.pictures.doubt
+    assert found.pictures.doubt.values["ppm"] == pytest.approx(1000.0, abs=300.0)
+
+
 def test_turning_of_another_ride_is_not_believed() -> None:
     found = synchronize_pictures(Nod(2, 0.5).log(ClockMap()), Nod(1, 0.5).frames())
 
@@ -230,7 +243,10 @@ def test_clip_of_which_seconds_were_cut_out_is_not_believed(cut_s) -> None:
     cut = replace(cut, begin_s=cut.begin_s - earlier_s, end_s=cut.end_s - earlier_s)
 
     assert synchronize_pictures(ride.log(ClockMap()), frames).is_confident
-    assert not synchronize_pictures(ride.log(ClockMap()), cut).is_confident
+    found = synchronize_pictures(ride.log(ClockMap()), cut)
+    assert not found.is_confident
+    assert found.pictures is not None
+    assert found.pictures.doubt
 
 
 def test_mirrored_frames_keep_their_time() -> None:
@@ -401,6 +417,8 @@ def test_auto_uses_what_there_is(pictures, monkeypatch) -> None:
 
 def test_a_doubt_tells_of_both_methods(pictures, monkeypatch) -> None:
     imu, doubtful = Ride(1).log(ClockMap(1.0)), with_confidence(pictures, 0.3)
+    seen = replace(doubtful.pictures, doubt="was the video cut?")
+    doubtful = replace(doubtful, pictures=seen)
 
     def dark() -> FrameRotation:
         raise InputError("too dark")
@@ -413,7 +431,7 @@ def test_a_doubt_tells_of_both_methods(pictures, monkeypatch) -> None:
     words = uncertainty(joined_findings(by_pats(7.0, 0.4), doubtful), "ride.mp4")
     assert "pats are uncertain" in words
     assert "the gyro explains 99%" in words
-    assert "not stabilised" in words
+    assert "was the video cut?" in words
     nowhere = replace(doubtful, pictures=None)
     words = uncertainty(joined_findings(by_pats(7.0, 0.4), nowhere), "ride.mp4")
     assert "fits the log nowhere" in words
