@@ -98,6 +98,7 @@ FRAME_S = 1.0 / 30.0
 _PEAK_SHARE, _MOST_PEAKS = 0.2, 12
 _LEAST_SHARE = 0.1  # of a lane's largest value: less does not fill it, noise would
 PAT, OF_LOG, OF_CLIP = range(3)  # indices of the axis colours
+_CURVE_SHARE = 0.7  # of the height of a low lane, where its name covers the curve
 _CLOSE_UP_S = 6.0
 _SHORTEST_S = 0.05
 _ZOOM = 1.25
@@ -137,7 +138,7 @@ class SyncStrip(QWidget):
         super().__init__(parent)
         self.setAccessibleName(self.tr("Clip and log over time"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMinimumSize(320, 180)
+        self.setMinimumSize(320, 130)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setCursor(Qt.CursorShape.SizeHorCursor)
         self.shift_s, self.rate = 0.0, 1.0
@@ -314,7 +315,8 @@ class SyncStrip(QWidget):
             least = _LEAST_SHARE * float(lane.curve[1].max())
             top = max(float(y.max()), least, 1e-9)
             words = _MARGIN_PX + painter.fontMetrics().height()
-            floor, space = place.bottom() - 2, place.height() - 4 - words
+            floor, high = place.bottom() - 2, place.height()
+            space = max(high - 4 - words, _CURVE_SHARE * high)
             points = [QPointF(x[0], floor)]
             points += [
                 QPointF(a, floor - space * b / top) for a, b in zip(x, y, strict=True)

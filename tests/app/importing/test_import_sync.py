@@ -219,6 +219,19 @@ def test_the_lag_of_an_own_clock_is_shown_and_can_be_dragged(wizard, ride):
     assert page.may_go_on()
 
 
+def test_a_low_window_cuts_no_text_off(wizard, ride, application):
+    found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
+    seen = PictureEvidence(10.0, 0.94, 3.0, 0.9, 0.001, 0.01, 0.002, "vectors")
+    sync = Synchronisation(ClockMap(4.0, confidence=0.3), "pictures", pictures=seen)
+    wizard.on_found(dataclasses.replace(found, found=sync, clip_camera="Cam 5"))
+    wizard.go_to(SYNC)
+    wizard.resize(940, 540)  # a screen of 1080 lines at 200 %
+    application.processEvents()
+    for text in (wizard.sync.verdict, wizard.sync.method_text):
+        assert text.height() >= text.heightForWidth(text.width())
+    assert wizard.height() == 540
+
+
 def test_a_given_offset_is_left_to_the_person(wizard, ride, wait_for):
     folder, _ = ride
     wizard.take([folder / "ride.mp4", folder / "log.csv"])
