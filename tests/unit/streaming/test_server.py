@@ -160,6 +160,7 @@ def test_one_address_cannot_take_all_connections(server, ask):
         assert one_more.recv(100) == b""
     for one in crowd:
         one.close()
+    wait_for(lambda: not server.connections)
     assert ask("manifest.json")[0].status == 200
 
 
