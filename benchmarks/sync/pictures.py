@@ -124,7 +124,8 @@ def window_errors_s(film: Filmed, log: Logged, frames: FrameRotation) -> Floats:
 
 def strangers(film: Filmed, number: int, rate_hz: int) -> Iterator[ImuLog]:
     """Yield logs that do not belong to a film: of the same scene and of another one."""
-    other = SCENES[(SCENES.index(film.scene) + 1 + number) % len(SCENES)]
+    further = 1 + number % (len(SCENES) - 1)
+    other = SCENES[(SCENES.index(film.scene) + further) % len(SCENES)]
     yield logged(
         ride_of(film.scene, film.seed + 1000 + number), (number, 1), rate_hz
     ).imu
