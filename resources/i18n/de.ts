@@ -6724,6 +6724,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Format</translation>
     </message>
     <message>
+        <source>frames and gyro agree about one axis only, as those of another ride can</source>
+        <translation>Bilder und Gyroskop stimmen nur um eine Achse überein, wie es auch bei einer anderen Fahrt vorkommt</translation>
+    </message>
+    <message>
         <source>full scale was taken as {full_n:.3g} N</source>
         <translation>Vollausschlag wurde als {full_n:.3g} N genommen</translation>
     </message>

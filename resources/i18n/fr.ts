@@ -6724,6 +6724,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le format</translation>
     </message>
     <message>
+        <source>frames and gyro agree about one axis only, as those of another ride can</source>
+        <translation>les images et le gyroscope ne concordent que sur un seul axe, comme cela arrive avec un autre trajet</translation>
+    </message>
+    <message>
         <source>full scale was taken as {full_n:.3g} N</source>
         <translation>la pleine échelle a été prise comme {full_n:.3g} N</translation>
     </message>

@@ -113,7 +113,7 @@ def _compared(
         )
     if fitted is None:
         return None, Message("their rotation is not that of the gyro")
-    found = finding([fitted.fit], fitted.line, frames.kind)
+    found = finding([fitted.fit], fitted.line, frames.kind, is_own=True)
     if not found.is_confident:
         return found, ""
     near = _near(imu, spans_to_watch(float(frames.end_s[-1])))

@@ -33,10 +33,13 @@ LONG_S = 120.0
 _PARTS, _PART_S = 4, 30.0
 _LEAST_S = 5.0
 _CHECKED_S = 6.0  # parts of this length are compared by themselves
+_APART_S = 0.05  # nearer shifts are the same
 
 # thresholds at which the confidence is a half; see benchmarks.sync pictures
-_MARGIN = 2.3  # logs of other clips reach 2.0, right ones 2.7 or more
+_MARGIN = 2.3  # of many windows: logs of other rides reach 2.4, right ones 4.4 or more
 _EXPLAINED = 0.6
+_SECOND_AXIS = 0.85  # logs of other rides in cars reach 0.75, right ones 0.94 or more
+_ONE_AXIS_CHANCE = 4.0  # that another ride turns alike, over that of turns about two
 _TELLING_S = 3.0  # one window of 4 s is enough
 _KNOWN_S = 0.006  # SD of a window that tells the time
 _SPREAD_S = 0.006
@@ -102,14 +105,28 @@ def _is_cut(frames: FrameRotation, gyro: Gyro, line: Line) -> bool:
     ]
     left = [fit.unexplained for fit in here]
     usual = float(np.median(np.compress(logged, left))) if any(logged) else 1.0
-    for part, unexplained, is_logged in zip(parts, left, logged, strict=True):
-        if not is_logged or unexplained < _MARGIN * usual:
-            continue
-        fits = candidates(part, gyro)
-        best = min((fit.unexplained for fit in fits), default=1.0)
-        if best <= 1.0 - _EXPLAINED and unexplained >= _MARGIN * best:
-            return True
-    return False
+    return any(
+        is_logged
+        and fit.unexplained >= _MARGIN * usual
+        and _is_elsewhere(part, gyro, fit)
+        for part, fit, is_logged in zip(parts, here, logged, strict=True)
+    )
+
+
+def _is_elsewhere(part: Watched, gyro: Gyro, here: RotationFit) -> bool:
+    """Whether a part of a clip clearly belongs to another part of the log."""
+    best = next(iter(candidates(part, gyro)), here)
+    if (
+        abs(best.shift_s - here.shift_s) < _APART_S
+        or best.unexplained >= here.unexplained
+    ):
+        return False
+    if best.unexplained <= 1.0 - _EXPLAINED:
+        return here.unexplained >= _MARGIN * best.unexplained
+    agree_here, agree_there = (
+        fit_line(part, gyro, fit).second_axis for fit in (here, best)
+    )
+    return agree_here < _SECOND_AXIS <= agree_there
 
 
 def _parts(frames: FrameRotation) -> Iterator[FrameRotation]:
@@ -173,13 +190,20 @@ def refuse_without_gyro(imu: ImuLog) -> None:
         )
 
 
-def finding(fits: list[RotationFit], line: Line, kind: FeatureKind) -> Synchronisation:
-    """Return what a line means, whose fit is the first of several."""
+def finding(
+    fits: list[RotationFit], line: Line, kind: FeatureKind, *, is_own: bool = False
+) -> Synchronisation:
+    """Return what a line means, whose fit is the first of several.
+
+    A log that is known to be the clip's own has no rivals.
+    """
     read_out_s, read_out_sd_s = read_out(line)
     # rows that were read earlier than the middle show an earlier time
     shift_s = line.shift_s - line.row * read_out_s
     evidence = _evidence(fits, line, (read_out_s, read_out_sd_s), kind)
-    weakest, doubt = _weakest(evidence, line.least_drift)
+    weakest, doubt = min(
+        _signs(evidence, line.least_drift, is_own=is_own), key=lambda sign: sign[0]
+    )
     confidence = _confidence(weakest, is_coarse=evidence.is_coarse)
     if confidence < ENOUGH_CONFIDENCE:
         evidence = dataclasses.replace(evidence, doubt=doubt)
@@ -218,6 +242,7 @@ def _evidence(
         line.middle_s,
         max(0.0, 1.0 - best),
         rival / max(best, 1e-6),
+        line.second_axis,
         WINDOW_S * float(telling.sum()),
         line.spread_s,
         *read_out_s,
@@ -225,35 +250,50 @@ def _evidence(
     )
 
 
-def _weakest(evidence: PictureEvidence, drift: float) -> tuple[float, Message]:
-    """Return the weakest sign, 0 at its threshold, and what it makes doubtful."""
-    signs = (
-        (
-            math.log2(evidence.margin / _MARGIN),
-            Message("other offsets fit nearly as well"),
-        ),
-        (
-            (evidence.explained - _EXPLAINED) / 0.1,
-            Message("is it the log of this clip, and the video not stabilised?"),
-        ),
-        (
-            math.log2(max(evidence.telling_s, 1e-3) / _TELLING_S),
-            Message("the camera turns too little to show the time"),
-        ),
-        (
-            math.log2(_SPREAD_S / max(evidence.spread_s, 1e-6)),
-            Message("parts of the clip give different offsets"),
-        ),
-        (
-            math.log2(_DRIFT / max(drift, 1e-9)),
-            Message(
-                "the clocks differ by {ppm:.0f} ppm or more: is the video played at the "
-                "frame rate it was recorded with?",
-                ppm=1e6 * drift,
+def _signs(
+    evidence: PictureEvidence, drift: float, *, is_own: bool
+) -> Iterator[tuple[float, Message]]:
+    """Yield the signs, each 0 at its threshold, and what it makes doubtful."""
+    if not is_own:
+        yield (
+            math.log2(evidence.margin / _needed_margin(evidence)),
+            Message("other offsets fit nearly as well")
+            if evidence.second_axis >= _SECOND_AXIS
+            else Message(
+                "frames and gyro agree about one axis only, as those of another ride can"
             ),
+        )
+    yield (
+        (evidence.explained - _EXPLAINED) / 0.1,
+        Message("is it the log of this clip, and the video not stabilised?"),
+    )
+    yield (
+        math.log2(max(evidence.telling_s, 1e-3) / _TELLING_S),
+        Message("the camera turns too little to show the time"),
+    )
+    yield (
+        math.log2(_SPREAD_S / max(evidence.spread_s, 1e-6)),
+        Message("parts of the clip give different offsets"),
+    )
+    yield (
+        math.log2(_DRIFT / max(drift, 1e-9)),
+        Message(
+            "the clocks differ by {ppm:.0f} ppm or more: is the video played at the "
+            "frame rate it was recorded with?",
+            ppm=1e6 * drift,
         ),
     )
-    return min(signs, key=lambda sign: sign[0])
+
+
+def _needed_margin(evidence: PictureEvidence) -> float:
+    """Return the margin at which the confidence is a half.
+
+    Logs of other rides fit the better, the fewer windows tell of a turn; more so where all
+    turns are about one axis.
+    """
+    windows = max(1.0, evidence.telling_s / WINDOW_S)
+    chance = 1.0 if evidence.second_axis >= _SECOND_AXIS else _ONE_AXIS_CHANCE
+    return _MARGIN * (1.0 + chance / windows)
 
 
 def _confidence(weakest: float, *, is_coarse: bool) -> float:

@@ -57,6 +57,7 @@ class PictureEvidence:
         middle_s: media time of the middle of what was compared.
         explained: share of the frames' rotation that the gyro explains.
         margin: unexplained share of the best alternative shift over that of this one.
+        second_axis: correlation about the axis with the second-most rotation.
         telling_s: length of all windows of 4 s that know the shift to 6 ms.
         spread_s: RMS of the windows about the line.
         read_out_s: from the first row of a frame to the last one, estimated.
@@ -68,6 +69,7 @@ class PictureEvidence:
     middle_s: float
     explained: float
     margin: float
+    second_axis: float
     telling_s: float
     spread_s: float
     read_out_s: float

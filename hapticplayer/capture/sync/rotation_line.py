@@ -40,6 +40,8 @@ class Line(NamedTuple):
         row: mean row of the frames that decides, -0.5 to 0.5.
         read_out_s: from the first row to the last one, as the frames tell.
         read_out_sigma_s: its SD.
+        second_axis: correlation of frames and gyro about the axis with the second-most
+            rotation.
     """
 
     shift_s: float
@@ -53,6 +55,7 @@ class Line(NamedTuple):
     row: float
     read_out_s: float
     read_out_sigma_s: float
+    second_axis: float
 
     def at(self, media_s: Floats) -> Floats:
         """Return the shift at media times."""
@@ -115,6 +118,7 @@ def fit_line(watched: Watched, gyro: Gyro, start: RotationFit) -> Line:
         windows.sigma_s,
         windows.shift_s,
         *steps.read_out(watched),
+        steps.second_axis,
     )
 
 
@@ -126,6 +130,14 @@ def _explained(watched: Watched, camera_rad: Floats, error: Floats) -> Floats:
         for one in (error, camera_rad)
     )
     return np.asarray(np.clip(1.0 - left / np.maximum(whole, 1e-18), 0.0, 1.0))
+
+
+def _second_axis(camera_rad: Floats, gyro_rad: Floats, weight: Floats) -> float:
+    """Return the correlation about the second principal axis of the gyro's rotation."""
+    _, axes = np.linalg.eigh((gyro_rad * weight[:, None]).T @ gyro_rad)
+    camera, gyro = camera_rad @ axes[:, 1], gyro_rad @ axes[:, 1]
+    size = float((weight @ camera**2) * (weight @ gyro**2))
+    return float(weight @ (camera * gyro)) / max(float(np.sqrt(size)), 1e-18)
 
 
 class _Windows(NamedTuple):
@@ -153,11 +165,13 @@ class _Steps(NamedTuple):
         shift_s: (N,).
         power: (N, 3) weight of each axis in it, 1 / variance.
         slope: (N, 3) how the rotation changes with the shift, rad/s.
+        second_axis: as in `Line`.
     """
 
     shift_s: Floats
     power: Floats
     slope: Floats
+    second_axis: float
 
     @classmethod
     def of(
@@ -180,7 +194,8 @@ class _Steps(NamedTuple):
         power = trust * slope**2 * _explained(watched, camera_rad, error)[:, None] ** 2
         total = np.maximum(power.sum(axis=1), 1e-12)
         shift_s = (trust * slope * error).sum(axis=1) / total
-        return cls(np.asarray(shift_s), np.asarray(power), slope)
+        second_axis = _second_axis(camera_rad, gyro_rad, watched.weight * used * robust)
+        return cls(np.asarray(shift_s), np.asarray(power), slope, second_axis)
 
     def windows(self, times_s: Floats) -> _Windows:
         """Return windows of 4 s that are at least half full, and know the shift at all."""

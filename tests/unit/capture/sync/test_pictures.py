@@ -90,6 +90,19 @@ class Nod(Ride):
         return super().angles(time_s) * np.exp(-(((time_s - 5.0) / 2.5) ** 4))[:, None]
 
 
+class Bend(Ride):
+    """A car that turns once, at 12 s; the road shakes it about all axes."""
+
+    def __init__(self, seed: int) -> None:
+        super().__init__(seed, rms_radps=0.008)
+        self.turn_s = np.random.default_rng(seed).uniform(0.45, 0.5)
+
+    def angles(self, time_s: np.ndarray) -> np.ndarray:
+        """(N, 3) rad."""
+        turn = 0.4 * np.tanh((time_s - 12.0) / self.turn_s)
+        return super().angles(time_s) + turn[:, None] * np.array([0.0, 0.0, 1.0])
+
+
 def error_s(found: Synchronisation, clock: ClockMap) -> float:
     """Error at the middle of the clip."""
     middle_s = CLIP_S / 2
@@ -221,6 +234,22 @@ def test_turning_of_another_ride_is_not_believed() -> None:
     found = synchronize_pictures(Nod(2, 0.5).log(ClockMap()), Nod(1, 0.5).frames())
 
     assert not found.is_confident
+
+
+@pytest.mark.parametrize("seed", range(2, 6))
+def test_same_bend_of_another_ride_is_not_believed(seed) -> None:
+    frames = Bend(1).frames()
+    near = frames.select((frames.begin_s >= 8.0) & (frames.end_s <= 16.0))
+
+    own = synchronize_pictures(Bend(1).log(ClockMap(2.0)), near)
+    other = synchronize_pictures(Bend(seed).log(ClockMap(2.0)), near)
+
+    assert own.is_confident
+    assert abs(own.media_s(10.0) - 12.0) < 0.004
+    assert other.pictures is not None
+    assert other.pictures.explained > 0.8
+    assert not other.is_confident
+    assert "one axis" in other.pictures.doubt
 
 
 @pytest.mark.parametrize("slower", [1.2, 1 / 1.001])
