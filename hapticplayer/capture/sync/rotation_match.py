@@ -23,6 +23,7 @@ from hapticplayer.model.limits import GAP_STEPS
 HIGH_PASS_HZ = 0.4
 LEAST_OVERLAP_S = 6.0
 
+_EDGE_S = 0.01  # of the integral; what turns faster, no frame shows
 _COARSE_STEP_S = 0.017  # between shifts that are compared at first
 _NEIGHBOUR_S = 0.15  # nearer shifts belong to the same peak
 _MOST_CANDIDATES = 8
@@ -47,6 +48,9 @@ class Gyro:
             edges_s = np.concatenate([[time_s[0] - float(np.median(steps_s))], time_s])
         parts = rate * np.diff(edges_s)[:, None]
         total = np.concatenate([np.zeros((1, 3)), np.cumsum(parts, axis=0)])
+        # a log of hours would take gigabytes
+        every = max(1, round(_EDGE_S / float(np.median(steps_s))))
+        edges_s, total = edges_s[::every], total[::every]
         self.begin_s, self.end_s = float(edges_s[0]), float(edges_s[-1])
         self._integral = CubicSpline(edges_s, total)
         self._rate = self._integral.derivative()

@@ -113,6 +113,7 @@ def error_s(found: Synchronisation, clock: ClockMap) -> float:
     ("rate_hz", "offset_s", "drift_ppm", "axes"),
     [
         (200.0, 0.0, 0.0, "x,y,z"),
+        (1000.0, 3.1, 20.0, "-x,-y,z"),
         (200.0, -37.3, 80.0, "-z,y,x"),
         (30.0, 52.1, -80.0, "y,-x,z"),
     ],
