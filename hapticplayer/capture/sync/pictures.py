@@ -64,12 +64,15 @@ def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:
     return [(part * apart_s, part * apart_s + _PART_S) for part in range(_PARTS)]
 
 
-def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
+def synchronize_pictures(
+    imu: ImuLog, frames: FrameRotation, *, is_own: bool = False
+) -> Synchronisation:
     """Return the clock map of the log to the frames; confidence 0 if nothing fits.
 
     Args:
         imu: the log, with a gyro; its axes may be any.
         frames: rotation of the clip, from `capture.vision.rotation`.
+        is_own: whether the log is known to be the clip's own.
 
     Raises:
         InputError: when the frames or the log tell of no rotation at all.
@@ -80,7 +83,7 @@ def synchronize_pictures(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
     if not fits:
         return Synchronisation(ClockMap(confidence=0.0), "pictures")
     line = fit_line(watched, gyro, fits[0])
-    found = finding(fits, line, frames.kind)
+    found = finding(fits, line, frames.kind, is_own=is_own)
     if not found.is_confident:
         return found
     if _is_cut(frames, gyro, line):
@@ -195,7 +198,7 @@ def finding(
 ) -> Synchronisation:
     """Return what a line means, whose fit is the first of several.
 
-    A log that is known to be the clip's own has no rivals.
+    A log that is known to be the clip's own is not one of another ride.
     """
     read_out_s, read_out_sd_s = read_out(line)
     # rows that were read earlier than the middle show an earlier time
@@ -254,15 +257,15 @@ def _signs(
     evidence: PictureEvidence, drift: float, *, is_own: bool
 ) -> Iterator[tuple[float, Message]]:
     """Yield the signs, each 0 at its threshold, and what it makes doubtful."""
-    if not is_own:
-        yield (
-            math.log2(evidence.margin / _needed_margin(evidence)),
-            Message("other offsets fit nearly as well")
-            if evidence.second_axis >= _SECOND_AXIS
-            else Message(
-                "frames and gyro agree about one axis only, as those of another ride can"
-            ),
-        )
+    is_alike = evidence.second_axis < _SECOND_AXIS and not is_own
+    yield (
+        math.log2(evidence.margin / (_MARGIN if is_own else _needed_margin(evidence))),
+        Message(
+            "frames and gyro agree about one axis only, as those of another ride can"
+            if is_alike
+            else "other offsets fit nearly as well"
+        ),
+    )
     yield (
         (evidence.explained - _EXPLAINED) / 0.1,
         Message("is it the log of this clip, and the video not stabilised?"),

@@ -279,7 +279,9 @@ def by_pictures(inputs: SyncInput) -> Synchronisation:
     )
 
     refuse_without_gyro(inputs.imu)
-    found, lag = synchronize_pictures(inputs.imu, inputs.look()), inputs.lag
+    is_own = inputs.own is not None
+    found = synchronize_pictures(inputs.imu, inputs.look(), is_own=is_own)
+    lag = inputs.lag
     if lag is None or lag.is_measured or not found.is_confident:
         return found
     from hapticplayer.capture.sync.own_clock import MOST_LAG_S, lag_by_frames

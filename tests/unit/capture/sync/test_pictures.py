@@ -253,6 +253,22 @@ def test_same_bend_of_another_ride_is_not_believed(seed) -> None:
     assert "one axis" in other.pictures.doubt
 
 
+def test_a_bend_is_enough_for_the_own_log_of_a_clip() -> None:
+    frames, imu = Bend(1).frames(), Bend(1).log(ClockMap())
+    near = frames.select((frames.begin_s >= 8.0) & (frames.end_s <= 16.0))
+    noise_rad = np.random.default_rng(6).normal(0.0, 3e-4, near.rotation_rad.shape)
+    near = replace(near, rotation_rad=near.rotation_rad + noise_rad)
+
+    one = module.by_pictures(SyncInput(imu, lambda: None, look=lambda: near))
+    own = module.by_pictures(
+        SyncInput(imu, lambda: None, own=ClockMap(), look=lambda: near)
+    )
+
+    assert not one.is_confident
+    assert own.is_confident
+    assert own.clock_map.offset_s == one.clock_map.offset_s
+
+
 @pytest.mark.parametrize("slower", [1.2, 1 / 1.001])
 def test_frames_played_at_another_rate_are_not_believed(slower) -> None:
     ride = Ride(1)
