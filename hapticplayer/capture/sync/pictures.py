@@ -38,7 +38,7 @@ _APART_S = 0.05  # nearer shifts are the same
 # thresholds at which the confidence is a half; see benchmarks.sync pictures
 _MARGIN = 2.3  # of many windows: logs of other rides reach 2.4, right ones 4.4 or more
 _EXPLAINED = 0.6
-_SECOND_AXIS = 0.85  # logs of other rides in cars reach 0.75, right ones 0.94 or more
+_SECOND_AXIS = 0.85  # logs of other rides in cars reach 0.75, right ones 0.93 or more
 _ONE_AXIS_CHANCE = 4.0  # that another ride turns alike, over that of turns about two
 _TELLING_S = 3.0  # one window of 4 s is enough
 _KNOWN_S = 0.006  # SD of a window that tells the time
