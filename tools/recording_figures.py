@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from hapticplayer.capture import synchronize
-from hapticplayer.capture.sync.synchronize import ClipSound
+from hapticplayer.capture.sync.result import ClipSound
 from hapticplayer.cli.plots import draw_sync
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
 

@@ -41,15 +41,10 @@ from benchmarks.sync.picture_tables import (
 )
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.sync.pictures import synchronize_pictures, usable
-from hapticplayer.capture.sync.result import Synchronisation
+from hapticplayer.capture.sync.result import ClipSound, Synchronisation, SyncInput
 from hapticplayer.capture.sync.rotation_line import Line, fit_line
 from hapticplayer.capture.sync.rotation_match import Gyro, fit_at
-from hapticplayer.capture.sync.synchronize import (
-    ClipSound,
-    SyncInput,
-    by_pats,
-    joined_findings,
-)
+from hapticplayer.capture.sync.synchronize import by_pats, joined_findings
 from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import InputError
 from hapticplayer.media.clip_info import probe

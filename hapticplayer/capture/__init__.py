@@ -8,7 +8,7 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from hapticplayer.capture.recording import read_recording as read_recording
+    from hapticplayer.capture.reading import read_recording as read_recording
     from hapticplayer.capture.sync.synchronize import (
         synchronize as synchronize,
     )
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def __getattr__(name: str) -> object:
     """Load one of the two functions of this room at its first use."""
-    homes = {"read_recording": "recording", "synchronize": "sync.synchronize"}
+    homes = {"read_recording": "reading", "synchronize": "sync.synchronize"}
     if name not in homes:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(f"{__name__}.{homes[name]}"), name)

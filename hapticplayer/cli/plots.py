@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.capture.sync.synchronize import ClipSound
+from hapticplayer.capture.sync.result import ClipSound, Synchronisation
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence.processing import Processed

@@ -16,7 +16,6 @@ from hapticplayer.errors import InputError, MediaError, Message, Progress, Seque
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import (
     ImuLog,
-    Mapping,
     MotionTrack,
 )
 from hapticplayer.model.calibration import SensorCalibration
@@ -27,7 +26,6 @@ from hapticplayer.sequence.mounting_by_frames import (
     ask_for_shown_mounting,
     mounting_by_frames,
 )
-from hapticplayer.sequence.presets import DEFAULT_PRESET
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.report import (
     notes_on_motion,
@@ -36,23 +34,18 @@ from hapticplayer.sequence.report import (
 from hapticplayer.sequence.suggesting import suggested
 from hapticplayer.sequence.surroundings import surroundings
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
-from hapticplayer.sequence.writing import Content, write_folder
+from hapticplayer.sequence.writing import Content, RenderChoices, write_folder
 from hapticplayer.untrusted import HeldFile
 
 _FOLLOWING_SHARE = 0.75  # of the time of an import in which frames are followed
 
 
 @dataclass(frozen=True, slots=True)
-class Choices:
+class Choices(RenderChoices):
     """What an experimenter may choose when importing.
 
     Attributes:
-        title: None for the name of the video.
-        mapping: axes, gain, limit, knee and lever arm.
-        fits_gain: replace its gain by the one of `rendering.fit_gain`.
-        preset: of the rendering, see `presets`.
         processing: conditioning, gravity removal and low-pass.
-        seed: of the random feedback; None derives it from the clip's content.
         log: answers about a log that does not describe itself.
         sync: how the log is synchronised with the clip.
         mounting: right, front and up of the actor in the recorder's axes; "" if not
@@ -62,12 +55,7 @@ class Choices:
             recording.
     """
 
-    title: str | None = None
-    mapping: Mapping = dataclasses.field(default_factory=Mapping)
-    fits_gain: bool = False
-    preset: str = DEFAULT_PRESET
     processing: Processing = dataclasses.field(default_factory=Processing)
-    seed: int | None = None
     log: LogChoices | None = None
     sync: SyncChoices = dataclasses.field(default_factory=SyncChoices)
     mounting: str = ""

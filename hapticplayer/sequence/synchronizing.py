@@ -9,14 +9,13 @@ from msgspec import Meta, Struct
 
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
-from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
-from hapticplayer.capture.sync.synchronize import (
-    NO_FIT,
-    NO_PATS,
+from hapticplayer.capture.sync.result import (
+    COARSE_NOTE,
     ClipSound,
+    Synchronisation,
     SyncInput,
-    read_sound,
 )
+from hapticplayer.capture.sync.synchronize import NO_FIT, NO_PATS, read_sound
 from hapticplayer.capture.vision import (
     FrameRotation,
     is_available,

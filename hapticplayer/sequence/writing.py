@@ -6,7 +6,7 @@ import shutil
 from collections.abc import Mapping as Dict
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hapticplayer import __version__, rendering
 from hapticplayer.clock import utc_now_iso
@@ -25,14 +25,30 @@ from hapticplayer.sequence import files, store
 from hapticplayer.sequence.description import SCHEMA, VERSION
 from hapticplayer.sequence.editing import describe_rendering
 from hapticplayer.sequence.excursion import excursion_texts, predict
-from hapticplayer.sequence.presets import render_preset
+from hapticplayer.sequence.presets import DEFAULT_PRESET, render_preset
 from hapticplayer.sequence.report import describe_notes, notes_on_force
 from hapticplayer.untrusted import HeldFile
 
-if TYPE_CHECKING:
-    from hapticplayer.sequence.build import Choices
-
 _COPY_SHARE = 0.6  # of the whole work; a long clip is mostly copied and hashed
+
+
+@dataclass(frozen=True, slots=True)
+class RenderChoices:
+    """What an experimenter may choose for any motion.
+
+    Attributes:
+        title: None for the name of the video.
+        mapping: axes, gain, limit, knee and lever arm.
+        fits_gain: replace its gain by the one of `rendering.fit_gain`.
+        preset: of the rendering, see `presets`.
+        seed: of the random feedback; None derives it from the clip's content.
+    """
+
+    title: str | None = None
+    mapping: Mapping = field(default_factory=Mapping)
+    fits_gain: bool = False
+    preset: str = DEFAULT_PRESET
+    seed: int | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,7 +76,7 @@ def write_folder(
     clip: ClipInfo,
     content: Content,
     target: Path,
-    choices: "Choices",
+    choices: RenderChoices,
     progress: Progress,
 ) -> Path:
     """Write a sequence and return its folder.
@@ -125,7 +141,7 @@ def _copy_clip(clip: Path, target: Path, progress: Progress) -> str:
 
 
 def _render(
-    content: Content, clip: ClipInfo, choices: "Choices", clip_hash: str
+    content: Content, clip: ClipInfo, choices: RenderChoices, clip_hash: str
 ) -> tuple[Mapping, dict[str, ForceTrack]]:
     """Return the mapping, with its gain fitted where that is chosen, and the tracks."""
     mapping, track, imu = choices.mapping, content.track, content.imu

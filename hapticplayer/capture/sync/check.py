@@ -13,8 +13,8 @@ from hapticplayer.capture.sync.events import (
     sound_events,
     sound_onsets,
 )
+from hapticplayer.capture.sync.result import ClipSound
 from hapticplayer.capture.sync.shifts import INTERVAL_S, unevenness
-from hapticplayer.capture.sync.synchronize import ClipSound
 from hapticplayer.model import ImuLog
 
 _RAREST = 24

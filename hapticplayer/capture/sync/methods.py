@@ -11,8 +11,7 @@ from hapticplayer.devices import load
 from hapticplayer.errors import Message, entry_named
 
 if TYPE_CHECKING:
-    from hapticplayer.capture.sync.result import Synchronisation
-    from hapticplayer.capture.sync.synchronize import SyncInput
+    from hapticplayer.capture.sync.result import Synchronisation, SyncInput
 
 
 class SyncMethod(NamedTuple):

@@ -1,11 +1,20 @@
-"""The result of a synchronisation, with its evidence."""
+"""The inputs and the result of a synchronisation, with its evidence."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.errors import Message
-from hapticplayer.model import ClockMap
+from hapticplayer.model import ClockMap, ImuLog
+
+if TYPE_CHECKING:
+    from hapticplayer.capture.vision import FrameRotation
+
+SOUND_RATE_HZ = 16_000
 
 ENOUGH_CONFIDENCE = 0.5
 """Below it a person has to check the result."""
@@ -22,6 +31,42 @@ COARSE_NOTE = Message(
     "The frames were compared by the motion vectors of the codec, which is coarse; with "
     "hapticplayer[vision] installed they are followed more exactly, those of H.265 too."
 )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ClipSound:
+    """The sound of a clip, mono, from media time 0.
+
+    Attributes:
+        samples: (n,) float32.
+        rate_hz: of the samples.
+        late_s: how much later than its frame the camera's sound comes.
+    """
+
+    samples: NDArray[np.floating]
+    rate_hz: float = SOUND_RATE_HZ
+    late_s: float = 0.0
+
+
+class SyncInput(NamedTuple):
+    """The inputs of a method.
+
+    Attributes:
+        imu: the log, on its own clock.
+        hear: reads the clip's sound; raises InputError where there is none.
+        given: clock map given by a person.
+        own: clock map known to the recording.
+        look: tells the camera's rotation from the clip's frames; raises InputError
+            where that is not possible. None without a clip.
+        lag: of the recording's own clock, as far as it is known.
+    """
+
+    imu: ImuLog
+    hear: Callable[[], ClipSound]
+    given: ClockMap | None = None
+    own: ClockMap | None = None
+    look: "Callable[[], FrameRotation] | None" = None
+    lag: ClockLag | None = None
 
 
 @dataclass(frozen=True, slots=True)

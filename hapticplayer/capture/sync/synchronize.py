@@ -4,24 +4,22 @@ import dataclasses
 import math
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.sync.methods import AUTO, sync_method
-from hapticplayer.capture.sync.result import Synchronisation
+from hapticplayer.capture.sync.result import (
+    SOUND_RATE_HZ,
+    ClipSound,
+    Synchronisation,
+    SyncInput,
+)
 from hapticplayer.errors import InputError, MediaError, Message, UsageError
 from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.model import ClockMap, ImuLog
 
-if TYPE_CHECKING:
-    from hapticplayer.capture.vision import FrameRotation
-
-SOUND_RATE_HZ = 16_000
 MIN_IMU_RATE_HZ = 20.0
 MAX_SOUND_S = 4 * 3600.0
 
@@ -35,42 +33,6 @@ _MIN_SOUND_RATE_HZ = 4000.0
 _AGREES_S = 0.0167
 _PATS_SIGMA_S = 0.004  # of pats at the least, beyond what their fit says
 _MOST_SIGMAS = 3.0
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ClipSound:
-    """The sound of a clip, mono, from media time 0.
-
-    Attributes:
-        samples: (n,) float32.
-        rate_hz: of the samples.
-        late_s: how much later than its frame the camera's sound comes.
-    """
-
-    samples: NDArray[np.floating]
-    rate_hz: float = SOUND_RATE_HZ
-    late_s: float = 0.0
-
-
-class SyncInput(NamedTuple):
-    """The inputs of a method.
-
-    Attributes:
-        imu: the log, on its own clock.
-        hear: reads the clip's sound; raises InputError where there is none.
-        given: clock map given by a person.
-        own: clock map known to the recording.
-        look: tells the camera's rotation from the clip's frames; raises InputError
-            where that is not possible. None without a clip.
-        lag: of the recording's own clock, as far as it is known.
-    """
-
-    imu: ImuLog
-    hear: Callable[[], ClipSound]
-    given: ClockMap | None = None
-    own: ClockMap | None = None
-    look: "Callable[[], FrameRotation] | None" = None
-    lag: ClockLag | None = None
 
 
 def read_sound(clip: str | os.PathLike[str], late_s: float = 0.0) -> ClipSound:

@@ -12,8 +12,7 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.methods import SyncMethod
-from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.capture.sync.synchronize import SyncInput
+from hapticplayer.capture.sync.result import Synchronisation, SyncInput
 from hapticplayer.cli import main
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ClockMap, ImuLog

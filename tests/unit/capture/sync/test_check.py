@@ -3,7 +3,7 @@
 import pytest
 
 from hapticplayer.capture.sync.check import check_log, check_sound
-from hapticplayer.capture.sync.synchronize import ClipSound
+from hapticplayer.capture.sync.result import ClipSound
 from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from hapticplayer.simulation.rides.sync_clips import simulate_pats
 

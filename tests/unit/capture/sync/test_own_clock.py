@@ -7,12 +7,8 @@ import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.clock_lag import unstamped
-from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
-from hapticplayer.capture.sync.synchronize import (
-    SyncInput,
-    by_own_clock,
-    by_pictures,
-)
+from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation, SyncInput
+from hapticplayer.capture.sync.synchronize import by_own_clock, by_pictures
 from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import probe

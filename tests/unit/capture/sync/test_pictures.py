@@ -14,8 +14,8 @@ from hapticplayer.capture.sync.pictures import (
     spans_to_watch,
     synchronize_pictures,
 )
-from hapticplayer.capture.sync.result import Pat, Synchronisation
-from hapticplayer.capture.sync.synchronize import SyncInput, automatic, joined_findings
+from hapticplayer.capture.sync.result import Pat, Synchronisation, SyncInput
+from hapticplayer.capture.sync.synchronize import automatic, joined_findings
 from hapticplayer.capture.vision import FeatureKind, FrameRotation
 from hapticplayer.cli.recording_options import sync_text
 from hapticplayer.errors import InputError, MediaError, UsageError
