@@ -102,7 +102,9 @@ def add_processing(command: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--method",
         choices=METHODS,
-        help=f"of gravity removal (default {DEFAULT_METHOD})",
+        help="of gravity removal: "
+        + "; ".join(f"{one.name}: {one.text}" for one in METHODS.values())
+        + f" (default: {DEFAULT_METHOD})",
     )
     add_number(
         group,

@@ -165,7 +165,7 @@ def _task(imu: ImuLog, parameters: Parameters | None) -> Task:
 
 
 def _estimate(task: Task, method: str) -> Estimate:
-    return entry_named(METHODS, method, Message("method"))(task)
+    return entry_named(METHODS, method, Message("method")).estimate(task)
 
 
 def _removed(task: Task, method: str, time_s: Floats) -> tuple[MotionTrack, Estimate]:

@@ -3,12 +3,12 @@
 import functools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
@@ -278,13 +278,32 @@ def low_pass(task: Task) -> Estimate:
     return Estimate(q, quat.vertical(q))
 
 
-METHODS: dict[str, Method] = {
-    "smoother": smoother,
-    "ekf": kalman,
-    "vqf": vqf,
-    "offline-vqf": offline_vqf,
-    "lowpass": low_pass,
-}
+class GravityMethod(NamedTuple):
+    """One way to estimate the orientation: an entry of `METHODS`."""
+
+    name: str
+    text: Message
+    estimate: Method
+
+
+_METHODS = (
+    GravityMethod(
+        "smoother",
+        Message("a smoother over the whole recording, with the sensor's errors"),
+        smoother,
+    ),
+    GravityMethod(
+        "ekf", Message("the quaternion Kalman filter of Sabatini 2006"), kalman
+    ),
+    GravityMethod("vqf", Message("the causal filter of Laidig and Seel 2023"), vqf),
+    GravityMethod(
+        "offline-vqf", Message("the same, forwards and backwards"), offline_vqf
+    ),
+    GravityMethod(
+        "lowpass", Message("the slow part of the specific force is gravity"), low_pass
+    ),
+)
+METHODS: dict[str, GravityMethod] = {one.name: one for one in _METHODS}
 """Orientation estimators by name."""
 
 

@@ -3,7 +3,6 @@
 import re
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -72,13 +71,6 @@ def test_clock_reads_zero_where_the_table_says(tmp_path, name):
         path = put(one.write(late(one.apart)), tmp_path / "in")
         recording = read_recording(path, parse_choices(one.choices))
     assert recording.imu.time_s[0] == pytest.approx(first_s, abs=1e-3)
-
-
-def test_documents_say_where_each_clock_reads_zero():
-    text = (Path(__file__).parents[3] / "docs" / "recording.md").read_text()
-    table = text.partition("| format | its clock reads zero |")[2].partition("\n\n")[0]
-    rows = re.findall(r"^\| `([\w-]+)` \| \S", table, re.MULTILINE)
-    assert rows == [one.name for one in formats.FORMATS]
 
 
 def test_nanoseconds_of_a_table_count_from_its_first_row(tmp_path):

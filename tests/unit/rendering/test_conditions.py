@@ -1,7 +1,6 @@
 """Feedback conditions that are made of realistic tracks."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -132,13 +131,3 @@ def test_defaults_are_allowed_values():
         for one in condition.parameters:
             if one.default != "":
                 assert one.check(one.default) == one.default
-
-
-def test_the_documents_have_every_condition_and_parameter():
-    docs = Path(__file__).parents[3] / "docs"
-    rows = (docs / "study.md").read_text().splitlines()
-    for one in FEEDBACKS:
-        (row,) = (
-            row for row in rows if row.startswith(f"| `{one.name}` | {one.meaning}")
-        )
-        assert all(f"`{parameter.name}`" in row for parameter in one.parameters)

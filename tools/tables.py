@@ -1,0 +1,293 @@
+"""Writes the tables of documents between their markers, from the rows of registries.
+
+    python -m tools.tables            # writes what has changed
+    python -m tools.tables --check    # names what has, exit status 1
+
+A table stands between `<!-- table: NAME -->` and `<!-- end of table -->`.
+"""
+
+import argparse
+import re
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+from app.player.commands import COMMANDS as WINDOW_COMMANDS
+from hapticplayer import cli
+from hapticplayer.capture.formats import FORMATS
+from hapticplayer.capture.sync.methods import SYNC_METHODS
+from hapticplayer.devices import OUTLETS, installed_devices
+from hapticplayer.interchange.force_formats import FORCE_FORMATS
+from hapticplayer.interchange.study_export import EXPORTERS
+from hapticplayer.motion import METHODS
+from hapticplayer.rendering import FEEDBACKS
+from hapticplayer.rendering.condition import Parameter
+from hapticplayer.rendering.effects import EFFECTS
+from hapticplayer.rendering.events import DETECTORS
+from hapticplayer.sequence.presets import PRESETS
+from hapticplayer.study.analysis.analysis import STATISTICS
+
+ROOT = Path(__file__).resolve().parents[1]
+MARKED = re.compile(
+    r"(?<=<!-- table: )([\w-]+)( -->\n).*?(?=<!-- end of table -->)", re.DOTALL
+)
+Row = Iterable[object]
+
+
+def table(head: str, rows: Iterable[Row]) -> str:
+    """A table in Markdown; the head is divided by bars."""
+    heads = [cell.strip() for cell in head.split("|")]
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "".join(f"| {' | '.join(map(_cell, line))} |\n" for line in lines)
+
+
+def _cell(value: object) -> str:
+    return str(value).replace("|", "\\|").replace("\n", " ")
+
+
+def _code(*names: str) -> str:
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def recording_formats() -> str:
+    """Logs and cameras that are read."""
+    return table(
+        "format | recording | recognised by | its clock reads zero | checked against",
+        ((_code(f.name), f.text, f.marks, f.zero, f.checked) for f in FORMATS),
+    )
+
+
+def sync_methods() -> str:
+    """Ways to synchronise a log with a clip."""
+    return table(
+        "method | goes by", ((_code(one.name), one.text) for one in SYNC_METHODS)
+    )
+
+
+def gravity_methods() -> str:
+    """Ways to remove gravity."""
+    return table(
+        "method | what", ((_code(one.name), one.text) for one in METHODS.values())
+    )
+
+
+def conditions() -> str:
+    """Feedback conditions with what can be chosen of each."""
+    return table(
+        "condition | force | parameters",
+        (
+            (_code(one.name), one.meaning, "; ".join(map(_choice, one.parameters)))
+            for one in FEEDBACKS
+        ),
+    )
+
+
+def _choice(one: Parameter) -> str:
+    if one.choices:
+        return f"`{one.name}`: {_code(*one.choices)}"
+    if one.range is None:
+        return f"`{one.name}`: {one.text.lower()}"
+    span = f"{one.range.least:g} to {one.range.largest:g} {one.range.unit}".strip()
+    return f"`{one.name}` {one.default:g} ({span})"
+
+
+def effects() -> str:
+    """Kinds of effects."""
+    return table(
+        "kind | parameters: usual value (range) | control points stand for",
+        (
+            (
+                _code(one.name),
+                "; ".join(map(_choice, one.parameters)),
+                one.curve and _code(one.curve),
+            )
+            for one in EFFECTS
+        ),
+    )
+
+
+def events() -> str:
+    """Kinds of events that are found."""
+    return table("kind | found where", ((_code(d.name), d.text) for d in DETECTORS))
+
+
+def presets() -> str:
+    """Presets of the rendering."""
+    return table("preset | what it does", ((_code(p.name), p.text) for p in PRESETS))
+
+
+def statistics() -> str:
+    """Statistics of a study."""
+    return table(
+        "statistic | what | references",
+        (
+            (_code(one.name), one.title, "; ".join(map(_short, one.references)))
+            for one in STATISTICS.values()
+        ),
+    )
+
+
+def _short(reference: str) -> str:
+    """Authors and year."""
+    return reference[: reference.find(")") + 1] or reference
+
+
+def study_exports() -> str:
+    """Formats of `study export`."""
+    return table(
+        "format | what", ((_code(one.name), one.text) for one in EXPORTERS.values())
+    )
+
+
+def force_formats() -> str:
+    """Formats of force."""
+    return table(
+        "format | what | keeps | export | import",
+        (
+            (
+                _code(one.name, one.suffix, *one.other_suffixes),
+                one.text,
+                one.keeps,
+                "yes" if one.write else "no",
+                "yes" if one.read else "no",
+            )
+            for one in FORCE_FORMATS.values()
+        ),
+    )
+
+
+def devices() -> str:
+    """Devices that can be chosen."""
+    found = [*installed_devices().values(), *OUTLETS.values()]
+    return table(
+        "device | what | axes | peak force | rate | latency, assumed",
+        (
+            (
+                _code(one.name),
+                one.title,
+                one.capabilities.axes or "none",
+                f"{one.capabilities.peak_force_n:g} N"
+                if one.capabilities.has_newtons and one.capabilities.axes
+                else "no newtons",
+                f"{one.capabilities.rate_hz:g} Hz",
+                f"{1000 * one.capabilities.latency_s:g} ms",
+            )
+            for one in found
+        ),
+    )
+
+
+def window_commands() -> str:
+    """Commands of the window with their first keys."""
+    return table(
+        "menu | command | keys",
+        (
+            (
+                one.menu.capitalize(),
+                one.text.replace("&", "").removesuffix("\u2026"),
+                " ".join(_code(key) for key in one.keys),
+            )
+            for one in WINDOW_COMMANDS
+        ),
+    )
+
+
+def command_line() -> str:
+    """Commands of the command line with their options."""
+    return "\n".join(_command(one) for one in cli.COMMANDS) + "\n"
+
+
+def _command(command: cli.Command) -> str:
+    parser = cli.build_parser(command.name)
+    made = dict(_subcommands(parser))[command.name]
+    head = f"### `{command.name}`: {command.summary}\n\n"
+    return head + "".join(_options(made, command.name))
+
+
+def _actions(parser: argparse.ArgumentParser) -> list[argparse.Action]:
+    return [action for action in parser._actions if action.dest != "help"]
+
+
+def _subcommands(
+    parser: argparse.ArgumentParser,
+) -> Iterator[tuple[str, argparse.ArgumentParser]]:
+    for action in _actions(parser):
+        choices = action.choices if isinstance(action.choices, dict) else {}
+        for name, made in choices.items():
+            if isinstance(made, argparse.ArgumentParser):
+                yield name, made
+
+
+def _options(parser: argparse.ArgumentParser, name: str) -> Iterator[str]:
+    subcommands = dict(_subcommands(parser))
+    for action in _actions(parser):
+        if subcommands and action.choices and set(action.choices) == set(subcommands):
+            continue
+        text = (action.help or "").replace("%%", "%").replace("|", "\\|")
+        words = [*action.option_strings] or [_argument(action)]
+        value = _argument(action) if action.option_strings else ""
+        shown = ", ".join(f"`{f'{word} {value}'.strip()}`" for word in words)
+        yield f"- {shown}{': ' if text else ''}{text}\n"
+    for word, made in subcommands.items():
+        yield f"\n**`{name} {word}`**\n\n"
+        yield from _options(made, f"{name} {word}")
+
+
+def _argument(action: argparse.Action) -> str:
+    if action.nargs == 0:
+        return ""
+    if action.metavar is not None:
+        return str(action.metavar)
+    if action.choices:
+        return "|".join(map(str, action.choices))
+    return action.dest.upper()
+
+
+TABLES: dict[str, Callable[[], str]] = {
+    one.__name__.replace("_", "-"): one
+    for one in (
+        recording_formats,
+        sync_methods,
+        gravity_methods,
+        conditions,
+        effects,
+        events,
+        presets,
+        statistics,
+        study_exports,
+        force_formats,
+        devices,
+        window_commands,
+        command_line,
+    )
+}
+
+
+def filled(text: str) -> str:
+    """A document with its tables made anew."""
+    return MARKED.sub(lambda found: f"{found[1]}{found[2]}{TABLES[found[1]]()}", text)
+
+
+def changed_documents() -> dict[Path, str]:
+    """The documents whose tables are not current, with the text they should have."""
+    pages = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+    texts = {page: page.read_text(encoding="utf-8") for page in pages}
+    made = {page: filled(text) for page, text in texts.items()}
+    return {page: text for page, text in made.items() if text != texts[page]}
+
+
+def main() -> int:
+    """Write or check the tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--check", action="store_true")
+    is_check = parser.parse_args().check
+    changed = changed_documents()
+    for page, text in changed.items():
+        print(page.relative_to(ROOT))
+        if not is_check:
+            page.write_text(text, encoding="utf-8")
+    return 1 if is_check and changed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
