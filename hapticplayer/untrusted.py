@@ -24,32 +24,6 @@ MAX_ATTACHED_BYTES = 256 << 20
 
 MAX_ATTACHED_FILES = 64
 
-MAX_STREAM_S = 6 * 3600.0
-"""Longest clip that is streamed: its force at 1 kHz takes 260 MB once all has arrived."""
-
-MAX_STREAM_TRACKS = 16
-MAX_MANIFEST_BYTES = 1 << 16
-MAX_PACKETS_AT_ONCE = 64
-"""8 s of force, 100 kB."""
-
-MAX_CONNECTIONS, MAX_CONNECTIONS_OF_ONE = 64, 16
-"""Of a server, and of one address; a viewer needs four."""
-
-CONNECTION_S = 30.0
-"""How long a connection may wait for its next request, or take for one piece of an answer."""
-
-ANSWER_S = 5.0
-"""How long a client waits for a whole answer before it asks again."""
-
-PATIENCE_S = 20.0
-"""How long a decoder waits for its bytes before the clip is given up."""
-
-MAX_BYTES_AT_ONCE = 4 << 20
-"""Of a clip in one answer."""
-
-MAX_BYTES_KEPT = 64 << 20
-"""Of a clip in memory."""
-
 _CONTROLS = (*range(0x20), *range(0x7F, 0xA0))
 
 ANOTHER = Message("choose another file")

@@ -204,8 +204,8 @@ class Extras(QObject):
         self.thumbnails.forget()
 
     def _on_chosen(self, source: Source) -> None:
-        """Go on where the clip was left, and say so; a stream is not remembered."""
-        if source.stream:
+        """Go on where the clip was left, and say so; a remote clip is not remembered."""
+        if source.clip.remote:
             return
         self.history.note_opened(source.path)
         at_s = self.history.position_s(source.path, source.clip.duration_s)

@@ -47,7 +47,7 @@ class History:
     def note_position(self, player: Player) -> None:
         """Remember where the clip is; not at its ends."""
         now = player.snapshot()
-        if now.source is None or now.source.stream:
+        if now.source is None or now.source.clip.remote:
             return
         place, kept = str(now.source.path.absolute()), self._positions()
         kept.pop(place, None)

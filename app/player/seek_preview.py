@@ -152,7 +152,7 @@ class Thumbnails(QObject):
 
     def _begin(self) -> None:
         source = self._player.snapshot().source
-        if source is None or source.stream or self._is_felt():
+        if source is None or source.clip.remote or self._is_felt():
             return
         if self._path == source.clip.path:
             return

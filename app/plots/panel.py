@@ -15,7 +15,6 @@ from app.plots.series import (
     Page,
     Trail,
     ViewSpan,
-    arrived,
     cut,
     half_range,
     sampled,
@@ -23,7 +22,6 @@ from app.plots.series import (
 )
 from app.widgets import theme
 from app.widgets.layout import column_of, row_of
-from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 from hapticplayer.playback.snapshot import Snapshot, TicksSince
 from hapticplayer.playback.source import Source
 
@@ -81,21 +79,17 @@ class ForcePlot(PlayheadPlot):
         self._feedback = ""
         self._trail = Trail()
         self._loop_pid: int | None = None
-        self._arrived = 0  # packets of a stream
 
     def set_source(self, source: Source | None) -> None:
         """Show another clip's force."""
         self._source, self._feedback = source, ""
         self._trail = Trail()
-        self._arrived = 0
         self.set_half_range(half_range(_peak_n(source), LEAST_FORCE_N))
 
     def follow(self, now: Snapshot, ticks_since: TicksSince) -> None:
         """Draw what lies around a media time."""
         if now.feedback != self._feedback:
             self._feedback = now.feedback
-            self.forget_page()
-        if self._has_more_arrived():
             self.forget_page()
         span_s = self.new_page(now.media_s)
         if span_s:
@@ -113,24 +107,13 @@ class ForcePlot(PlayheadPlot):
         track = source.tracks.get(self._feedback) if source else None
         if source is None or track is None:
             return EMPTY
-        if source.stream is not None:
-            return arrived(source.stream.tracks[self._feedback], first_s, last_s)
         return sampled(track, first_s, min(last_s, source.clip.duration_s))
-
-    def _has_more_arrived(self) -> bool:
-        source, before = self._source, self._arrived
-        if source is not None and source.stream is not None:
-            track = source.stream.tracks.get(self._feedback)
-            self._arrived = int(track.has_arrived.sum()) if track else 0
-        return self._arrived != before
 
 
 def _peak_n(source: Source | None) -> float:
-    """Return the largest force of a source; of a stream, what any track may have."""
+    """Return the largest force of a source."""
     if source is None:
         return 0.0
-    if source.stream is not None:
-        return DEFAULT_FORCE_LIMIT_N
     return max((track.peak_n() for track in source.tracks.values()), default=0.0)
 
 

@@ -6,8 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from hapticplayer.haptics.streamed_track import RATE_HZ
-from hapticplayer.haptics.track_buffer import TrackBuffer
 from hapticplayer.model import ForceTrack
 
 
@@ -104,13 +102,6 @@ def sampled(track: ForceTrack, first_s: float, last_s: float) -> Page:
     first, last = round(first_s * TRACK_RATE_HZ), round(last_s * TRACK_RATE_HZ)
     time_s = np.arange(max(0, first), max(0, last) + 1) / TRACK_RATE_HZ
     return thin(Page(time_s, track.at(time_s)))
-
-
-def arrived(track: TrackBuffer, first_s: float, last_s: float) -> Page:
-    """Return what has arrived of a force that is fetched while it plays."""
-    first, last = max(0, round(first_s * RATE_HZ)), max(0, round(last_s * RATE_HZ))
-    force_n = track.force_n[first : last + 1].astype(np.float64)
-    return thin(Page((first + np.arange(len(force_n))) / RATE_HZ, force_n))
 
 
 def half_range(peak: float, least: float) -> float:

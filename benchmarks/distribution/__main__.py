@@ -7,7 +7,6 @@ from benchmarks.common import command
 PLACES = {
     "one_file": "distribution.one_file",
     "formats": "distribution.formats",
-    "serve": "distribution.serve",
     "ten_hours": "distribution.ten_hours",
     "damage": "campaigns:force_damage",
 }

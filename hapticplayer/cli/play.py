@@ -36,7 +36,6 @@ from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict
 from hapticplayer.rendering import FEEDBACKS
-from hapticplayer.streaming.opening import is_address, open_stream
 
 ACCEPT_IT = "--accept-changed-video plays the force with it"
 
@@ -47,14 +46,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "source",
         metavar="SEQUENCE_OR_VIDEO",
-        help="folder of a sequence, a file that was packed, any video, or the URL that "
-        "`serve` prints",
-    )
-    parser.add_argument(
-        "--allow-network",
-        action="store_true",
-        help="fetch clip and force from the URL of `serve`; nothing else ever uses a "
-        "network",
+        help="folder of a sequence, a file that was packed, or any video",
     )
     parser.add_argument(
         "--feedback",
@@ -200,23 +192,10 @@ def play(options: argparse.Namespace) -> int:
 
 def opened(options: argparse.Namespace) -> Source:
     """Return the source that the command line names."""
-    if is_address(str(options.source)):
-        return _streamed(options)
     source = open_source(options.source, options.force)
     if source.check and options.accept_changed_video:
         source.check.accept()
     return source
-
-
-def _streamed(options: argparse.Namespace) -> Source:
-    if not options.allow_network:
-        raise UsageError(
-            "nothing is fetched from a network without --allow-network; play a file, "
-            "or give that option if you trust who serves this"
-        )
-    if options.force:
-        raise UsageError("--force needs a clip on this machine")
-    return open_stream(options.source, SystemClock())
 
 
 def advise_of_video(source: Source) -> None:

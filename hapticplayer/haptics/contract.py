@@ -13,7 +13,7 @@ from typing import NamedTuple
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.hand import HandState
 from hapticplayer.haptics.limiter import ZERO, Limits, is_finite, outward_n
-from hapticplayer.haptics.track import AnyTrack
+from hapticplayer.haptics.track import LoadedTrack
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import Vector
 
@@ -117,9 +117,8 @@ class State(NamedTuple):
     hand: HandState = HandState()  # the grip as last seen
     heat_n2: float = 0.0  # mean square force of the last seconds
     acted_s: float = -math.inf  # last time at which a force was allowed
-    track: AnyTrack | None = None  # that was followed
+    track: LoadedTrack | None = None  # that was followed
     switch_n: Vector = ZERO  # left of the difference to the track before
-    share: float = 0.0  # of the force of a streamed track, 0 to 1
 
 
 class Situation(NamedTuple):
@@ -128,7 +127,7 @@ class Situation(NamedTuple):
     now_s: float
     clock: PlaybackClock | None  # the newest playback clock, None before the first
     # the track that the clock names, None while it is not loaded
-    track: AnyTrack | None
+    track: LoadedTrack | None
     state: State  # what the last tick returned
     hand: HandState  # the grip as `observe` has it after the last exchange
     supervision: Supervision

@@ -26,7 +26,6 @@ from hapticplayer.haptics.spawn import (
     wait_for_end,
 )
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
-from hapticplayer.haptics.track_buffer import DeviceTrack
 from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
 from hapticplayer.model.device import ChannelLevel
 
@@ -206,7 +205,7 @@ class HapticsProcesses:
         """Report that the main thread is alive; call it at least at 10 Hz."""
         self.block.beat(self._clock.now_s())
 
-    def load(self, tracks: Mapping[str, ForceTrack | DeviceTrack | RigTrack]) -> None:
+    def load(self, tracks: Mapping[str, ForceTrack | RigTrack]) -> None:
         """Hand over tracks by name, in place of those before."""
         if self._line is None:
             return
@@ -218,7 +217,7 @@ class HapticsProcesses:
             self._next_track_id += 1
             self.replace(name, track)
 
-    def replace(self, name: str, track: ForceTrack | DeviceTrack | RigTrack) -> None:
+    def replace(self, name: str, track: ForceTrack | RigTrack) -> None:
         """Hand over another version of a track, also while it plays.
 
         The loop plays the old one until the new one is checked (10,000 numbers a tick,
@@ -227,10 +226,7 @@ class HapticsProcesses:
         """
         if self._line is None:
             return
-        if isinstance(track, DeviceTrack):
-            descriptor = track.to_shared_memory()
-        else:
-            descriptor = to_shared_memory(track)
+        descriptor = to_shared_memory(track)
         self._line.send(MessageKind.TRACK, str(self._track_ids[name]), descriptor)
         os.close(descriptor)
 

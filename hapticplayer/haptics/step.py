@@ -27,7 +27,6 @@ from hapticplayer.haptics.limiter import (
     limit,
     warmed,
 )
-from hapticplayer.haptics.streamed_track import StreamedTrack
 from hapticplayer.model.device import Vector
 
 # Longer than any single tick's share of the entry, shorter than can be felt.
@@ -43,11 +42,8 @@ def step(situation: Situation) -> State:
     media_s = situation.media_s
     reaction, cause = assess(situation)
     planned = pull = wanted = switch = ZERO
-    share = 0.0
     if reaction is Reaction.GO and track is not None:
         planned = track.force_at(media_s)
-        if isinstance(track, StreamedTrack) and math.isfinite(media_s):
-            planned, share = _arrived(planned, track, situation)
         if track is not state.track or state.switch_n != ZERO:
             switch = _left_of_switch(planned, situation)
             (x, y, z), (dx, dy, dz) = planned, switch
@@ -77,7 +73,6 @@ def step(situation: Situation) -> State:
         now_s if is_entering or mode is Mode.FOLLOWING else state.acted_s,
         track if reaction is Reaction.GO else None,
         switch,
-        share,
     )
 
 
@@ -94,17 +89,6 @@ def _left_of_switch(planned_n: Vector, situation: Situation) -> Vector:
         (x, y, z), (bx, by, bz) = planned_n, state.planned_n
         left_n = (bx - x, by - y, bz - z)
     return limit(ZERO, left_n, limits.entry_slew_n, limits.force_cap_n)
-
-
-def _arrived(
-    planned_n: Vector, track: StreamedTrack, situation: Situation
-) -> tuple[Vector, float]:
-    """Return the planned force as far as it has arrived, and the share of it."""
-    clock, before = situation.clock, situation.state.share
-    assert clock is not None  # the row NO_TRACK comes before
-    share = track.share(before, situation.media_s, clock.rate, situation.gap_s)
-    x, y, z = planned_n
-    return (share * x, share * y, share * z), share
 
 
 def _next_mode(situation: Situation, reaction: Reaction, wanted_n: Vector) -> Mode:

@@ -8,15 +8,12 @@ from bisect import bisect_right
 from typing import TYPE_CHECKING
 
 from hapticplayer.haptics.limiter import ZERO
-from hapticplayer.haptics.streamed_track import STREAMED, StreamedTrack
 from hapticplayer.model.device import Vector
 
 if TYPE_CHECKING:  # the loop, which loads this, has no numpy
     from hapticplayer.model import ForceTrack, RigTrack
 
-_HEADER = struct.Struct(
-    "<QQQ"
-)  # rows, spans, 1 when the track is HOLD; see `streamed_track`
+_HEADER = struct.Struct("<QQQ")  # rows, spans, 1 when the track is HOLD
 MAX_ROWS = 50_000_000  # fourteen hours at 1 kHz
 FORCE_COLUMNS = 3
 
@@ -107,9 +104,6 @@ class LoadedTrack:
         return row
 
 
-AnyTrack = LoadedTrack | StreamedTrack
-
-
 def to_shared_memory(track: "ForceTrack | RigTrack") -> int:
     """Return the descriptor of a memory block that holds the track, owned by the caller."""
     from hapticplayer.model import ForceTrack, Reconstruction
@@ -128,7 +122,7 @@ def to_shared_memory(track: "ForceTrack | RigTrack") -> int:
     return descriptor
 
 
-def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> AnyTrack:
+def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> LoadedTrack:
     """Return the track behind a descriptor; its numbers are still to be checked.
 
     Raises:
@@ -138,8 +132,6 @@ def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> AnyTrack:
     if size < _HEADER.size:
         raise ValueError("it does not match its shared memory")
     block = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
-    if columns == FORCE_COLUMNS and _HEADER.unpack_from(block, 0)[2] == STREAMED:
-        return StreamedTrack(block)
     return LoadedTrack(block, columns)
 
 

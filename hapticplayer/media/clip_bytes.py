@@ -26,6 +26,14 @@ class ClipBytes(abc.ABC):
     def open(self) -> BinaryIO:
         """Return a reader from the beginning, for one thread; it raises MediaError."""
 
+    @abc.abstractmethod
+    def is_ahead(self, share: float) -> bool:
+        """Whether such a share of the clip can be read next without waiting."""
+
+    @abc.abstractmethod
+    def close(self) -> None:
+        """Let go of where it is; its readers fail from now on."""
+
 
 AnyClip = str | os.PathLike[str] | ClipBytes
 

@@ -23,7 +23,7 @@ from hapticplayer.playback.video_output import FrameSink, VideoOutput
 
 FIRST_SOUND_TIMEOUT_S = 3.0  # a sound server that wakes its device took 1.3 s
 FETCHED_S, FETCHED_AGAIN_S = 0.5, 2.0
-"""Of a stream, ahead of its first frame; once it had to wait, enough not to stop often."""
+"""Of a remote clip, before it plays, and before it resumes after it had to wait."""
 SLOWEST, FASTEST = SPEED.least, SPEED.largest
 DAMAGED = Message("the clip is damaged: some of its frames are missing or broken")
 
@@ -58,7 +58,7 @@ class ClipPlayback:
         self._latencies, self._device = Latencies(), ""
         self._first_sound_by_s = 0.0
         self._damaged = 0
-        self.fetched_s = FETCHED_S  # of a stream before it plays
+        self.fetched_s = FETCHED_S  # of a remote clip before it plays
         self._actions: dict[Action, Callable[[float], None]] = {
             Action.GO_TO: self._go_to,
             Action.HOLD: self._hold,
@@ -156,8 +156,8 @@ class ClipPlayback:
         self.media.renew()
         self.sound.ring.follow(self.media.epoch)
 
-    def wait_for_stream(self) -> None:
-        """Stop at the last frame until more has come, if it is a stream that is late."""
+    def wait_for_bytes(self) -> None:
+        """Stop at the last frame until more has come, if a remote clip is late."""
         if not self._is_fetched(0.0):
             self.fetched_s = FETCHED_AGAIN_S
             self.seek(self.video.frame_s)
@@ -236,11 +236,11 @@ class ClipPlayback:
                 self._reporter.event("end")
 
     def _is_fetched(self, seconds: float) -> bool:
-        """Whether a stream has enough of its clip to play for so long."""
-        source = self.source
-        if source is None or source.stream is None:
+        """Whether so much of a remote clip lies ahead."""
+        clip = self.source.clip if self.source else None
+        if clip is None or clip.remote is None:
             return True
-        return source.stream.is_ahead(seconds, source.clip.duration_s)
+        return clip.remote.is_ahead(seconds / clip.duration_s)
 
     def _hear(self) -> None:
         """Follow what the sound output reports."""

@@ -56,10 +56,6 @@ def feedback_track(
     condition = condition_named(name)
     if condition is None or not (parameters or condition.is_derived):
         raise _unknown(source, name)
-    if source.stream is not None:
-        raise UsageError(
-            "only a sequence on this machine can be given another feedback"
-        )
     realistic = source.tracks.get(Feedback.REALISTIC)
     if realistic is None and Feedback.ESTIMATED in source.tracks:
         raise UsageError(

@@ -17,19 +17,17 @@ from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.haptics.track_buffer import DeviceTrack, TrackBuffer
-from hapticplayer.model import DeviceCapabilities, ForceTrack, SyncStats
+from hapticplayer.model import ForceTrack, SyncStats
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.meters import Loudest, SyncAlarm, SyncMeter, TickHistory
 from hapticplayer.playback.snapshot import Measurements, SyncTraces
-from hapticplayer.rendering import adapted, device_gain
+from hapticplayer.rendering import adapted
 
 SYNC_LOG_PERIOD_S = 1.0
 TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
 COMPARE_PERIOD_S = 0.2  # an alarm looks at half a second
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
 
-AnyForce = ForceTrack | TrackBuffer
 MakeProcesses = Callable[..., HapticsProcesses]
 
 
@@ -50,8 +48,7 @@ class ForceOutput:
     ) -> None:
         self._clock, self._reporter = clock, reporter
         self._scheduling, self._make = scheduling, make
-        self._tracks: Mapping[str, AnyForce] = {}
-        self._filled: list[DeviceTrack] = []
+        self._tracks: Mapping[str, ForceTrack] = {}
         self._releasing: list[tuple[str, threading.Thread]] = []
         self._begin(device)
 
@@ -94,18 +91,14 @@ class ForceOutput:
             if not hardware_only or is_hardware(device):
                 thread.join()
 
-    def load(self, tracks: Mapping[str, AnyForce]) -> None:
+    def load(self, tracks: Mapping[str, ForceTrack]) -> None:
         """Hand over the tracks of a clip in place of those before."""
         self._tracks = tracks
         if self.processes.device != NO_DEVICE:
             capabilities = find_device(self.processes.device).capabilities
-            adapted_tracks = {n: _adapted(t, capabilities) for n, t in tracks.items()}
-            for filled in self._filled:
-                filled.close()
-            self._filled = [
-                t for t in adapted_tracks.values() if isinstance(t, DeviceTrack)
-            ]
-            self.processes.load(adapted_tracks)
+            self.processes.load(
+                {name: adapted(track, capabilities) for name, track in tracks.items()}
+            )
 
     def replace(self, name: str, track: ForceTrack) -> None:
         """Hand over another version of one of the tracks, also while it plays."""
@@ -246,14 +239,6 @@ class ForceOutput:
                 monotonic_s=float(records["monotonic_s"][row]),
             )
         self._mode = Mode(int(modes[-1]))
-
-
-def _adapted(
-    track: AnyForce, capabilities: DeviceCapabilities
-) -> ForceTrack | DeviceTrack:
-    if isinstance(track, TrackBuffer):
-        return DeviceTrack(track, device_gain(capabilities))
-    return adapted(track, capabilities)
 
 
 def is_hardware(device: str) -> bool:

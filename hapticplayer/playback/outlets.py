@@ -23,7 +23,7 @@ from hapticplayer.model import (
     RigTrack,
 )
 from hapticplayer.model.device import Signal
-from hapticplayer.playback.force_output import AnyForce, ForceOutput
+from hapticplayer.playback.force_output import ForceOutput
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.snapshot import OutletState
@@ -104,13 +104,11 @@ class Outlet:
         """Take what is known of this outlet."""
         self.latency_s, self.latency_source = latencies.of_device(self.name)
 
-    def load(self, tracks: Mapping[str, AnyForce], rig: RigTrack | None) -> None:
+    def load(self, tracks: Mapping[str, ForceTrack], rig: RigTrack | None) -> None:
         """Hand over the signal of each condition."""
         if not self.takes_motion:
-            # one that still arrives is filled in for one loop: the device's
-            whole = {n: one for n, one in tracks.items() if isinstance(one, ForceTrack)}
-            self._names = set(whole)
-            self.output.load(whole)
+            self._names = set(tracks)
+            self.output.load(tracks)
             return
         signals = {} if rig is None else {Feedback.REALISTIC.value: rig}
         self._names = set(signals)
@@ -174,7 +172,7 @@ class Outlets:
         self._all: dict[str, Outlet] = {}
         self._released: list[ForceOutput] = []
         self._latencies = Latencies()
-        self._tracks: Mapping[str, AnyForce] = {}
+        self._tracks: Mapping[str, ForceTrack] = {}
         self._motion: MotionTrack | None = None
 
     def __iter__(self) -> Any:
@@ -221,7 +219,9 @@ class Outlets:
         for one in self:
             one.set_latencies(latencies)
 
-    def load(self, tracks: Mapping[str, AnyForce], motion: MotionTrack | None) -> None:
+    def load(
+        self, tracks: Mapping[str, ForceTrack], motion: MotionTrack | None
+    ) -> None:
         """Hand over the tracks and the motion of a clip in place of those before."""
         self._tracks, self._motion = tracks, motion
         self._hand_over(self)

@@ -70,7 +70,7 @@ class Player:
         self._outlets = Outlets(clock, self._reporter, scheduling, make)
         self._clip.set_device(device)
         self._logged_audio_s = float("-inf")
-        self._was_stalled = self._is_force_late = False
+        self._was_stalled = False
         self._verdict: Verdict | None = None
 
     # --- commands: the clip ---------------------------------------------------
@@ -80,9 +80,8 @@ class Player:
         self._end_source()
         self._clip.open(source)
         self._feedback = feedback or source.feedback
-        tracks = source.stream.tracks if source.stream else source.tracks
-        self._force.load(tracks)
-        self._outlets.load(tracks, source.motion)
+        self._force.load(source.tracks)
+        self._outlets.load(source.tracks, source.motion)
 
     def prepare_sound(self) -> None:
         """Open the sound output already: a clip with sound is about to be opened."""
@@ -348,7 +347,6 @@ class Player:
         now_s = self._clock.now_s()
         self._force.poll()
         next_s = self._clip.advance(now_s)
-        self._follow_stream()
         has_no_force = self._has_stalled(now_s) or self._is_withheld()
         track = NO_TRACK if has_no_force else self._feedback
         self._force.processes.beat()
@@ -364,20 +362,8 @@ class Player:
             self._was_stalled = has_stalled
             self._reporter.event("picture_stopped" if has_stalled else "picture_back")
             if has_stalled:
-                self._clip.wait_for_stream()
+                self._clip.wait_for_bytes()
         return has_stalled
-
-    def _follow_stream(self) -> None:
-        """Fetch the force that comes next, and note whether it is late."""
-        source = self._clip.source
-        if source is None or source.stream is None:
-            return
-        is_there = source.stream.follow(self._feedback, self._clip.media_s)
-        if is_there is self._is_force_late:
-            self._is_force_late = not is_there
-            self._reporter.event("force_back" if is_there else "force_late")
-        if source.stream.problem and not self._clip.problem:
-            self._clip.problem = source.stream.problem
 
     def _is_withheld(self) -> bool:
         """Whether the video is not known to be the one that the force was made for."""
@@ -397,8 +383,8 @@ class Player:
         """Stop reading what is not played any more."""
         if (source := self._clip.source) and source.check:
             source.check.close()
-        if source and source.stream:
-            source.stream.close()
+        if source and source.clip.remote:
+            source.clip.remote.close()
 
     def _note_frame(self, shown_s: float, frame_s: float) -> None:
         seen_s = shown_s + self._clip.latency.display_s

@@ -3,13 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.haptics.track_buffer import TrackBuffer
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack, rendered_feedback
 from hapticplayer.playback.video_check import VideoCheck
@@ -22,35 +21,13 @@ FROM_FILE = "file"
 """Name of the feedback that `--force FILE` adds."""
 
 
-class ForceStream(Protocol):
-    """Force that is fetched while it is felt."""
-
-    @property
-    def tracks(self) -> Mapping[str, TrackBuffer]:
-        """What the haptic loop plays, by name of the feedback."""
-
-    @property
-    def problem(self) -> Message | None:
-        """Why no force comes any more, None while it does."""
-
-    def follow(self, feedback: str, media_s: float) -> bool:
-        """Fetch what is felt from a position on; return whether it is there."""
-
-    def is_ahead(self, seconds: float, duration_s: float) -> bool:
-        """Whether a clip of a duration may play for so long without waiting."""
-
-    def close(self) -> None:
-        """Fetch nothing any more, neither force nor clip."""
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Source:
     """A clip with the force tracks that can go with it, by name of the feedback.
 
     `motion` is gravity-free acceleration in media time, where it is known; `path` is
     what was opened, `description` that of the sequence. With a `check`, the force is
-    withheld until the video is found to be its own; `notice` is for a person. With a
-    `stream`, the force comes from there, and `tracks` only has its names.
+    withheld until the video is found to be its own; `notice` is for a person.
     """
 
     title: str
@@ -62,7 +39,6 @@ class Source:
     description: Mapping[str, Any] = field(default_factory=dict)
     check: VideoCheck | None = None
     notice: Message | None = None
-    stream: ForceStream | None = None
 
     def coverage_notice(self, feedback: str) -> Message | None:
         """Return a notice if a track covers hardly anything of the clip."""

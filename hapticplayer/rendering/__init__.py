@@ -22,7 +22,6 @@ from hapticplayer.rendering.feedback import (
 )
 from hapticplayer.rendering.force import (
     adapted,
-    device_gain,
     fit_gain,
     render_force,
 )
@@ -45,7 +44,6 @@ __all__ = [
     "condition_named",
     "coverage_notice",
     "demonstration",
-    "device_gain",
     "fit_gain",
     "no_feedback",
     "random_feedback",

@@ -22,6 +22,12 @@ class InMemory(ClipBytes):
     def open(self):
         return io.BytesIO(self._content)
 
+    def is_ahead(self, share):
+        return True
+
+    def close(self):
+        pass
+
 
 def test_it_is_decoded_like_the_file(tiny_clip):
     clip = InMemory(tiny_clip.path.read_bytes())
