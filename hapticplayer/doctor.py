@@ -34,7 +34,6 @@ PYTHON_PACKAGES = {
     "av": "av",
     "defusedxml": "defusedxml",
     "fpdf": "fpdf2",
-    "hid": "hidapi",
     "jeepney": "jeepney",
     "matplotlib": "matplotlib",
     "msgspec": "msgspec",

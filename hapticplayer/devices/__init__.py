@@ -14,7 +14,6 @@ from typing import Any, Protocol, runtime_checkable
 from hapticplayer.devices.capabilities import (
     BUTTPLUG,
     FALCON,
-    GAMEPAD,
     INVERSE3,
     RIG,
     RUMBLE,
@@ -175,15 +174,6 @@ _BUILT_IN = (
         direct=f"{_SIMULATION}.usb.driver:simulated",
         is_for_developers=True,
         patience_s=45.0,
-    ),
-    DeviceEntry(
-        "gamepad",
-        Message("Game pad"),
-        "DualSense or DualShock 4 on USB: vibration only",
-        GAMEPAD,
-        "hapticplayer.devices.gamepad.driver:make",
-        "hapticplayer.devices.gamepad.driver:silence",
-        guide=f"{_GUIDES}:GAMEPAD",
     ),
     DeviceEntry(
         "inverse3",

@@ -15,8 +15,7 @@ from typing import Any, NamedTuple
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.capabilities import BUTTPLUG
 from hapticplayer.devices.descriptor_passing import hand_over, take_over
-from hapticplayer.devices.gamepad.rumble import FULL_LEVEL, Rumble
-from hapticplayer.devices.paced import PacedDriver
+from hapticplayer.devices.paced import FULL_LEVEL, PacedDriver, Rumble
 from hapticplayer.devices.websocket import OPENING_S, Connection
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import Vector

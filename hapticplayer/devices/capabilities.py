@@ -2,8 +2,21 @@
 
 from dataclasses import replace
 
-from hapticplayer.devices.gamepad.rumble import FULL_N
 from hapticplayer.model.device import DeviceCapabilities, Signal
+
+FULL_N = 4.5
+"""Force at which what has no newtons does all it can."""
+
+VIBRATION = DeviceCapabilities(
+    axes=0,
+    peak_force_n=FULL_N,  # nominal: full vibration
+    continuous_force_n=FULL_N,
+    workspace_radius_m=0.04,  # nominal: it stays in the middle
+    rate_hz=100.0,
+    latency_s=0.015,
+    has_newtons=False,
+)
+"""Of what vibrates, each with another pace and latency."""
 
 FALCON = DeviceCapabilities(
     axes=3,
@@ -15,16 +28,6 @@ FALCON = DeviceCapabilities(
 )
 
 SIMULATED = replace(FALCON, latency_s=0.0)  # it acts at once
-
-GAMEPAD = DeviceCapabilities(
-    axes=0,
-    peak_force_n=FULL_N,  # nominal: full vibration
-    continuous_force_n=FULL_N,
-    workspace_radius_m=0.04,  # nominal: it stays in the middle
-    rate_hz=100.0,
-    latency_s=0.010,
-    has_newtons=False,
-)
 
 RIG = DeviceCapabilities(
     axes=6,  # surge, sway, heave, roll, pitch, yaw
@@ -46,10 +49,10 @@ WHEEL = DeviceCapabilities(
     has_newtons=False,
 )
 
-RUMBLE = replace(GAMEPAD, latency_s=0.015)
+RUMBLE = VIBRATION
 
-TCODE = replace(GAMEPAD, rate_hz=50.0, latency_s=0.030)
-BUTTPLUG = replace(GAMEPAD, rate_hz=20.0, latency_s=0.050)
+TCODE = replace(VIBRATION, rate_hz=50.0, latency_s=0.030)
+BUTTPLUG = replace(VIBRATION, rate_hz=20.0, latency_s=0.050)
 
 INVERSE3 = DeviceCapabilities(
     axes=3,
@@ -60,4 +63,4 @@ INVERSE3 = DeviceCapabilities(
     latency_s=0.002,
 )
 
-SHAKER = replace(GAMEPAD, rate_hz=1000.0, latency_s=0.080)
+SHAKER = replace(VIBRATION, rate_hz=1000.0, latency_s=0.080)

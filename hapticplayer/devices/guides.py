@@ -27,7 +27,6 @@ from hapticplayer.devices.evdev.ports import list_devices
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.devices.falcon.transport import list_falcons
 from hapticplayer.devices.falcon.usbfs import NODE
-from hapticplayer.devices.gamepad.ports import list_pads
 from hapticplayer.devices.inverse3 import driver as _inverse3
 from hapticplayer.devices.rig.packets import FORMATS
 from hapticplayer.devices.rig.settings import LOOPBACK, rig_settings
@@ -123,16 +122,6 @@ def _falcon(serial: str) -> Iterable[Check]:
         yield Check(Message("Firmware"), True)
 
 
-def _gamepad(_chosen: str) -> Iterable[Check]:
-    pads = list_pads()
-    remedy = Message("Connect a DualSense or DualShock 4 by USB cable.")
-    yield Check(Message("Game pad on USB"), bool(pads), remedy)
-    for pad in pads[:1]:
-        path = pad.path.decode(errors="replace")
-        if path.startswith("/dev/"):  # on Linux
-            yield usable(path, _RULE)
-
-
 def _inverse(where: str) -> Iterable[Check]:
     yield from package("websockets", _WEBSOCKETS)
     yield service(_inverse3.TITLE, where or _inverse3.DEFAULT)
@@ -224,14 +213,6 @@ INVERSE3 = Guide(
     checks=_inverse,
     example=_inverse3.DEFAULT,
     tells_latency=True,
-)
-GAMEPAD = Guide(
-    Message(
-        "DualSense or DualShock 4: its vibration follows the strength of the force, not "
-        "its direction."
-    ),
-    Message("Connect it by USB cable."),
-    checks=_gamepad,
 )
 WHEEL = Guide(
     Message(

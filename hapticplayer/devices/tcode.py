@@ -13,8 +13,7 @@ from collections.abc import Callable, Iterator
 
 from hapticplayer.devices.addresses import host_and_port
 from hapticplayer.devices.capabilities import TCODE
-from hapticplayer.devices.gamepad.rumble import FULL_LEVEL, Rumble
-from hapticplayer.devices.paced import PacedDriver, silencer
+from hapticplayer.devices.paced import FULL_LEVEL, PacedDriver, Rumble, silencer
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import Vector
 

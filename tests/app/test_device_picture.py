@@ -44,9 +44,7 @@ def test_the_picture_follows_from_the_record(application, qtbot):
         "simulated": GripPicture,
         "rig": RigPicture,
         "wheel": WheelPicture,
-        **dict.fromkeys(
-            ("shaker", "rumble", "gamepad", "buttplug", "tcode"), BarsPicture
-        ),
+        **dict.fromkeys(("shaker", "rumble", "buttplug", "tcode"), BarsPicture),
     }
     for name, kind in kinds.items():
         picture = picture_of(RECORDS[name])

@@ -27,27 +27,27 @@ def enter(field, value_ms):
 
 
 def test_what_is_entered_is_kept_at_once_and_told(field, tmp_path):
-    field.follow("gamepad")
-    assert shown(field) == (10.0, "assumed, as is typical")
+    field.follow("rumble")
+    assert shown(field) == (15.0, "assumed, as is typical")
     field.number.editingFinished.emit()  # nothing was entered
     assert field.changes == []
     enter(field, 25.0)
     assert shown(field) == (25.0, "entered")
     assert field.changes == [25.0]
     again = latencies_of(Settings(tmp_path / "window.json"), "")
-    assert again.of_device("gamepad").latency_s == pytest.approx(0.025)
+    assert again.of_device("rumble").latency_s == pytest.approx(0.025)
     enter(field, 0.0)
     assert shown(field) == (0.0, "entered")
 
 
 def test_an_entered_value_takes_the_place_of_a_measured_one(field, settings):
-    keep_latency(settings, DEVICE, "gamepad", 40.0)
-    field.follow("gamepad")
+    keep_latency(settings, DEVICE, "rumble", 40.0)
+    field.follow("rumble")
     assert shown(field) == (40.0, "measured")
     enter(field, 30.0)
     assert shown(field) == (30.0, "entered")
-    keep_latency(settings, DEVICE, "gamepad", 50.0)  # measured again, by tapping
-    field.follow("gamepad")
+    keep_latency(settings, DEVICE, "rumble", 50.0)  # measured again, by tapping
+    field.follow("rumble")
     assert shown(field) == (50.0, "measured")
 
 

@@ -183,7 +183,7 @@ def choose(page, kind, text=""):
 
 
 def test_any_kind_takes_the_settings_that_it_has(window, page):
-    choose(page, "gamepad")
+    choose(page, "simulated")
     assert not page.address.isEnabled()
     choose(page, "shaker", "pulse,channels=3+9")
     assert not page.gain.isEnabled()  # its gain is among its settings
@@ -274,12 +274,12 @@ def test_an_outlet_that_becomes_the_device_is_none_any_more(window, page, settin
 
 
 def test_only_what_this_version_knows_is_taken_from_settings(settings):
-    kept = {"rig:outsim": True, "teleporter": False, "rig:x": False, "rumble": 1}
-    settings.keep(OUTLETS, {**kept, "falcon:\0": False, "gamepad": "yes"})
+    kept = {"rig:outsim": True, "teleporter": False, "rig:x": False, "wheel": 1}
+    settings.keep(OUTLETS, {**kept, "falcon:\0": False, "rumble": "yes"})
     assert outlets_of(settings) == {
         "rig:outsim": True,
+        "wheel": False,
         "rumble": False,
-        "gamepad": False,
     }
 
 

@@ -30,7 +30,7 @@ def test_playing_loads_no_dialog_no_pipeline_and_no_driver() -> None:
         "hapticplayer.capture.gopro",
         "hapticplayer.study",
         "hapticplayer.devices.falcon.driver",
-        "hapticplayer.devices.gamepad.driver",
+        "hapticplayer.devices.paced",
         "hapticplayer.simulation",
         *heavy,
     }

@@ -156,6 +156,7 @@ OWN = {
     ("hapticplayer/devices/evdev/ports.py", "os.open"): "a device",
     ("hapticplayer/devices/evdev/ports.py", "read_text"): "files of the system",
     ("hapticplayer/devices/tcode.py", "os.open"): "a serial port",
+    ("hapticplayer/devices/transducer/coils.py", "read_text"): "files of the system",
 }
 READERS = {"open", "os.open", "io.open", "np.load", "np.loadtxt", "np.fromfile"}
 READING_METHODS = {

@@ -72,7 +72,7 @@ def _set_up(stage: Stage) -> Pictures:
             page.freeze(progress)
             stage.wait()
             yield f"set-up-{name}", page.grab()
-    for device in ("simulated", "gamepad"):
+    for device in ("simulated", "rumble"):
         with stage.shown(_page(device, FalconGoneError)) as page:
             yield f"set-up-{device}", page.grab()
 

@@ -9,7 +9,7 @@ import struct
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from hapticplayer.devices.gamepad.rumble import FULL_LEVEL, Rumble
+from hapticplayer.devices.paced import FULL_LEVEL, Rumble
 from hapticplayer.model.device import Vector
 
 EV_SYN, EV_KEY, EV_FF = 0x00, 0x01, 0x15

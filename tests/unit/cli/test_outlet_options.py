@@ -22,7 +22,7 @@ def parsed(*words):
         (("falcon:12AB",), ("falcon:12AB", ())),
         (("rig:outsim",), ("none", ("rig:outsim",))),
         (("rig", "falcon"), ("falcon", ("rig",))),
-        (("falcon", "gamepad"), ("falcon", ("gamepad",))),
+        (("falcon", "rumble"), ("falcon", ("rumble",))),
         (
             ("rig:outsim", "simulated", "rig:beamng,10.0.0.2:4444"),
             ("simulated", ("rig:outsim", "rig:beamng,10.0.0.2:4444")),

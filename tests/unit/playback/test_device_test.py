@@ -141,7 +141,7 @@ def test_a_trip_or_a_problem_ends_it(begin):
     Player.made[0].mode, Player.made[0].cause = Mode.TRIPPED, Cause.GRIP_BUTTON
     finish(test)
     assert (test.cause, len(Player.made)) == (Cause.GRIP_BUTTON, 1)
-    test = begin("gamepad")
+    test = begin("rumble")
     Player.made[-1].problem = "it is gone"
     finish(test)
     assert test.problem == "it is gone"
@@ -163,6 +163,6 @@ def test_the_latency_is_half_the_age_of_answers(begin):
     assert test.latency_s is None
     finish(test)
     assert test.latency_s == pytest.approx(0.00075, rel=1e-5)
-    test = begin("gamepad")  # reports by itself, whatever it was sent
+    test = begin("rumble")  # reports by itself, whatever it was sent
     finish(test)
     assert test.latency_s is None

@@ -70,7 +70,7 @@ def reporter(manual_clock):
 @pytest.fixture
 def outlets(manual_clock, reporter):
     made = Outlets(manual_clock, reporter, None, Processes)
-    made.use([RIG, OTHER, "gamepad"])
+    made.use([RIG, OTHER, "rumble"])
     made.load(TRACKS, MOTION)
     yield made
     made.close()
@@ -85,7 +85,7 @@ def test_each_outlet_gets_the_signal_that_it_takes(outlets):
         given = processes_of(outlets, name).tracks
         assert list(given) == ["realistic"]
         assert isinstance(given["realistic"], RigTrack)
-    assert list(processes_of(outlets, "gamepad").tracks) == ["realistic", "random"]
+    assert list(processes_of(outlets, "rumble").tracks) == ["realistic", "random"]
 
 
 def test_each_has_the_same_clock_ahead_by_its_own_latency(outlets):
@@ -105,10 +105,10 @@ def test_what_was_measured_counts_where_nothing_was_entered(outlets):
 def test_a_condition_without_motion_leaves_a_rig_in_neutral(outlets):
     outlets.poll(CLOCK, "random")
     assert processes_of(outlets, RIG).published[-1][1] == ""
-    assert processes_of(outlets, "gamepad").published[-1][1] == "random"
+    assert processes_of(outlets, "rumble").published[-1][1] == "random"
     states = {one.name: one for one in outlets.states("random")}
     assert states[RIG].note == NO_MOTION
-    assert states["gamepad"].note == ""
+    assert states["rumble"].note == ""
 
 
 def test_without_motion_a_rig_gets_nothing(outlets):
@@ -121,35 +121,35 @@ def test_without_motion_a_rig_gets_nothing(outlets):
 def test_an_edited_force_reaches_outlets_and_those_that_come(outlets):
     edited = ForceTrack([0.0, 3.0], [[0, 2.0, 0]] * 2)
     outlets.replace("realistic", edited)
-    assert processes_of(outlets, "gamepad").tracks["realistic"] is edited
+    assert processes_of(outlets, "rumble").tracks["realistic"] is edited
     assert isinstance(processes_of(outlets, RIG).tracks["realistic"], RigTrack)
     outlets.use(["rumble"])
     assert processes_of(outlets, "rumble").tracks["realistic"] is edited
 
 
 def test_an_outlet_has_its_own_condition_or_is_mute(outlets):
-    outlets["gamepad"].feedback = "random"
+    outlets["rumble"].feedback = "random"
     outlets[OTHER].is_muted = True
     outlets.poll(CLOCK, "realistic")
     played = {one.name: one.output.processes.published[-1][1] for one in outlets}
-    assert played == {RIG: "realistic", OTHER: "", "gamepad": "random"}
+    assert played == {RIG: "realistic", OTHER: "", "rumble": "random"}
     outlets.poll(CLOCK, "")  # withheld: also from those with their own condition
     assert {one.output.processes.published[-1][1] for one in outlets} == {""}
 
 
 def test_levels_are_shown_and_the_loudest_reported(outlets, manual_clock):
-    processes, quiet = processes_of(outlets, "gamepad"), ChannelLevel(3, 0.1, False)
+    processes, quiet = processes_of(outlets, "rumble"), ChannelLevel(3, 0.1, False)
     for now in (quiet, ChannelLevel(3, 0.5, True), quiet):
         processes.levels = (now,)
         outlets.poll(CLOCK, "realistic")
         manual_clock.advance(0.05)
     states = {one.name: one for one in outlets.states("realistic")}
-    assert states["gamepad"].levels == (quiet,)
+    assert states["rumble"].levels == (quiet,)
     assert states[RIG].levels == ()
-    (channel,) = outlets.summary()["gamepad"]["channels"]
+    (channel,) = outlets.summary()["rumble"]["channels"]
     assert channel == {"channel": 3, "peak_db": -6.0, "is_limited": True}
     outlets.restart_meters()
-    assert outlets.summary()["gamepad"]["channels"] == []
+    assert outlets.summary()["rumble"]["channels"] == []
 
 
 def test_stop_and_re_arm_reach_all(outlets):
@@ -168,7 +168,7 @@ def test_a_fault_of_one_is_its_own(outlets, reporter):
     states = {one.name: one for one in outlets.states("realistic")}
     assert states[OTHER].health is Health.FAILED
     assert states[OTHER].problem == "the network is down"
-    assert {states[RIG].health, states["gamepad"].health} == {Health.READY}
+    assert {states[RIG].health, states["rumble"].health} == {Health.READY}
     assert reporter.notices == [f"{OTHER}: the network is down"]
     assert processes_of(outlets, RIG).published[-1] == (
         CLOCK.ahead(0.040),
@@ -246,13 +246,13 @@ def test_settings_that_are_not_allowed_are_refused(outlets):
 
 def test_the_player_keeps_what_is_not_changed(manual_clock):
     player = Player(manual_clock, audio=None, haptics=Processes)
-    player.set_outlets([RIG, "gamepad"])
-    player.set_outlet("gamepad", feedback="random")
-    player.set_outlet("gamepad", is_muted=True)
-    state = {one.name: one for one in player.snapshot().outlets}["gamepad"]
+    player.set_outlets([RIG, "rumble"])
+    player.set_outlet("rumble", feedback="random")
+    player.set_outlet("rumble", is_muted=True)
+    state = {one.name: one for one in player.snapshot().outlets}["rumble"]
     assert (state.feedback, state.is_muted) == ("random", True)
-    player.set_outlet("gamepad", is_muted=False)
-    state = {one.name: one for one in player.snapshot().outlets}["gamepad"]
+    player.set_outlet("rumble", is_muted=False)
+    state = {one.name: one for one in player.snapshot().outlets}["rumble"]
     assert (state.feedback, state.is_muted) == ("random", False)
     player.close()
 
@@ -273,9 +273,9 @@ def test_an_outlet_is_lent_and_comes_back_with_its_tracks(outlets):
     again = processes_of(outlets, RIG)
     assert (again.device, set(again.tracks)) == (RIG, {"realistic"})
     assert "stop_force" not in again.done
-    outlets.lend("gamepad")
-    outlets.take_back("gamepad")
-    assert set(processes_of(outlets, "gamepad").tracks) == set(TRACKS)
+    outlets.lend("rumble")
+    outlets.take_back("rumble")
+    assert set(processes_of(outlets, "rumble").tracks) == set(TRACKS)
 
 
 def test_what_is_stopped_while_it_is_lent_stays_stopped(outlets):

@@ -207,7 +207,7 @@ def test_each_device_gets_the_edited_track(manual_clock):
     edited = ForceTrack([0.0, 3.0], [[0, 2.0, 0], [0, 2.0, 0]])
     output.replace("other", edited)
     assert output.processes.given[-1] == ("other", edited)
-    output.use("gamepad")
+    output.use("rumble")
     assert dict(output.processes.given) == {"realistic": track, "other": edited}
     output.wait_released()
 

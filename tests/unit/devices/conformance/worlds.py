@@ -15,19 +15,15 @@ import pytest
 from fake_card import FakeCard
 from fake_input import FakeInput
 from fake_intiface import FakeIntiface
-from fake_pad import FakePad
 from falcon_rig import FalconGrip
 from inverse_rig import VirtualLink
 
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices import DEVICES, buttplug, find_device, load, tcode
-from hapticplayer.devices.capabilities import GAMEPAD
 from hapticplayer.devices.evdev import driver as evdev
 from hapticplayer.devices.falcon.silence import Silencer
-from hapticplayer.devices.gamepad.driver import REFRESH_S as PAD_REFRESH_S
 from hapticplayer.devices.inverse3.driver import Inverse3Driver
 from hapticplayer.devices.inverse3.protocol import command
-from hapticplayer.devices.paced import PacedDriver, silencer
 from hapticplayer.devices.transducer.driver import ALIVE_S, ShakerDriver
 from hapticplayer.devices.transducer.silence import silence as silence_shaker
 from hapticplayer.simulation.falcon.record_reader import read_record
@@ -111,40 +107,6 @@ class Falcon(World):
 
     def kill(self):
         self.grip.port.is_claimed = False  # as the system does
-
-
-class Pad(World):
-    """The driver on a pad below hidapi."""
-
-    has_place = False
-
-    def __init__(self):
-        super().__init__()
-        self.pad = FakePad()
-        self.device = PacedDriver(
-            "gamepad", GAMEPAD, lambda: self.pad, PAD_REFRESH_S, DirectWriter
-        )
-
-    def press(self, _buttons):
-        self.pad.buttons = b"\x18\x00\x00"
-
-    def fall_silent(self):
-        self.pad.answers = False
-
-    def talk_nonsense(self):
-        self.pad.garbage = 10**6
-
-    def unplug(self):
-        self.pad.is_plugged = False
-
-    def are_off(self):
-        return self.pad.motors == (0, 0)
-
-    def guard(self):
-        return silencer(lambda: self.pad)
-
-    def kill(self):
-        """Nothing: the pad keeps shaking."""
 
 
 class EventDevice(World):
@@ -478,7 +440,6 @@ WORLDS = {
     "simulated": lambda: Process("simulated"),
     "falcon": Falcon,
     "falcon-simulated": lambda: Process("falcon-simulated"),
-    "gamepad": Pad,
     "inverse3": Inverse3,
     "inverse3-simulated": lambda: Process("inverse3-simulated"),
     "wheel": lambda: EventDevice("wheel"),
