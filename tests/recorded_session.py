@@ -50,7 +50,7 @@ def recorded_session(study, clock):
             "condition": describe(made.plan.order[number - 1]),
         }
         played = {} if begun_s is None else playback(begun_s)
-        journal.append("trial", **named, sound=True, reasons=[], playback=played)
+        journal.append("trial", **named, is_valid=True, reasons=[], playback=played)
         journal.append("answers", **named, values=RATINGS)
     journal.close()
     return open_study(study.folder).session(made.code)

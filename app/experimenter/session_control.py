@@ -145,7 +145,7 @@ class SessionControl(QMainWindow):
             for name, (text, tip, role) in made.items()
         }
         actions: dict[str, Callable[[SessionRunner], None]] = {
-            "pause": self._pause_or_go_on,
+            "pause": self._pause_or_resume,
             "repeat": lambda runner: runner.repeat(),
             "skip": self._skip,
             "end": self._end,
@@ -232,7 +232,7 @@ class SessionControl(QMainWindow):
         last = runner.last_trial
         if last is None:
             return self.tr("No trial played yet")
-        if last.sound:
+        if last.is_valid:
             return self.tr("The last trial was valid")
         return self.tr("The last trial was invalid: {reasons}").format(
             reasons=", ".join(reason_text(reason) for reason in last.reasons)
@@ -246,7 +246,7 @@ class SessionControl(QMainWindow):
             self._changed()
             self.refresh()
 
-    def _pause_or_go_on(self, runner: SessionRunner) -> None:
+    def _pause_or_resume(self, runner: SessionRunner) -> None:
         if runner.page.kind is PageKind.PAUSED:
             runner.resume()
         else:

@@ -45,7 +45,7 @@ def _only_in_trials() -> dict[str, str]:
 
 
 def reason_text(reason: str) -> str:
-    """Return why a trial was not sound; what is not known keeps the record's word."""
+    """Return why a trial was not valid; what is not known keeps the record's word."""
     kind, _, more = reason.partition(":")
     if kind == "fault":
         known = {cause.name.lower(): cause_text(cause) for cause in Cause}
@@ -54,7 +54,7 @@ def reason_text(reason: str) -> str:
         return text.format(known.get(_SAME.get(more, more)) or more)
     if kind == "sync":
         return {
-            "picture": translate("SessionWords", "force and video out of sync"),
+            "video": translate("SessionWords", "force and video out of sync"),
             "sound": translate("SessionWords", "force and sound out of sync"),
         }.get(more, reason)
     return {
@@ -68,7 +68,7 @@ def reason_text(reason: str) -> str:
         "focus_lost": translate("SessionWords", "another window took the focus"),
         "window_closed": translate("SessionWords", "the window was closed"),
         "clip_damaged": translate("SessionWords", "the clip is damaged"),
-        "pictures_dropped": translate("SessionWords", "frames dropped"),
+        "frames_dropped": translate("SessionWords", "frames dropped"),
         "no_sound": translate("SessionWords", "no sound"),
         "sound_missing": translate("SessionWords", "gaps in the sound"),
         "no_device": translate("SessionWords", "no device"),

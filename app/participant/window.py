@@ -200,5 +200,5 @@ _BUTTONS: dict[PageKind, tuple[str, ...]] = {
     PageKind.CONSENT: ("decline", "agree"),
     PageKind.DEMONSTRATION: ("feel", "next"),
     PageKind.READY: ("start",),
-    PageKind.PAUSED: ("leave", "go_on"),
+    PageKind.PAUSED: ("leave", "resume"),
 }

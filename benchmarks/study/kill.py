@@ -232,7 +232,7 @@ BUTTONS = {
     PageKind.CONSENT: "agree",
     PageKind.DEMONSTRATION: "next",
     PageKind.READY: "start",
-    PageKind.PAUSED: "go_on",
+    PageKind.PAUSED: "resume",
 }
 
 

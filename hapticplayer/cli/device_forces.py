@@ -141,10 +141,10 @@ def _report(device: str, ticks: NDArray[Any]) -> dict[str, Any]:
     age_ms = 1e3 * np.percentile(played["reply_age_s"], (50, 99))
     late_us = 1e6 * np.percentile(played["lateness_s"], (50, 99))
     size_n = np.linalg.norm(played["force_n"], axis=1)
-    way_mm = 1e3 * np.ptp(played["position_m"], axis=0)
+    travel_mm = 1e3 * np.ptp(played["position_m"], axis=0)
     return report | {
         "largest_force_n": round(float(size_n.max()), 3),
-        "way_mm": [round(float(way), 1) for way in way_mm],
+        "travel_mm": [round(float(way), 1) for way in travel_mm],
         "moved_along_the_force": round(moved_along(played), 3),
         "reply_age_ms": {"p50": round(age_ms[0], 3), "p99": round(age_ms[1], 3)},
         "lateness_us": {"p50": round(late_us[0], 1), "p99": round(late_us[1], 1)},
@@ -153,9 +153,9 @@ def _report(device: str, ticks: NDArray[Any]) -> dict[str, Any]:
 
 
 def _text(report: dict[str, Any]) -> str:
-    if "way_mm" not in report:
+    if "travel_mm" not in report:
         return "No force was made."
-    x, y, z = report["way_mm"]
+    x, y, z = report["travel_mm"]
     age, late = report["reply_age_ms"], report["lateness_us"]
     return (
         f"force      up to {report['largest_force_n']} N\n"

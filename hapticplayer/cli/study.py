@@ -225,7 +225,7 @@ def _session(session: StoredSession) -> dict[str, Any]:
         "simulated": is_simulated(session),
         "answered": len(last),
         "planned": len(session.plan.order),
-        "not_sound": sum(not trial.sound for trial in last.values()),
+        "invalid": sum(not trial.is_valid for trial in last.values()),
         "resumed": sum(r.kind == "resume" for r in session.records.intact),
         "damaged": len(session.records.damaged),
     }
@@ -246,7 +246,7 @@ def _status_text(report: dict[str, Any]) -> str:
     ]
     lines += [
         f"  {one['code']}  {one['state']:<11}{one['answered']}/{one['planned']}"
-        f" answered, {one['not_sound']} not sound  {one['created_utc'][:16]}"
+        f" answered, {one['invalid']} not valid  {one['created_utc'][:16]}"
         + "  simulated"
         * one["simulated"]
         for one in report["sessions"]

@@ -86,9 +86,9 @@ def _add_analyse(actions: Any) -> None:
         "this participant (default), or leave the participant out",
     )
     action.add_argument(
-        "--with-unsound",
+        "--include-invalid",
         action="store_true",
-        help="also count trials whose playback was not sound",
+        help="also count trials whose playback was not valid",
     )
 
 
@@ -186,7 +186,9 @@ def analyse(options: argparse.Namespace) -> int:
     if options.output is not None:
         refuse_existing(options.output, FOLDER)
     choices = AnalysisOptions(
-        MissingPolicy(options.missing), options.with_unsound, Resampling(options.seed)
+        MissingPolicy(options.missing),
+        options.include_invalid,
+        Resampling(options.seed),
     )
     with interruptible(), shown_progress() as progress:
         found = analyse_study(

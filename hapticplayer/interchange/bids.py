@@ -43,7 +43,7 @@ _BEH = (
     DataColumn("feedback", "force condition"),
     DataColumn("delay_s", "delay of the force"),
     DataColumn("gain", "of the force, 1 as recorded"),
-    DataColumn("sound", "whether the playback was valid"),
+    DataColumn("is_valid", "whether the playback was valid"),
     *FELT,
     DataColumn("response_time", "from the questions to the answer"),
 )
@@ -216,7 +216,7 @@ def _beh_row(
         condition.feedback,
         condition.delay_s,
         condition.gain,
-        trial.sound,
+        trial.is_valid,
         *trial_force_cells(force),
         trial.response_s,
         *(trial.values.get(key) for key in keys),

@@ -35,11 +35,11 @@ _WHERE = (
     DataColumn("sequence", "key of the sequence"),
     DataColumn("feedback", "key of the force condition"),
 )
-_SOUND = DataColumn("sound", "whether the playback was valid", "true|false")
+_IS_VALID = DataColumn("is_valid", "whether the playback was valid", "true|false")
 _PLAYED = (
     DataColumn("media_s", "position reached", "s"),
-    DataColumn("pictures_shown", "frames shown"),
-    DataColumn("pictures_dropped", "frames dropped"),
+    DataColumn("frames_shown", "frames shown"),
+    DataColumn("frames_dropped", "frames dropped"),
     DataColumn("silence_s", "audio dropouts", "s"),
     DataColumn("missed", "missed periods of the 1 kHz haptic loop"),
     DataColumn("ticks", "exchanges with the device"),
@@ -92,7 +92,7 @@ _TRIAL_COLUMNS = (
     DataColumn("delay_s", "delay of the force", "s"),
     DataColumn("gain", "of the force, 1 as recorded"),
     DataColumn("repeat", "number of the repetition of this condition"),
-    _SOUND,
+    _IS_VALID,
     DataColumn("reasons", "why the playback was not valid, separated by semicolons"),
     *_PLAYED,
     DataColumn("response_s", "from the questions to the answer", "s"),
@@ -148,10 +148,10 @@ def _ratings(answers: Answers) -> DataTable:
         DataColumn(
             "value", "rating; empty where it is missing", "1 not at all to 5 totally"
         ),
-        _SOUND,
+        _IS_VALID,
     )
     rows = [
-        (r.participant, r.sequence, r.feedback, r.factor, r.value, r.sound)
+        (r.participant, r.sequence, r.feedback, r.factor, r.value, r.is_valid)
         for r in answers.ratings
     ]
     return DataTable("ratings.csv", columns, rows)
@@ -164,10 +164,10 @@ def _judgements(answers: Answers) -> DataTable:
         DataColumn("delay_s", "delay of the force", "s"),
         DataColumn("gain", "of the force, 1 as recorded"),
         DataColumn("consistent", "felt as consistent with the video", "true|false"),
-        _SOUND,
+        _IS_VALID,
     )
     rows = [
-        (j.participant, j.sequence, j.delay_s, j.gain, j.consistent, j.sound)
+        (j.participant, j.sequence, j.delay_s, j.gain, j.consistent, j.is_valid)
         for j in answers.judgements
     ]
     return DataTable("judgements.csv", columns, rows)
@@ -203,7 +203,7 @@ def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
                 condition.delay_s,
                 condition.gain,
                 condition.repeat,
-                trial.sound,
+                trial.is_valid,
                 ";".join(trial.reasons),
                 *(trial.playback.get(column.name) for column in _PLAYED),
                 trial.response_s,

@@ -262,7 +262,7 @@ class ClipPlayback:
             if not self._damaged:
                 self._reporter.notify(DAMAGED)
             self._damaged = self.video.damaged
-            self._reporter.event("damaged_pictures", count=self._damaged)
+            self._reporter.event("damaged_frames", count=self._damaged)
         if self.video.problem and not self.problem:
             self.problem = self.video.problem
             self._reporter.event("damaged", problem=self.problem)

@@ -57,7 +57,7 @@ class ForceOutput:
         self.processes = make(self._clock, device, scheduling=scheduling, **options)
         self.history = TickHistory()
         self.restart_meters()
-        self._alarms = {"picture": SyncAlarm("picture"), "sound": SyncAlarm("sound")}
+        self._alarms = {"video": SyncAlarm("video"), "sound": SyncAlarm("sound")}
         self._next_read_s = self._next_compare_s = self._next_sync_s = 0.0
         self._mode = Mode.IDLE
         self._is_closed = False
@@ -189,7 +189,7 @@ class ForceOutput:
         self.loudest.add(self.processes.levels)
         if (now_s := self._clock.now_s()) >= self._next_compare_s:
             self._next_compare_s = now_s + COMPARE_PERIOD_S
-            self._compare("picture", self.video)
+            self._compare("video", self.video)
             self._compare("sound", self.audio)
         if self._reporter.log is not None:
             self._reporter.log.ticks(records)

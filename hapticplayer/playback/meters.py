@@ -26,11 +26,11 @@ EARLY_MS, LATE_MS = -15.0, 50.0
 BACK_MS = 5.0  # so far inside the limits an alarm ends
 LEAST_EVENTS = 12  # half a second of frames or of reports of the sound
 _ALARMS = {
-    ("picture", True): Message(
+    ("video", True): Message(
         "the force is {ms:.0f} ms ahead of the video: "
         "the computer may be overloaded; close other programs"
     ),
-    ("picture", False): Message(
+    ("video", False): Message(
         "the force is {ms:.0f} ms behind the video: "
         "the computer may be overloaded; close other programs"
     ),
@@ -203,7 +203,7 @@ class SyncMeter:
 
 
 class SyncAlarm:
-    """Watches the difference from "picture" or "sound".
+    """Watches the difference from "video" or "sound".
 
     `is_on` is whether the median of the last half second, `p50_ms`, lies outside the
     limits.

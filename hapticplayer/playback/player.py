@@ -360,7 +360,7 @@ class Player:
         has_stalled = self._clip.video.has_stalled(now_s, is_playing=is_playing)
         if has_stalled is not self._was_stalled:
             self._was_stalled = has_stalled
-            self._reporter.event("picture_stopped" if has_stalled else "picture_back")
+            self._reporter.event("video_stalled" if has_stalled else "video_resumed")
             if has_stalled:
                 self._clip.wait_for_bytes()
         return has_stalled

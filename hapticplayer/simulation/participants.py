@@ -370,5 +370,7 @@ def _ratings(
         code, sequence, feedback, factor = (
             axis[place] for axis, place in zip(axes, cell, strict=True)
         )
-        found.append(Rating(code, sequence, feedback, factor, int(value), sound=True))
+        found.append(
+            Rating(code, sequence, feedback, factor, int(value), is_valid=True)
+        )
     return found

@@ -81,7 +81,7 @@ def _write_trial(
         step=step,
         attempt=1,
         condition=described,
-        sound=True,
+        is_valid=True,
         reasons=[],
         playback={},
     )

@@ -37,7 +37,7 @@ class Rating:
         feedback: "realistic", "none", "random", or another of the definition's.
         factor: "realism", "sensory", "comfort", "satisfaction", or the definition's own.
         value: 1 to 5; None where it is missing.
-        sound: whether the playback that was rated was without a fault.
+        is_valid: whether the playback that was rated was without a fault.
     """
 
     participant: str
@@ -45,7 +45,7 @@ class Rating:
     feedback: str
     factor: str
     value: int | None
-    sound: bool
+    is_valid: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ class Judgement:
         delay_s: delay of the force against the video, s.
         gain: of the force, 1 as recorded.
         consistent: the answer; None where it is missing.
-        sound: whether the playback that was judged was without a fault.
+        is_valid: whether the playback that was judged was without a fault.
     """
 
     participant: str
@@ -66,7 +66,7 @@ class Judgement:
     delay_s: float
     gain: float
     consistent: bool | None
-    sound: bool
+    is_valid: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -287,7 +287,7 @@ class _SessionAnswers:
                     condition.feedback,
                     question.key,
                     value if value in LIKERT else None,
-                    trial.sound if trial else True,
+                    trial.is_valid if trial else True,
                 )
 
     def judgements(self) -> Iterator[Judgement]:
@@ -303,7 +303,7 @@ class _SessionAnswers:
                 condition.delay_s,
                 condition.gain,
                 _of_type(trial.values.get(question.key), bool) if trial else None,
-                trial.sound if trial else True,
+                trial.is_valid if trial else True,
             )
 
     def open_answers(self) -> Iterator[TextAnswer]:

@@ -19,7 +19,7 @@ class AnsweredPlayback:
     Attributes:
         feedback: of its condition.
         attempt: from 1; more if the trial was repeated.
-        sound: whether the playback was without a fault.
+        is_valid: whether the playback was without a fault.
         response_s: from page to answer, s; None if not measured.
         figures: of the playback, see `stage`; empty if there are none.
         trial: code of the participant, position and condition, for people.
@@ -28,7 +28,7 @@ class AnsweredPlayback:
 
     feedback: str
     attempt: int
-    sound: bool
+    is_valid: bool
     response_s: float | None = None
     figures: Mapping[str, Any] = field(default_factory=dict)
     trial: str = ""
@@ -96,7 +96,7 @@ def conduct_of(
             AnsweredPlayback(
                 trial.condition.feedback,
                 trial.attempt,
-                trial.sound,
+                trial.is_valid,
                 trial.response_s,
                 trial.playback if isinstance(trial.playback, dict) else {},
                 f"{one.code} {trial.position} ({trial.condition.key})",

@@ -211,7 +211,7 @@ class Order(JsonObject, frozen=True):
 
 
 class PlaybackLimits(JsonObject, frozen=True):
-    """Limits of a valid playback; beyond them a trial is marked as not sound.
+    """Limits of a valid playback; beyond them a trial is marked as invalid.
 
     Attributes:
         dropped_share: share of frames.
@@ -275,7 +275,7 @@ class ButtonWords(JsonObject, frozen=True):
     clip: Text
     missing: Text
     paused: Text
-    go_on: Text
+    resume: Text
     leave: Text
     stopped: Text
     problem: Text

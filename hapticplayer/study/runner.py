@@ -421,7 +421,7 @@ class SessionRunner:
             "trial",
             then,
             **self._trial_name(),
-            sound=played.sound,
+            is_valid=played.is_valid,
             reasons=list(played.reasons),
             playback=dict(played.playback),
         )

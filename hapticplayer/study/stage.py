@@ -29,12 +29,12 @@ class PlaybackResult:
     """The playback of a trial.
 
     Attributes:
-        sound: whether it was valid.
+        is_valid: whether it was valid.
         reasons: why it was not, a keyword each.
         playback: figures for the record.
     """
 
-    sound: bool
+    is_valid: bool
     reasons: tuple[str, ...]
     playback: Mapping[str, Any]
 
@@ -203,11 +203,11 @@ class _PlaybackMonitor:
             "ended_mono_s": round(now_s, 6),
             "media_s": round(after.media_s, 3),
             "duration_s": round(after.duration_s, 3),
-            "pictures_shown": after.frames_shown - self._before.frames_shown,
-            "pictures_dropped": after.frames_dropped - self._before.frames_dropped,
+            "frames_shown": after.frames_shown - self._before.frames_shown,
+            "frames_dropped": after.frames_dropped - self._before.frames_dropped,
             "silence_s": round(silence_s, 4),
             "clock": "audio" if self._led_by_sound else "monotonic",
-            "force_minus_picture_ms": described(measured.force_minus_video_total),
+            "force_minus_video_ms": described(measured.force_minus_video_total),
             "force_minus_sound_ms": described(measured.force_minus_audio_total),
             "ticks": self._ticks,
             "missed": self._missed,
@@ -227,7 +227,7 @@ class _PlaybackMonitor:
         if after.problem:
             found.append("clip_damaged")
         if not shown or dropped > limits.dropped_share * (shown + dropped):
-            found.append("pictures_dropped")
+            found.append("frames_dropped")
         if checks.sound:
             found += self._sound_reasons(limits, after, measured)
         if after.device != NO_DEVICE:
@@ -235,7 +235,7 @@ class _PlaybackMonitor:
         elif checks.device:
             found.append("no_device")
         totals = {
-            "picture": measured.force_minus_video_total,
+            "video": measured.force_minus_video_total,
             "sound": measured.force_minus_audio_total,
         }
         for name, total in totals.items():

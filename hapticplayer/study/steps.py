@@ -27,7 +27,7 @@ class AnsweredTrial:
         attempt: from 1; more if the trial was repeated.
         condition: of the trial.
         values: answers by key of the question.
-        sound: whether the playback was valid.
+        is_valid: whether the playback was valid.
         reasons: why it was not.
         playback: its figures.
         response_s: time from page to answer, s; None if not measured.
@@ -37,7 +37,7 @@ class AnsweredTrial:
     attempt: int
     condition: Condition
     values: Mapping[str, Any]
-    sound: bool
+    is_valid: bool
     reasons: tuple[str, ...]
     playback: Mapping[str, Any]
     response_s: float | None = None
@@ -115,7 +115,7 @@ def _trial(
     answers: Mapping[str, Any],
     played: Mapping[tuple[str, int], Mapping[str, Any]],
 ) -> AnsweredTrial | None:
-    """Return a trial; without a playback record it is not marked as sound."""
+    """Return a trial; without a playback record it is not marked as valid."""
     trial = played.get((step, attempt), {})
     position, values = position_of(step), answers.get("values")
     try:
@@ -129,7 +129,7 @@ def _trial(
         attempt,
         condition,
         values,
-        trial.get("sound") is True,
+        trial.get("is_valid") is True,
         tuple(
             str(reason) for reason in trial.get("reasons", [Message("record damaged")])
         ),

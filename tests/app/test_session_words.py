@@ -18,7 +18,7 @@ REASONS = [
     "focus_lost",
     "window_closed",
     "clip_damaged",
-    "pictures_dropped",
+    "frames_dropped",
     "no_sound",
     "sound_missing",
     "no_device",
@@ -26,7 +26,7 @@ REASONS = [
     "periods_missed",
     "no_ticks",
     "record_incomplete",
-    "sync:picture",
+    "sync:video",
     "sync:sound",
     "fault:unplugged",
 ]

@@ -19,7 +19,7 @@ from app.participant.window import ParticipantWindow
 from app.player.application import make_application
 
 LOOK_MS = 20
-CONTINUE = ("agree", "next", "start", "go_on")
+CONTINUE = ("agree", "next", "start", "resume")
 
 
 class ScriptedParticipant:

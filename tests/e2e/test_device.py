@@ -89,7 +89,7 @@ def test_the_test_asks_and_then_draws_a_circle_below_1_newton(device):
             break
     assert report["largest_force_n"] > 0.7
     assert report["moved_along_the_force"] > 0.9
-    x, y, z = report["way_mm"]
+    x, y, z = report["travel_mm"]
     assert 4.0 < x < 20.0
     assert 4.0 < y < 20.0
     assert z < 2.0

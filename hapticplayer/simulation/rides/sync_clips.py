@@ -73,7 +73,7 @@ def simulate_pats(
         pats_s = np.append(pats_s, duration_s - rng.uniform(3.0, 6.0) + last_s)
     pats = _pats(rng, pats_s)
     still = [] if hard else _still_spans(rng, pats_s)
-    others = _other_knocks(rng, duration_s, pats_s, still)
+    others = _spurious_taps(rng, duration_s, pats_s, still)
     steps_s = _step_times(rng, duration_s, still)
     audio = _sound(rng, [*pats, *others], steps_s, duration_s, hard=hard)
     fine_s = np.arange(-_BEYOND_S, duration_s + _BEYOND_S, 1.0 / SENSOR_RATE_HZ)
@@ -108,7 +108,7 @@ def _pats(rng: np.random.Generator, pats_s: Floats) -> list[_Tap]:
     ]
 
 
-def _other_knocks(
+def _spurious_taps(
     rng: np.random.Generator,
     duration_s: float,
     pats_s: Floats,

@@ -51,12 +51,12 @@ class AnalysisOptions:
 
     Attributes:
         missing: treatment of missing answers.
-        with_unsound: include trials whose playback was not sound.
+        include_invalid: include trials whose playback was not valid.
         resampling: of intervals and drawn p values.
     """
 
     missing: MissingPolicy = MissingPolicy.PAIRED
-    with_unsound: bool = False
+    include_invalid: bool = False
     resampling: Resampling = field(default_factory=Resampling)
 
     def provenance(self) -> dict[str, Any]:
@@ -68,7 +68,7 @@ class AnalysisOptions:
             "seed": self.resampling.seed,
             "resamples": self.resampling.count,
             "missing_answers": self.missing.value,
-            "with_unsound_trials": self.with_unsound,
+            "include_invalid": self.include_invalid,
         }
 
 
@@ -122,7 +122,7 @@ def analyse(
         InputError: when there is nothing to compare.
     """
     options = options or AnalysisOptions()
-    scores = scores_of(answers, with_unsound=options.with_unsound)
+    scores = scores_of(answers, include_invalid=options.include_invalid)
     measures: dict[str, MeasureAnalysis] = {}
     found: dict[str, dict[str, Any]] = {name: {} for name in STATISTICS}
     for number, measure in enumerate(scores.measures):
@@ -202,7 +202,7 @@ def missing(analysis: Analysis) -> dict[str, Any]:
         "participants": len(scores.participants),
         "answers_planned": int(scores.ratings.size),
         "answers_missing": scores.missing,
-        "of_these_not_sound": scores.unsound,
+        "of_these_invalid": scores.invalid,
         "replaced_by_repetition": scores.repeated,
         "used_before_unknown": [
             code for code in scores.participants if code not in scores.used_before
@@ -238,7 +238,7 @@ def _missing_warnings(analysis: Analysis) -> Iterator[str]:
         return
     yield (
         f"{scores.missing} of {scores.ratings.size} answers are missing, "
-        f"{scores.unsound} of them because the playback was not sound."
+        f"{scores.invalid} of them because the playback was not valid."
     )
     why = (
         "some answers are missing"

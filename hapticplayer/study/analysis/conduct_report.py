@@ -25,10 +25,10 @@ _ORDERS = {
     "williams": "of a Williams design",
     "list": "of a list",
 }
-COUNTED = ("pictures_shown", "pictures_dropped", "silence_s", "missed", "ticks")
+COUNTED = ("frames_shown", "frames_dropped", "silence_s", "missed", "ticks")
 """Figures of a playback that are summed, see `stage`."""
 SYNC = {
-    "force_minus_picture_ms": "force - video, ms",
+    "force_minus_video_ms": "force - video, ms",
     "force_minus_sound_ms": "force - sound, ms",
 }
 
@@ -121,7 +121,7 @@ def playback(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock
         )
     else:
         yield Paragraph("Times to answer were not recorded.")
-    heads = ("trials", "repeated", "not sound", "frames dropped", "silence, s")
+    heads = ("trials", "repeated", "not valid", "frames dropped", "silence, s")
     rows = tuple((name, *_quality(group)) for name, group in groups.items())
     yield ReportTable(
         "Quality of the playback of answered trials",
@@ -152,7 +152,7 @@ def _quality(trials: Sequence[AnsweredPlayback]) -> tuple[str, ...]:
     return (
         str(len(trials)),
         str(sum(one.attempt > 1 for one in trials)),
-        str(sum(not one.sound for one in trials)),
+        str(sum(not one.is_valid for one in trials)),
         _share(dropped, shown + dropped),
         f"{silence_s:.2f}" if played else "-",
         _share(missed, ticks),

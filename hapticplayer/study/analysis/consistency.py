@@ -103,7 +103,7 @@ class ConsistencyAnalysis:
         options: of the analysis.
         axes: by changed quantity, "delay_s" or "gain".
         mixed: levels that change both, which are not on a curve.
-        planned, missing, unsound: numbers of answers; missing includes unsound.
+        planned, missing, invalid: numbers of answers; missing includes invalid.
         answers: that were analysed; all feedbacks are pooled.
     """
 
@@ -113,7 +113,7 @@ class ConsistencyAnalysis:
     mixed: tuple[Share, ...]
     planned: int
     missing: int
-    unsound: int
+    invalid: int
     answers: Answers
 
 
@@ -131,7 +131,7 @@ def analyse_consistency(
     counted = [
         one
         for one in answers.judgements
-        if one.consistent is not None and (one.sound or options.with_unsound)
+        if one.consistent is not None and (one.is_valid or options.include_invalid)
     ]
     if not counted:
         raise InputError("there is no judgement to analyse")
@@ -149,7 +149,9 @@ def analyse_consistency(
         _shares(mixed),
         len(answers.judgements),
         len(answers.judgements) - len(counted),
-        0 if options.with_unsound else sum(not j.sound for j in answers.judgements),
+        0
+        if options.include_invalid
+        else sum(not j.is_valid for j in answers.judgements),
         answers,
     )
 

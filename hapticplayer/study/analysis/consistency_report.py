@@ -31,7 +31,7 @@ from hapticplayer.study.analysis.consistency import (
 )
 from hapticplayer.study.analysis.consistency_figures import LABELS, NAMES
 from hapticplayer.study.analysis.contents import reproducibility
-from hapticplayer.study.analysis.methods import computed_with, references, unsound
+from hapticplayer.study.analysis.methods import computed_with, invalid_text, references
 from hapticplayer.study.analysis.psychometric import MOST_LAPSES
 from hapticplayer.study.analysis.references import (
     EFRON_1993,
@@ -85,7 +85,7 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
             "participants": len(analysis.participants),
             "answers_planned": analysis.planned,
             "answers_missing": analysis.missing,
-            "of_these_not_sound": analysis.unsound,
+            "of_these_invalid": analysis.invalid,
         },
         "felt": trial_force_summary(analysis.answers),
         "warnings": warnings_of(analysis),
@@ -106,8 +106,8 @@ def _contents(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
     yield Heading("Answers")
     yield Paragraph(
         f"{len(analysis.participants)} participants; {analysis.missing} of "
-        f"{analysis.planned} answers are missing ({analysis.unsound} because the "
-        "playback was not sound)."
+        f"{analysis.planned} answers are missing ({analysis.invalid} because the "
+        "playback was not valid)."
     )
     yield Heading("Warnings")
     for text in warnings_of(analysis) or ["No warnings."]:
@@ -133,7 +133,7 @@ def _methods(analysis: ConsistencyAnalysis) -> Iterator[ReportBlock]:
     yield Heading("Methods")
     yield Paragraph(
         "Participants answered whether a shifted or scaled force was consistent with the "
-        f"video. {unsound(analysis.options)} Shares of answers have Wilson intervals "
+        f"video. {invalid_text(analysis.options)} Shares of answers have Wilson intervals "
         "(Wilson, 1927). Psychometric curves with independent criteria (Schneider and "
         "Bavelier, 2003; Yarrow et al., 2011) and a lapse rate of at most "
         f"{MOST_LAPSES:.0%} (Wichmann and Hill, 2001) were fitted by maximum likelihood; "
@@ -189,7 +189,7 @@ def warnings_of(analysis: ConsistencyAnalysis) -> list[str]:
     if analysis.missing:
         warned.append(
             f"{analysis.missing} of {analysis.planned} answers are missing, "
-            f"{analysis.unsound} of them because the playback was not sound."
+            f"{analysis.invalid} of them because the playback was not valid."
         )
     if len(analysis.participants) < _FEW:
         warned.append(

@@ -101,7 +101,7 @@ def _answers(analysis: Analysis) -> Iterator[ReportBlock]:
         f"{found['participants']} participants rated {len(scores.sequences)} sequences x "
         f"{len(scores.feedbacks)} feedbacks x {len(scores.factors)} factors. "
         f"{found['answers_missing']} of {found['answers_planned']} answers are missing "
-        f"({found['of_these_not_sound']} because the playback was not sound); "
+        f"({found['of_these_invalid']} because the playback was not valid); "
         f"{found['replaced_by_repetition']} were replaced by a repetition."
     )
     if not found["answers_missing"]:

@@ -25,7 +25,7 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
         f"{len(scores.feedbacks)} feedbacks ({listed(scores.feedbacks)}) for "
         f"{listed(scores.factors)}, from 1 to 5. QoE of a condition is the sum of its "
         "factors. Unless stated otherwise, tests are of the means over the sequences for "
-        f"each participant and feedback. {_MISSING[options.missing]} {unsound(options)}"
+        f"each participant and feedback. {_MISSING[options.missing]} {invalid_text(options)}"
     )
     for name, statistic in STATISTICS.items():
         found = analysis.found[name]
@@ -47,10 +47,10 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
     )
 
 
-def unsound(options: AnalysisOptions) -> str:
-    """Return what was done with trials whose playback was not sound."""
-    kept = "were kept" if options.with_unsound else "count as missing"
-    return f"Answers to trials whose playback was not sound {kept}."
+def invalid_text(options: AnalysisOptions) -> str:
+    """Return what was done with trials whose playback was not valid."""
+    kept = "were kept" if options.include_invalid else "count as missing"
+    return f"Answers to trials whose playback was not valid {kept}."
 
 
 def computed_with(options: AnalysisOptions) -> str:

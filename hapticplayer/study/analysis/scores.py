@@ -44,7 +44,7 @@ class Scores:
         factors: names, fourth axis.
         ratings: (P, S, F, K), 1 to 5, NaN without a usable answer.
         used_before: by code, whether the device was used before, where known.
-        unsound: number of answers dropped because the playback was not sound.
+        invalid: number of answers dropped because the playback was not valid.
         repeated: number of answers replaced by those of a repeated trial.
     """
 
@@ -54,7 +54,7 @@ class Scores:
     factors: tuple[str, ...]
     ratings: Floats
     used_before: dict[str, bool]
-    unsound: int
+    invalid: int
     repeated: int
 
     @property
@@ -118,12 +118,12 @@ class Sample:
         return {name: compute(name, column) for name, column in columns}
 
 
-def scores_of(answers: Answers, *, with_unsound: bool = False) -> Scores:
+def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:
     """Return the answers as arrays.
 
     Args:
         answers: of a study.
-        with_unsound: keep trials whose playback was not sound.
+        include_invalid: keep trials whose playback was not valid.
 
     Raises:
         InputError: when there is nothing to compare.
@@ -134,19 +134,19 @@ def scores_of(answers: Answers, *, with_unsound: bool = False) -> Scores:
     axes = (codes, answers.sequences, feedbacks, answers.factors)
     index = [{name: i for i, name in enumerate(names)} for names in axes]
     ratings = np.full([len(names) for names in axes], np.nan)
-    unsound = 0
+    invalid = 0
     for one in answers.ratings:
         if one.value is None:
             continue
-        if not (one.sound or with_unsound):
-            unsound += 1
+        if not (one.is_valid or include_invalid):
+            invalid += 1
             continue
         names = (one.participant, one.sequence, one.feedback, one.factor)
         cell = tuple(at[name] for at, name in zip(index, names, strict=True))
         ratings[cell] = one.value
     used = {p.code: p.used_device_before for p in answers.participants}
     known = {code: is_used for code, is_used in used.items() if is_used is not None}
-    return Scores(*axes, ratings, known, unsound, answers.repeated)
+    return Scores(*axes, ratings, known, invalid, answers.repeated)
 
 
 def sample_of(

@@ -305,7 +305,7 @@ def test_simulated_participants_and_answer_times_are_exported(
     condition = describe(session.plan.order[0])
     trial = {"step": "trial-01", "attempt": 1, "condition": condition}
     journal.append("begin", program="hapticplayer", step="consent")
-    journal.append("trial", **trial, sound=True, reasons=[], playback={})
+    journal.append("trial", **trial, is_valid=True, reasons=[], playback={})
     journal.append("answers", **trial, values=VALUES, response_s=4.25)
     journal.close()
     export_study(study, tmp_path / "csv", "csv")

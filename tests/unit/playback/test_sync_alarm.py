@@ -8,7 +8,7 @@ from hapticplayer.playback.meters import LEAST_EVENTS, SyncAlarm
 
 
 def fed(*differences_ms):
-    alarm = SyncAlarm("picture")
+    alarm = SyncAlarm("video")
     for difference_ms in differences_ms:
         alarm.add([difference_ms] * LEAST_EVENTS)
     return alarm
@@ -28,7 +28,7 @@ def test_it_ends_only_well_inside():
 
 
 def test_a_few_outliers_are_no_alarm():
-    alarm = SyncAlarm("picture")
+    alarm = SyncAlarm("video")
     for k in range(200):
         assert not alarm.add([80.0 if k % 3 == 0 else 1.0])
     assert not alarm.is_on

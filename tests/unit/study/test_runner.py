@@ -44,7 +44,7 @@ class FakeStage:
 
     def played(self, *reasons):
         found = (*reasons, *self.reasons)
-        return PlaybackResult(not found, found, {"pictures_shown": 50})
+        return PlaybackResult(not found, found, {"frames_shown": 50})
 
     def halt(self):
         self.halts += 1
@@ -211,7 +211,7 @@ def test_pausing_a_clip_makes_it_begin_again(running):
     assert running.runner.page.position == 1
     running.trial()
     trials = [r.content for r in running.records().intact if r.kind == "trial"]
-    assert [(t["attempt"], t["sound"], t["reasons"]) for t in trials] == [
+    assert [(t["attempt"], t["is_valid"], t["reasons"]) for t in trials] == [
         (1, False, ["paused"]),
         (2, True, []),
     ]
@@ -229,9 +229,9 @@ def test_pausing_at_the_questions_comes_back_to_them(running):
 
 def test_a_repeated_trial_counts_with_its_last_answers(running):
     running.to_trials()
-    running.stage.reasons = ("pictures_dropped",)
+    running.stage.reasons = ("frames_dropped",)
     running.trial(realism=1)
-    assert running.runner.last_trial.reasons == ("pictures_dropped",)
+    assert running.runner.last_trial.reasons == ("frames_dropped",)
     running.stage.reasons = ()
     running.runner.repeat()
     assert running.runner.page.position == 1
@@ -239,15 +239,15 @@ def test_a_repeated_trial_counts_with_its_last_answers(running):
     assert running.runner.page.position == 2
     ratings = read_answers(running.study.folder).ratings
     realism = [r for r in ratings if r.factor == "realism" and r.value is not None]
-    assert [(r.value, r.sound) for r in realism] == [(5, True)]
+    assert [(r.value, r.is_valid) for r in realism] == [(5, True)]
 
 
-def test_a_trial_that_was_not_sound_is_marked(running):
+def test_a_trial_that_was_not_valid_is_marked(running):
     running.to_trials()
     running.stage.reasons = ("sync:sound",)
     running.trial()
     ratings = read_answers(running.study.folder).ratings
-    assert sum(not r.sound for r in ratings) == 4
+    assert sum(not r.is_valid for r in ratings) == 4
 
 
 def test_skipping_needs_a_reason_and_leaves_the_rating_missing(running):

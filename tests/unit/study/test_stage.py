@@ -61,7 +61,7 @@ def test_a_trial_plays_its_force_and_tells_what_was_sent(source):
             assert not any(reason.startswith("clip") for reason in played.reasons)
             figures = played.playback
             assert figures["media_s"] == pytest.approx(SECONDS, abs=0.1)
-            assert figures["pictures_shown"] + figures["pictures_dropped"] >= 23
+            assert figures["frames_shown"] + figures["frames_dropped"] >= 23
             assert figures["ticks"] > 100
             assert {*COUNTED, *SYNC} <= figures.keys()  # which reports read
             # the first 90 ms fade in
@@ -82,7 +82,7 @@ def test_a_stop_is_a_fault_and_rearming_restores_the_force(source):
         stage.halt()
         run(stage, clock, lambda _s: player.snapshot().mode is Mode.TRIPPED)
         played = stage.played("paused")
-        assert not played.sound
+        assert not played.is_valid
         assert played.reasons[0] == "paused"
         assert "fault:stopped" in played.reasons
         stage.rearm()
@@ -93,7 +93,7 @@ def test_a_stop_is_a_fault_and_rearming_restores_the_force(source):
         player.close()
 
 
-def test_a_trial_whose_ticks_could_not_be_recorded_is_not_sound(source, monkeypatch):
+def test_a_trial_whose_ticks_could_not_be_recorded_is_not_valid(source, monkeypatch):
     stage, clock = stage_of(source, "simulated")
     try:
         stage.player.wait_ready()
@@ -108,7 +108,7 @@ def test_a_trial_whose_ticks_could_not_be_recorded_is_not_sound(source, monkeypa
         stage.player.close()
 
 
-def test_limits_make_a_playback_unsound(source):
+def test_limits_make_a_playback_invalid(source):
     strict = PlaybackLimits(dropped_share=-1.0)
     stage, clock = stage_of(
         source, "none", strict, msgspec.structs.replace(NOTHING, device=True)
@@ -117,7 +117,7 @@ def test_limits_make_a_playback_unsound(source):
         stage.prepare(Condition("clip", "none"))
         stage.begin()
         run(stage, clock)
-        assert stage.played().reasons == ("pictures_dropped", "no_device")
+        assert stage.played().reasons == ("frames_dropped", "no_device")
     finally:
         stage.player.close()
 

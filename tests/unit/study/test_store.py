@@ -111,14 +111,14 @@ def test_flipped_bytes_lose_at_most_the_records_they_hit(study, scripted):
         assert all(b.value is None for _, b in lost)
 
 
-def test_damage_to_the_record_of_playing_makes_the_trial_unsound(study, scripted):
+def test_damage_to_the_record_of_playing_makes_the_trial_invalid(study, scripted):
     path = study.session_folder(scripted(study)) / "answers.jsonl"
     kept = path.read_bytes().splitlines(keepends=True)
     at = next(i for i, line in enumerate(kept) if b'"kind":"trial"' in line)
-    kept[at] = kept[at].replace(b"sound", b"s0und")
+    kept[at] = kept[at].replace(b"is_valid", b"is_val1d")
     path.write_bytes(b"".join(kept))
     ratings = read_answers(study.folder).ratings
-    assert sum(not r.sound for r in ratings) == 4
+    assert sum(not r.is_valid for r in ratings) == 4
     assert all(r.value is not None for r in ratings)
 
 

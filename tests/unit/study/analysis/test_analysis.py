@@ -100,14 +100,14 @@ def test_who_is_left_out_is_named_in_the_numbers_and_in_words(answers, choices):
 
 def test_unsound_trials_do_not_count_unless_wanted(answers):
     ratings = tuple(
-        replace(one, sound=one.sequence != "clip-1" or one.participant != "P00")
+        replace(one, is_valid=one.sequence != "clip-1" or one.participant != "P00")
         for one in answers.ratings
     )
     marked = replace(answers, ratings=ratings)
     scores = scores_of(marked)
-    assert (scores.unsound, scores.missing) == (12, 12)
+    assert (scores.invalid, scores.missing) == (12, 12)
     assert np.isnan(scores.ratings[0, 1]).all()
-    assert scores_of(marked, with_unsound=True).missing == 0
+    assert scores_of(marked, include_invalid=True).missing == 0
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ def judged(seed, p=truth, people=20, clips=("bike", "horse"), levels=DELAYS_S):
     rng = np.random.default_rng(seed)
     codes = [f"P{i:02}" for i in range(people)]
     made = tuple(
-        Judgement(code, clip, float(x), 1.0, bool(rng.random() < p(x)), sound=True)
+        Judgement(code, clip, float(x), 1.0, bool(rng.random() < p(x)), is_valid=True)
         for code in codes
         for clip in clips
         for x in levels
@@ -100,7 +100,9 @@ def test_criteria_are_recovered_for_shifts_and_gains():
         2, lambda g: truth(np.log(g), np.log(0.5), np.log(2.5), 0.3), 100, levels=GAINS
     )
     gains = tuple(
-        Judgement(j.participant, j.sequence, 0.0, j.delay_s, j.consistent, sound=True)
+        Judgement(
+            j.participant, j.sequence, 0.0, j.delay_s, j.consistent, is_valid=True
+        )
         for j in scaled.judgements
     )
     answers = Answers(
@@ -115,7 +117,7 @@ def test_criteria_are_recovered_for_shifts_and_gains():
 def test_shares_are_counted_and_what_is_missing_is_reported():
     answers = judged(4, people=10, clips=("bike",))
     holes = tuple(
-        Judgement(j.participant, j.sequence, j.delay_s, 1.0, None, sound=True)
+        Judgement(j.participant, j.sequence, j.delay_s, 1.0, None, is_valid=True)
         if j.participant == "P00"
         else j
         for j in answers.judgements
@@ -149,7 +151,7 @@ def test_where_a_curve_does_not_hold_it_is_said(p, words):
 def test_a_study_without_a_judgement_is_refused():
     answers = judged(1, people=1)
     nothing = tuple(
-        Judgement(j.participant, j.sequence, j.delay_s, 1.0, None, sound=True)
+        Judgement(j.participant, j.sequence, j.delay_s, 1.0, None, is_valid=True)
         for j in answers.judgements
     )
     empty = Answers(
@@ -180,7 +182,7 @@ def test_a_curve_through_all_shares_fits():
     gains, yes = (0.5, 0.7, 1.0, 1.4, 2.0), (0, 4, 9, 6, 0)
     people = tuple(Participant(f"P{i}", 30, None, None, None) for i in range(9))
     made = tuple(
-        Judgement(person.code, "bike", 0.0, gain, place < count, sound=True)
+        Judgement(person.code, "bike", 0.0, gain, place < count, is_valid=True)
         for place, person in enumerate(people)
         for gain, count in zip(gains, yes, strict=True)
     )

@@ -56,12 +56,12 @@ def answers(make_answers):
         for one in made.ratings
     )
     figures = {
-        "pictures_shown": 90,
-        "pictures_dropped": 10,
+        "frames_shown": 90,
+        "frames_dropped": 10,
         "silence_s": 0.25,
         "missed": 3,
         "ticks": 1000,
-        "force_minus_picture_ms": {"count": 9, "p05": -1.0, "p50": 2.0, "p95": 6.5},
+        "force_minus_video_ms": {"count": 9, "p05": -1.0, "p50": 2.0, "p95": 6.5},
     }
     later = {"count": 9, "p05": 1.0, "p50": 4.0, "p95": 8.0}
     conduct = Conduct(
@@ -77,7 +77,7 @@ def answers(make_answers):
         (
             AnsweredPlayback("none", 1, True, 10.0, figures),
             AnsweredPlayback(
-                "none", 2, False, 14.0, {**figures, "force_minus_picture_ms": later}
+                "none", 2, False, 14.0, {**figures, "force_minus_video_ms": later}
             ),
             AnsweredPlayback("random", 1, True, 30.0),
         ),
@@ -124,8 +124,8 @@ def test_the_report_has_times_and_quality_of_playback(made):
 
 
 def test_damaged_figures_of_a_playback_are_left_out(answers):
-    odd = {"pictures_shown": "many", "ticks": None, "missed": [1], "silence_s": 0.5}
-    odd["force_minus_picture_ms"] = {"p50": 3.0}
+    odd = {"frames_shown": "many", "ticks": None, "missed": [1], "silence_s": 0.5}
+    odd["force_minus_video_ms"] = {"p50": 3.0}
     trial = AnsweredPlayback("none", 1, True, "soon", odd)
     conduct = replace(answers.conduct, playbacks=(trial,))
     blocks = playback(replace(answers, conduct=conduct), ["none"])
