@@ -14,8 +14,8 @@ from pathlib import Path
 
 from app.player.commands import COMMANDS as WINDOW_COMMANDS
 from hapticplayer import cli
-from hapticplayer.capture.formats import FORMATS
-from hapticplayer.capture.sync.methods import SYNC_METHODS
+from hapticplayer.capture import formats
+from hapticplayer.capture.sync import methods
 from hapticplayer.devices import OUTLETS, installed_devices
 from hapticplayer.interchange.force_formats import FORCE_FORMATS
 from hapticplayer.interchange.study_export import EXPORTERS
@@ -53,14 +53,18 @@ def recording_formats() -> str:
     """Logs and cameras that are read."""
     return table(
         "format | recording | recognised by | its clock reads zero | checked against",
-        ((_code(f.name), f.text, f.marks, f.zero, f.checked) for f in FORMATS),
+        (
+            (_code(f.name), f.text, f.marks, f.zero, f.checked)
+            for f in formats.recording_formats()
+        ),
     )
 
 
 def sync_methods() -> str:
     """Ways to synchronise a log with a clip."""
     return table(
-        "method | goes by", ((_code(one.name), one.text) for one in SYNC_METHODS)
+        "method | goes by",
+        ((_code(one.name), one.text) for one in methods.sync_methods()),
     )
 
 
@@ -194,7 +198,7 @@ def window_commands() -> str:
 
 def command_line() -> str:
     """Commands of the command line with their options."""
-    return "\n".join(_command(one) for one in cli.COMMANDS) + "\n"
+    return "\n".join(_command(one) for one in cli.commands()) + "\n"
 
 
 def _command(command: cli.Command) -> str:

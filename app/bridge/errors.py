@@ -10,6 +10,7 @@ from types import TracebackType
 from PySide6.QtCore import QCoreApplication
 
 from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.extension import take_problems
 
 Show = Callable[[str], None]
 _MANY = 50
@@ -54,9 +55,11 @@ class ErrorGateway:
         sys.stderr.write("".join(traceback.format_exception(problem)))
 
     def poll(self) -> None:
-        """Report what other threads left here."""
+        """Report what other threads left here, and broken extensions."""
         while self._from_threads:
             self.report(self._from_threads.popleft())
+        for message in take_problems():
+            self._show(message)
 
     def _unexpected(self, problem: BaseException) -> None:
         self._halt()

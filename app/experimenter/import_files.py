@@ -59,7 +59,7 @@ class FilesPage(QWidget):
         self.format = QComboBox()
         self.format.setAccessibleName(self.tr("Format"))
         self.format.addItem(self.tr("Detect automatically"), "")
-        for one in formats.FORMATS:
+        for one in formats.recording_formats():
             self.format.addItem(translated(one.text), one.name)
         self.format.activated.connect(
             lambda _row: self._answer([f"format={self.format.currentData()}"])

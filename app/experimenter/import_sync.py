@@ -64,7 +64,7 @@ class SyncPage(QWidget):
         )
         self.method = QComboBox()
         self.method.setAccessibleName(self.tr("Method"))
-        for one in methods.SYNC_METHODS:
+        for one in methods.sync_methods():
             self.method.addItem(translated(methods.title_of(one.name)), one.name)
         self.method_text = paragraph(colour=theme.DIM)
         self.method.currentIndexChanged.connect(self._show_method)
@@ -126,7 +126,7 @@ class SyncPage(QWidget):
 
     def _show_method(self, row: int) -> None:
         name = self.method.itemData(row)
-        text = next(one.text for one in methods.SYNC_METHODS if one.name == name)
+        text = next(one.text for one in methods.sync_methods() if one.name == name)
         self.method_text.setText(translated(text))
 
     # --- what there is -------------------------------------------------------

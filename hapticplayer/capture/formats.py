@@ -1,6 +1,6 @@
 """The registry of recording formats, one line for each.
 
-Command line, window, validation and documents use it; a new format is a line here and a
+Command line, window and documents use it; a new format is a line here or in an extra, and a
 module with its reader, which is imported when a file is read.
 """
 
@@ -8,7 +8,7 @@ import enum
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple, cast
 
-from hapticplayer.devices import load
+from hapticplayer import extension
 from hapticplayer.errors import Message
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ class RecordingFormat(NamedTuple):
 
     def reader(self) -> Reader:
         """Import its reader."""
-        return cast(Reader, load(self.home))
+        return cast(Reader, extension.load(self.home))
 
 
 _HERE = "hapticplayer.capture"
@@ -102,6 +102,11 @@ FORMATS: tuple[RecordingFormat, ...] = (
     RecordingFormat("csv", Message("CSV with chosen columns"), f"{_HERE}.logs.any_table:READER",
         "four columns of numbers or more", "where the time column is 0; at the first row for `time-unit=ns` or without a time", "the layout of SisFall"),
 )  # fmt: skip
-"""In the order in which they are listed."""
+"""Those of the core, in the order in which they are listed."""
 
 ANY_TABLE = FORMATS[-1]
+
+
+def recording_formats() -> tuple[RecordingFormat, ...]:
+    """Those of the core and of extensions."""
+    return tuple(extension.rows("recording_formats", RecordingFormat, FORMATS))

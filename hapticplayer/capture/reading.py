@@ -57,7 +57,9 @@ def find_format(source: LogSource, choices: LogChoices) -> RecordingFormat:
         return _chosen(choices.format, source)
     if choices.columns and not source.is_binary:
         return formats.ANY_TABLE
-    found = [(one.reader().recognises(source), one) for one in formats.FORMATS]
+    found = [
+        (one.reader().recognises(source), one) for one in formats.recording_formats()
+    ]
     best = max(confidence for confidence, _ in found)
     if best is Confidence.NO:
         raise unknown(source)
@@ -78,7 +80,7 @@ def find_format(source: LogSource, choices: LogChoices) -> RecordingFormat:
 
 
 def _chosen(name: str, source: LogSource) -> RecordingFormat:
-    known = {one.name: one for one in formats.FORMATS}
+    known = {one.name: one for one in formats.recording_formats()}
     form = known.get(name) or known.get(name.rpartition("-")[0])
     form = form or entry_named(known, name, Message("format"))
     if form.reader().recognises(source) is Confidence.NO:

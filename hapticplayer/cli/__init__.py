@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
-from hapticplayer import __version__
+from hapticplayer import __version__, extension
 from hapticplayer.cli.shortage import refuse_small_limits, shortage_of
 from hapticplayer.errors import HapticPlayerError, UsageError
 from hapticplayer.untrusted import ESCAPED, without_controls
@@ -50,7 +50,8 @@ class Command(NamedTuple):
     Attributes:
         name: as it is typed.
         summary: for `--help`.
-        module: has `add_options(parser)`, which also sets `run`.
+        module: has `add_options(parser)`, which also sets `run`; absolute, or a
+            part of `hapticplayer.cli` as ".play".
     """
 
     name: str
@@ -59,26 +60,35 @@ class Command(NamedTuple):
 
 
 COMMANDS = (
-    Command("play", "play a sequence, or any video with any force track", "play"),
-    Command("import", "make a sequence of a video and its motion", "importing"),
-    Command("render", "give a sequence another mapping from motion to force", "render"),
-    Command("effects", "show and change the effects on the time line", "effects"),
-    Command("events", "list what happens in a sequence, such as impacts", "events"),
-    Command("sync", "synchronise a motion log with a clip", "sync"),
+    Command("play", "play a sequence, or any video with any force track", ".play"),
+    Command("import", "make a sequence of a video and its motion", ".importing"),
     Command(
-        "process", "report how good a recording's motion is; compare methods", "process"
+        "render", "give a sequence another mapping from motion to force", ".render"
     ),
-    Command("simulate", "make a simulated ride with known truth", "simulate"),
-    Command("pack", "write a sequence as one video file, to send to someone", "pack"),
-    Command("unpack", "make a sequence of a file that was packed", "unpack"),
-    Command("export", "write a sequence's force for other programs", "export"),
-    Command("import-force", "give a sequence force made elsewhere", "import_force"),
-    Command("convert", "convert force from one format to another", "convert"),
-    Command("validate", "check a file of force", "validate"),
-    Command("study", "run an experiment and keep its data", "study"),
-    Command("device", "haptic devices", "device"),
-    Command("doctor", "list what is missing, by package name", "doctor"),
+    Command("effects", "show and change the effects on the time line", ".effects"),
+    Command("events", "list what happens in a sequence, such as impacts", ".events"),
+    Command("sync", "synchronise a motion log with a clip", ".sync"),
+    Command(
+        "process",
+        "report how good a recording's motion is; compare methods",
+        ".process",
+    ),
+    Command("simulate", "make a simulated ride with known truth", ".simulate"),
+    Command("pack", "write a sequence as one video file, to send to someone", ".pack"),
+    Command("unpack", "make a sequence of a file that was packed", ".unpack"),
+    Command("export", "write a sequence's force for other programs", ".export"),
+    Command("import-force", "give a sequence force made elsewhere", ".import_force"),
+    Command("convert", "convert force from one format to another", ".convert"),
+    Command("validate", "check a file of force", ".validate"),
+    Command("study", "run an experiment and keep its data", ".study"),
+    Command("device", "haptic devices", ".device"),
+    Command("doctor", "list what is missing, by package name", ".doctor"),
 )
+
+
+def commands() -> Iterator[Command]:
+    """Those of the core and of extensions, as far as they are asked for."""
+    return extension.rows("commands", Command, COMMANDS)
 
 
 def main(
@@ -103,6 +113,9 @@ def main(
         return 1
     except (Exception, KeyboardInterrupt) as problem:  # noqa: BLE001 - faults are raised
         return _refuse(*_sentence_and_status(problem))
+    finally:
+        for found in extension.take_problems():
+            _refuse(found, 0)
     if unheard and unheard.getvalue():
         return _refuse("the standard output is closed", status or 1)
     return status
@@ -182,12 +195,12 @@ def build_parser(wanted: str | None) -> argparse.ArgumentParser:
         "Without a command it opens the window on the built-in demo.",
     )
     parser.add_argument("--version", action="version", version=__version__)
-    commands = parser.add_subparsers(title="commands", metavar="COMMAND")
-    for command in COMMANDS:
-        part = commands.add_parser(command.name, help=command.summary)
+    parts = parser.add_subparsers(title="commands", metavar="COMMAND")
+    for command in commands():
+        part = parts.add_parser(command.name, help=command.summary)
         if command.name == wanted:
-            module = importlib.import_module(f"{__name__}.{command.module}")
-            module.add_options(part)
+            importlib.import_module(command.module, __name__).add_options(part)
+            break  # the others are not read
     return parser
 
 

@@ -41,7 +41,7 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         metavar="KEY=VALUE",
         help="decide what a log does not say, such as axes=x,-z,y or accel-unit=g or "
         "template=FILE; the question names the key. format=NAME is one of "
-        + ", ".join(f"{one.name} ({one.text})" for one in formats.FORMATS),
+        + ", ".join(f"{one.name} ({one.text})" for one in formats.recording_formats()),
     )
     command.add_argument(
         "--save-template",
@@ -69,9 +69,9 @@ def add_sync(command: argparse.ArgumentParser, method: str) -> None:
     group.add_argument(
         method,
         dest="sync_method",
-        choices=[one.name for one in methods.SYNC_METHODS],
+        choices=[one.name for one in methods.sync_methods()],
         default=methods.AUTO,
-        help="; ".join(f"{one.name}: {one.text}" for one in methods.SYNC_METHODS)
+        help="; ".join(f"{one.name}: {one.text}" for one in methods.sync_methods())
         + f" (default: {methods.AUTO})",
     )
     add_number(

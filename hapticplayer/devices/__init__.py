@@ -1,11 +1,9 @@
 """Haptic devices behind one protocol: open, exchange at 1 kHz, close.
 
-A driver is loaded by the process that makes the device, and by no other. Packages that
-are installed beside this one add devices through the entry-point group
-`hapticplayer.devices`, each entry point naming a `DeviceEntry` (docs/devices.md).
+A driver is loaded by the process that makes the device, and by no other. Extensions add
+devices (docs/devices.md).
 """
 
-import importlib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
@@ -23,10 +21,10 @@ from hapticplayer.devices.capabilities import (
     WHEEL,
 )
 from hapticplayer.errors import DeviceError, Message, joined
+from hapticplayer.extension import load, rows
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
 NO_DEVICE = "none"
-ENTRY_POINTS = "hapticplayer.devices"
 UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
 
 
@@ -251,7 +249,7 @@ _BUILT_IN = (
     ),
 )
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
-"""Those of this package; `installed_devices` has also those of others."""
+"""Those of the core; `installed_devices` has also those of extensions."""
 
 _RIG = "hapticplayer.haptics.rig"
 OUTLETS: dict[str, DeviceEntry] = {
@@ -274,26 +272,8 @@ OUTLETS: dict[str, DeviceEntry] = {
 
 @cache
 def installed_devices() -> dict[str, DeviceEntry]:
-    """Return all devices by name, ours first; no package replaces one of ours.
-
-    Packages are asked once a process: that takes 6 ms, and the window asks 30 times a
-    second.
-
-    Raises:
-        DeviceError: when an entry point of the group `hapticplayer.devices` is none.
-    """
-    from importlib import metadata  # 30 ms, which the haptics process does not need
-
-    found = dict(DEVICES)
-    for point in metadata.entry_points(group=ENTRY_POINTS):
-        try:
-            entry = point.load()
-        except (ImportError, AttributeError) as problem:
-            raise _not_an_entry(point.value, str(problem)) from problem
-        if not isinstance(entry, DeviceEntry):
-            raise _not_an_entry(point.value, "it is not a DeviceEntry")
-        found.setdefault(entry.name, entry)
-    return found
+    """All devices by name, ours first. The window asks 30 times a second."""
+    return {one.name: one for one in rows("devices", DeviceEntry, DEVICES.values())}
 
 
 def device_names() -> list[str]:
@@ -308,7 +288,9 @@ def find_device(name: str) -> DeviceEntry:
         DeviceError: for others.
     """
     kind, _, serial = name.partition(":")
-    entry = DEVICES.get(kind) or OUTLETS.get(kind) or installed_devices().get(kind)
+    ours = (*DEVICES.values(), *OUTLETS.values())
+    known = rows("devices", DeviceEntry, ours)  # asks no package for one of ours
+    entry = next((one for one in known if one.name == kind), None)
     if entry is not None and entry.settings:
         load(entry.settings)(serial)  # refuses what is not allowed
     elif entry is None or (serial and not entry.has_serials):
@@ -326,18 +308,3 @@ def find_device(name: str) -> DeviceEntry:
 def settings_of(entry: DeviceEntry) -> Any:
     """Return what was chosen of an entry that has settings, else None."""
     return load(entry.settings)(entry.serial) if entry.settings else None
-
-
-def load(where: str) -> Any:
-    """Return what "module:name" says; its module is imported now."""
-    module, _, name = where.partition(":")
-    return getattr(importlib.import_module(module), name)
-
-
-def _not_an_entry(value: str, why: str) -> DeviceError:
-    return DeviceError(
-        "the installed device {name!r} cannot be loaded: {reason}; update or "
-        "uninstall its package",
-        name=value,
-        reason=why,
-    )

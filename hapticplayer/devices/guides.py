@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from hapticplayer.devices import UDEV_RULE, DeviceEntry, load
+from hapticplayer.devices import UDEV_RULE, DeviceEntry
 from hapticplayer.devices import buttplug as _intiface
 from hapticplayer.devices import tcode as _tcode
 from hapticplayer.devices.checks import (
@@ -33,6 +33,7 @@ from hapticplayer.devices.rig.settings import LOOPBACK, rig_settings
 from hapticplayer.devices.transducer.cards import check_card
 from hapticplayer.devices.transducer.settings import shaker_settings
 from hapticplayer.errors import HapticPlayerError, Message, message_of
+from hapticplayer.extension import load
 from hapticplayer.model.device import DeviceCapabilities, Signal
 
 Checks = Callable[[str], Iterable[Check]]

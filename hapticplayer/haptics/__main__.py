@@ -6,8 +6,9 @@ import sys
 from typing import Any
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import HapticDevice, find_device, load
+from hapticplayer.devices import HapticDevice, find_device
 from hapticplayer.errors import DeviceError, message_of
+from hapticplayer.extension import load
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.centring import centring_of
 from hapticplayer.haptics.lifeline import hold, map_lifeline

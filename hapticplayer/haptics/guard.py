@@ -12,8 +12,9 @@ from collections.abc import Callable
 from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.devices import DeviceEntry, find_device, load
+from hapticplayer.devices import DeviceEntry, find_device
 from hapticplayer.errors import DeviceError
+from hapticplayer.extension import load
 from hapticplayer.haptics.block import LoopBlock
 from hapticplayer.haptics.contract import GAP_RAMP_S
 from hapticplayer.haptics.lifeline import Lifeline, map_lifeline

@@ -11,8 +11,9 @@ from typing import Any
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device, load
+from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
+from hapticplayer.extension import load
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.messages import MessageKind, MessageSocket, signal_alarm
 from hapticplayer.haptics.recorder import LoopRecording

@@ -95,7 +95,7 @@ def test_one_kind_does_not_overwrite_another(tmp_path, write, name):
     assert state_of(path) == before
 
 
-WORDS = [*((command.name,) for command in cli.COMMANDS), ("device", "measure")]
+WORDS = [*((command.name,) for command in cli.commands()), ("device", "measure")]
 FILE_OPTION = re.compile(
     r"--(log|record|save-template|save-calibration|plot|output) FILE\b|^  B  ",
     re.MULTILINE,

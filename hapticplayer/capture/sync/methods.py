@@ -1,13 +1,13 @@
 """The registry of synchronisation methods, one line for each.
 
-Command line, window, validation and documents use it; a new method is a line here and
-its function, which is imported when it is used.
+Command line, window and documents use it; a new method is a line here or in an extra,
+and its function, which is imported when it is used.
 """
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple, cast
 
-from hapticplayer.devices import load
+from hapticplayer import extension
 from hapticplayer.errors import Message, entry_named
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ class SyncMethod(NamedTuple):
 
     def function(self) -> "Callable[[SyncInput], Synchronisation]":
         """Import its function."""
-        return cast("Callable[[SyncInput], Synchronisation]", load(self.home))
+        return cast("Callable[[SyncInput], Synchronisation]", extension.load(self.home))
 
 
 AUTO = "auto"
@@ -47,15 +47,22 @@ SYNC_METHODS: tuple[SyncMethod, ...] = (
 )  # fmt: skip
 
 
+def sync_methods() -> tuple[SyncMethod, ...]:
+    """Those of the core and of extensions."""
+    return tuple(extension.rows("sync_methods", SyncMethod, SYNC_METHODS))
+
+
 def sync_method(name: str) -> SyncMethod:
     """Return a method by its name.
 
     Raises:
         UsageError: naming the methods there are.
     """
-    return entry_named({one.name: one for one in SYNC_METHODS}, name, Message("method"))
+    return entry_named(
+        {one.name: one for one in sync_methods()}, name, Message("method")
+    )
 
 
 def title_of(name: str) -> Message | str:
     """Return what people call a method; one of a later version is called by its name."""
-    return next((one.title or name for one in SYNC_METHODS if one.name == name), name)
+    return next((one.title or name for one in sync_methods() if one.name == name), name)

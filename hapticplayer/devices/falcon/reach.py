@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import find_device, installed_devices, load
+from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.falcon.driver import FalconDriver, opening
 from hapticplayer.devices.falcon.firmware import FirmwareImage, find_image
 from hapticplayer.devices.falcon.ftdi import Ftdi
@@ -16,6 +16,7 @@ from hapticplayer.devices.falcon.link import DirectLink, Link
 from hapticplayer.devices.falcon.silence import NO_LINE
 from hapticplayer.devices.falcon.transport import OpenTransport
 from hapticplayer.errors import UsageError
+from hapticplayer.extension import load
 
 
 @dataclass(frozen=True, slots=True)

@@ -194,9 +194,9 @@ def test_lists_of_formats_and_methods_are_the_engines(wizard):
     shown = [
         wizard.files.format.itemData(k) for k in range(wizard.files.format.count())
     ]
-    assert shown == ["", *(one.name for one in formats.FORMATS)]
+    assert shown == ["", *(one.name for one in formats.recording_formats())]
     shown = [wizard.sync.method.itemData(k) for k in range(wizard.sync.method.count())]
-    assert shown == [one.name for one in methods.SYNC_METHODS]
+    assert shown == [one.name for one in methods.sync_methods()]
 
 
 def test_a_new_entry_is_in_the_lists(application, qtbot, monkeypatch, tmp_path):

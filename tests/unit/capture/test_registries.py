@@ -76,5 +76,5 @@ def test_a_new_method_synchronises():
 
 
 def test_every_entry_has_its_function():
-    assert all(isinstance(one.reader(), Reader) for one in formats.FORMATS)
-    assert all(callable(one.function()) for one in methods.SYNC_METHODS)
+    assert all(isinstance(one.reader(), Reader) for one in formats.recording_formats())
+    assert all(callable(one.function()) for one in methods.sync_methods())

@@ -10,7 +10,7 @@ import pytest
 
 from app.player import choices
 from app.player.device_form import kinds
-from hapticplayer import cli, rendering
+from hapticplayer import cli, extension, rendering
 from hapticplayer.cli import play
 from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.guides import guide_of
@@ -41,7 +41,25 @@ ENTRY = DeviceEntry(
     "falcon-seat",  # by its name only is it a Falcon
     Message("Seat"), "a seat by UDP", FALCON, "seat:make", "", guide="page:GUIDE"
 )
-NOTHING = 1
+
+
+def devices():
+    return (ENTRY,)
+"""
+COMMAND = """
+from hapticplayer.cli import Command
+
+
+def commands():
+    return (
+        Command("shake", "shakes", "seat"),
+        Command("play", "plays otherwise", "seat"),
+    )
+
+
+def add_options(command):
+    command.add_argument("what")
+    command.set_defaults(run=lambda options, window: print(options.what) or 0)
 """
 PAGE = """
 from hapticplayer.devices.checks import Check
@@ -57,21 +75,23 @@ GUIDE = Guide(Message("A seat by UDP."), Message("Push it in."), checks=lambda _
 def install(tmp_path, monkeypatch):
     """Install a package beside this program that offers a device."""
 
-    def install_with(entry: str) -> None:
+    def install_with(text: str) -> None:
         about = tmp_path / "seat-1.0.dist-info"
         about.mkdir()
         (about / "METADATA").write_text("Name: seat\nVersion: 1.0\n")
         (about / "entry_points.txt").write_text(
-            f"[hapticplayer.devices]\nseat = {entry}\n"
+            "[hapticplayer.extensions]\nseat = seat\n"
         )
-        (tmp_path / "seat.py").write_text(SEAT)
+        (tmp_path / "seat.py").write_text(text)
         (tmp_path / "page.py").write_text(PAGE)
         monkeypatch.syspath_prepend(str(tmp_path))
+        extension.forget()
         installed_devices.cache_clear()
 
     yield install_with
     for name in ("seat", "page"):
         sys.modules.pop(name, None)
+    extension.forget()
     installed_devices.cache_clear()
 
 
@@ -95,7 +115,7 @@ def modules_after(code: str) -> set[str]:
     return set(json.loads(result.stderr.splitlines()[-1]))
 
 
-@pytest.mark.parametrize("command", cli.COMMANDS)
+@pytest.mark.parametrize("command", list(cli.commands()))
 def test_every_command_has_help(command, capsys):
     assert cli.main([command.name, "--help"]) == 0
     assert f"usage: hapticplayer {command.name}" in capsys.readouterr().out
@@ -122,7 +142,7 @@ def test_playing_a_sequence_loads_nothing_that_pretends(sequence_folder):
 
 
 def test_an_installed_device_is_offered_everywhere(install, capsys, qapp):
-    install("seat:ENTRY")
+    install(SEAT)
     assert cli.main(["play", "--help"]) == 0
     assert "seat" in capsys.readouterr().out
     assert cli.main(["device", "list"]) == 0
@@ -149,12 +169,32 @@ def test_what_a_device_can_do_is_printed(capsys, device):
 
 
 @pytest.mark.parametrize(
-    "entry", ["seat:NOTHING", "seat:missing", "no_such_seat:ENTRY"]
+    ("text", "why"),
+    [
+        ("def devices():\n    return (1,)", "devices() has 1, not a DeviceEntry"),
+        ("def devices():\n    return 1 / 0", "division by zero"),
+        ("import no_such_seat", "No module named 'no_such_seat'"),
+        ("a seat", "invalid syntax"),
+    ],
 )
-def test_an_entry_point_that_is_no_device_is_reported(install, capsys, entry):
-    install(entry)
-    assert cli.main(["device", "list"]) == 1
-    assert f"{entry!r} cannot be loaded" in capsys.readouterr().err
+def test_a_broken_extension_is_reported_and_left_out(install, capsys, text, why):
+    install(text)
+    assert cli.main(["device", "list"]) == 0
+    said = capsys.readouterr()
+    assert f"the extension 'seat' cannot be used: {why}" in said.err
+    assert "falcon" in said.out
+    assert cli.main(["device", "list"]) == 0
+    assert not capsys.readouterr().err  # it is said once
+
+
+def test_an_installed_command_is_run_and_cannot_replace_one(install, capsys):
+    install(COMMAND)
+    assert cli.main(["shake", "hands"]) == 0
+    assert cli.main(["--help"]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith("hands\n")
+    assert "shakes" in said
+    assert "plays otherwise" not in said
 
 
 def test_a_new_feedback_condition_is_offered_everywhere(

@@ -19,13 +19,14 @@ from falcon_rig import FalconGrip
 from inverse_rig import VirtualLink
 
 from hapticplayer.clock import ManualClock, SystemClock
-from hapticplayer.devices import DEVICES, buttplug, find_device, load, tcode
+from hapticplayer.devices import DEVICES, buttplug, find_device, tcode
 from hapticplayer.devices.evdev import driver as evdev
 from hapticplayer.devices.falcon.silence import Silencer
 from hapticplayer.devices.inverse3.driver import Inverse3Driver
 from hapticplayer.devices.inverse3.protocol import command
 from hapticplayer.devices.transducer.driver import ALIVE_S, ShakerDriver
 from hapticplayer.devices.transducer.silence import silence as silence_shaker
+from hapticplayer.extension import load
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
 from hapticplayer.simulation.inverse3.service import Service, simulation_of

@@ -1,0 +1,1 @@
+"""The windows of extras, in folders of the same names."""
