@@ -20,7 +20,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
 
-from app.player import commands
+from app.player.command import CONTEXT as COMMANDS_CONTEXT
+from app.player.commands import COMMANDS
 
 ROOT = Path(__file__).resolve().parents[1]
 LANGUAGES = ("de", "fr")
@@ -45,7 +46,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         of_engine = Path(folder, "engine.py")
         found = [(CONTEXT, text) for text in templates()]
-        found += [(commands.CONTEXT, one.text) for one in commands.COMMANDS]
+        found += [(COMMANDS_CONTEXT, one.text) for one in COMMANDS]
         of_engine.write_text(
             "".join(f"translate({c!r}, {json.dumps(text)})\n" for c, text in found),
             encoding="utf-8",

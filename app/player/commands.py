@@ -1,130 +1,89 @@
-"""Every command of the window: name, menu, shortcuts, action."""
+"""Every command of the window, one row each, and its actions and menus."""
 
-from typing import Any, NamedTuple
+from typing import Protocol
 
 from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar
 
 from app.bridge.settings import Settings
+from app.player.command import KEYS, Command
+from app.player.controls import Controls
+from app.player.dialogs import Dialogs
+from app.player.session import Session
+from hapticplayer.clock import Clock
+from hapticplayer.playback.player import Player
 
+SKIP_S, FAR_S = 5.0, 60.0
 translate = QCoreApplication.translate
 
-KEYS = "keys"
-"""Name of the table in the settings."""
 
-CONTEXT = "Actions"
-"""Of the commands among the translations."""
+class CommandTarget(Protocol):
+    """What a command can act on: the player's window."""
 
-MOST_KEYS = 8
+    player: Player
+    session: Session
+    dialogs: Dialogs
+    clock: Clock
 
-
-class Command(NamedTuple):
-    """One thing that can be done."""
-
-    name: str  # of the action and in the settings
-    text: str  # in English; "&" marks the letter in the menu
-    menu: str  # file, playback, view or help
-    group: int  # commands of one group lie together in the menu
-    keys: tuple[str, ...] = ()  # at first
-    needs_clip: bool = False
-    is_checkable: bool = False
-    is_fixed: bool = False  # keeps its keys
+    @property
+    def controls(self) -> Controls: ...
+    def close(self) -> bool: ...
+    def stop(self) -> None: ...
+    def toggle_fullscreen(self) -> None: ...
+    def show_plots(self, *, are_wanted: bool) -> None: ...
+    def show_grip(self, *, is_wanted: bool) -> None: ...
+    def show_sync_plot(self, *, is_wanted: bool) -> None: ...
+    def show_statistics(self, *, is_wanted: bool) -> None: ...
 
 
-COMMANDS = (
-    Command("open_sequence", "&Open sequence\u2026", "file", 0, ("Ctrl+O",)),
-    Command("open_video", "Open &video\u2026", "file", 0, ("Ctrl+Shift+O",)),
-    Command("import_recording", "&Import a recording\u2026", "file", 0, ("Ctrl+I",)),
-    Command("library", "Li&brary\u2026", "file", 0, ("Ctrl+B",)),
-    Command("open_demo", "Open the &demo", "file", 1, ("Ctrl+D",)),
-    Command(
-        "edit_effects",
-        "Edit &effects\u2026",
-        "file",
-        1,
-        ("Ctrl+T",),
-        needs_clip=True,
-    ),
-    Command("rendering", "Re&ndering\u2026", "file", 1, needs_clip=True),
-    Command("share", "S&hare\u2026", "file", 1, ("Ctrl+E",), needs_clip=True),
-    Command("open_log", "Replay a &log\u2026", "file", 1, ("Ctrl+L",), needs_clip=True),
-    Command("export_settings", "E&xport settings\u2026", "file", 2),
-    Command("import_settings", "I&mport settings\u2026", "file", 2),
-    Command("quit", "&Quit", "file", 3, ("Ctrl+Q", "Q")),
-    Command("play", "&Play or pause", "playback", 0, ("Space",), needs_clip=True),
-    Command("back", "&Back 5 s", "playback", 0, ("Left",), needs_clip=True),
-    Command("forward", "&Forward 5 s", "playback", 0, ("Right",), needs_clip=True),
-    Command("far_back", "Back 1 min", "playback", 0, ("Down",), needs_clip=True),
-    Command("far_forward", "Forward 1 min", "playback", 0, ("Up",), needs_clip=True),
-    Command(
-        "to_start", "Go to the b&eginning", "playback", 0, ("Home",), needs_clip=True
-    ),
-    Command("to_end", "Go to the e&nd", "playback", 0, ("End",), needs_clip=True),
-    Command("step_forward", "Next frame", "playback", 1, (".",), needs_clip=True),
-    Command("step_back", "Previous frame", "playback", 1, (",",), needs_clip=True),
-    Command(
-        "loop", "&Loop: set start, set end, off", "playback", 1, ("L",), needs_clip=True
-    ),
-    Command("slower", "Slower", "playback", 2, ("[",), needs_clip=True),
-    Command("faster", "Faster", "playback", 2, ("]",), needs_clip=True),
-    Command(
-        "normal_speed", "Normal speed", "playback", 2, ("Backspace",), needs_clip=True
-    ),
-    Command("quieter", "Quieter", "playback", 3, ("9", "/")),
-    Command("louder", "Louder", "playback", 3, ("0", "*")),
-    Command("mute", "&Mute", "playback", 3, ("M",), is_checkable=True),
-    Command("stop", "&Stop the force", "playback", 4, ("Esc",), is_fixed=True),
-    Command("rearm", "&Re-arm the force", "playback", 4, ("Ctrl+R",)),
-    Command("feedback", "Other feed&back\u2026", "playback", 5, needs_clip=True),
-    Command("set_up_device", "Set up the &device\u2026", "playback", 5),
-    Command("outlets", "M&ore devices\u2026", "playback", 5),
-    Command("get_to_know", "&Try out the forces\u2026", "playback", 5, ("Ctrl+K",)),
-    Command("latencies", "Measure l&atencies\u2026", "playback", 5),
-    Command("plots", "Live &plots", "view", 0, ("P",), is_checkable=True),
-    Command("grip", "&Grip view", "view", 0, ("G",), is_checkable=True),
-    Command("sync_plot", "S&ync plot", "view", 0, ("S",), is_checkable=True),
-    Command("statistics", "&Statistics", "view", 0, ("I",), is_checkable=True),
-    Command("rig", "Simulated &motion rig\u2026", "view", 0),
-    Command("faults", "Inject fa&ults\u2026", "view", 0),
-    Command("fullscreen", "&Fullscreen", "view", 1, ("F", "F11"), needs_clip=True),
-    Command("shortcuts", "&Keyboard shortcuts\u2026", "help", 0, ("?", "F1")),
-    Command("about", "&About", "help", 0),
-)
-
-BY_NAME = {command.name: command for command in COMMANDS}
-
-
-def text_of(command: Command) -> str:
-    """Return what a command is called in the window's language."""
-    return translate(CONTEXT, command.text)
-
-
-def keys_of(command: Command, chosen: dict[str, Any]) -> list[QKeySequence]:
-    """Return the keys of a command; the table of the settings has texts by its name."""
-    kept = chosen.get(command.name)
-    is_list = isinstance(kept, list) and all(isinstance(key, str) for key in kept)
-    texts = kept[:MOST_KEYS] if kept is not None and is_list else command.keys
-    if command.is_fixed:
-        texts = command.keys
-    made = [QKeySequence(text) for text in texts]
-    return [key for key in made if not key.isEmpty()]
-
-
-def owner_of(key: QKeySequence, chosen: dict[str, Any]) -> Command | None:
-    """Return the command that has a key already."""
-    return next((c for c in COMMANDS if key in keys_of(c, chosen)), None)
-
-
-translate = QCoreApplication.translate
-
-_OPENING = (
-    "open_sequence",
-    "open_video",
-    "import_recording",
-    "library",
-    "open_demo",
-)
+Row = Command[CommandTarget]
+COMMANDS: tuple[Row, ...] = (
+    Row("open_sequence", "&Open sequence\u2026", "file", 0, lambda w: w.dialogs.open_sequence(), ("Ctrl+O",), is_work=True),
+    Row("open_video", "Open &video\u2026", "file", 0, lambda w: w.dialogs.open_video(), ("Ctrl+Shift+O",), is_work=True),
+    Row("import_recording", "&Import a recording\u2026", "file", 0, lambda w: w.dialogs.import_recording(), ("Ctrl+I",), is_work=True),
+    Row("library", "Li&brary\u2026", "file", 0, lambda w: w.dialogs.library(w.clock), ("Ctrl+B",), is_work=True),
+    Row("open_demo", "Open the &demo", "file", 1, lambda w: w.session.open_demo(), ("Ctrl+D",), is_work=True),
+    Row("edit_effects", "Edit &effects\u2026", "file", 1, lambda w: w.dialogs.edit_effects(w.clock), ("Ctrl+T",), needs_clip=True),
+    Row("rendering", "Re&ndering\u2026", "file", 1, lambda w: w.dialogs.rendering(), needs_clip=True),
+    Row("share", "S&hare\u2026", "file", 1, lambda w: w.dialogs.share(), ("Ctrl+E",), needs_clip=True),
+    Row("open_log", "Replay a &log\u2026", "file", 1, lambda w: w.dialogs.open_log(), ("Ctrl+L",), needs_clip=True),
+    Row("export_settings", "E&xport settings\u2026", "file", 2, lambda w: w.dialogs.export_settings()),
+    Row("import_settings", "I&mport settings\u2026", "file", 2, lambda w: w.dialogs.import_settings()),
+    Row("quit", "&Quit", "file", 3, lambda w: w.close(), ("Ctrl+Q", "Q")),
+    Row("play", "&Play or pause", "playback", 0, lambda w: w.player.toggle(), ("Space",), needs_clip=True),
+    Row("back", "&Back 5 s", "playback", 0, lambda w: w.session.skip(-SKIP_S), ("Left",), needs_clip=True),
+    Row("forward", "&Forward 5 s", "playback", 0, lambda w: w.session.skip(SKIP_S), ("Right",), needs_clip=True),
+    Row("far_back", "Back 1 min", "playback", 0, lambda w: w.session.skip(-FAR_S), ("Down",), needs_clip=True),
+    Row("far_forward", "Forward 1 min", "playback", 0, lambda w: w.session.skip(FAR_S), ("Up",), needs_clip=True),
+    Row("to_start", "Go to the b&eginning", "playback", 0, lambda w: w.player.seek(0.0), ("Home",), needs_clip=True),
+    Row("to_end", "Go to the e&nd", "playback", 0, lambda w: w.session.go_to_end(), ("End",), needs_clip=True),
+    Row("step_forward", "Next frame", "playback", 1, lambda w: w.controls.step(1), (".",), needs_clip=True),
+    Row("step_back", "Previous frame", "playback", 1, lambda w: w.controls.step(-1), (",",), needs_clip=True),
+    Row("loop", "&Loop: set start, set end, off", "playback", 1, lambda w: w.controls.loop(), ("L",), needs_clip=True),
+    Row("slower", "Slower", "playback", 2, lambda w: w.controls.change_speed(-1), ("[",), needs_clip=True),
+    Row("faster", "Faster", "playback", 2, lambda w: w.controls.change_speed(1), ("]",), needs_clip=True),
+    Row("normal_speed", "Normal speed", "playback", 2, lambda w: w.controls.change_speed(0), ("Backspace",), needs_clip=True),
+    Row("quieter", "Quieter", "playback", 3, lambda w: w.controls.turn(-1), ("9", "/")),
+    Row("louder", "Louder", "playback", 3, lambda w: w.controls.turn(1), ("0", "*")),
+    Row("mute", "&Mute", "playback", 3, None, ("M",), toggles=lambda w, on: w.controls.mute(is_wanted=on)),
+    Row("stop", "&Stop the force", "playback", 4, lambda w: w.stop(), ("Esc",), is_fixed=True),
+    Row("rearm", "&Re-arm the force", "playback", 4, lambda w: w.session.rearm(), ("Ctrl+R",)),
+    Row("feedback", "Other feed&back\u2026", "playback", 5, lambda w: w.dialogs.other_feedback(), needs_clip=True),
+    Row("set_up_device", "Set up the &device\u2026", "playback", 5, lambda w: w.dialogs.set_up(w.clock)),
+    Row("outlets", "M&ore devices\u2026", "playback", 5, lambda w: w.dialogs.outlets(w.clock)),
+    Row("get_to_know", "&Try out the forces\u2026", "playback", 5, lambda w: w.dialogs.get_to_know(w.clock), ("Ctrl+K",)),
+    Row("latencies", "Measure l&atencies\u2026", "playback", 5, lambda w: w.dialogs.latencies(w.clock)),
+    Row("plots", "Live &plots", "view", 0, None, ("P",), toggles=lambda w, on: w.show_plots(are_wanted=on)),
+    Row("grip", "&Grip view", "view", 0, None, ("G",), toggles=lambda w, on: w.show_grip(is_wanted=on)),
+    Row("sync_plot", "S&ync plot", "view", 0, None, ("S",), toggles=lambda w, on: w.show_sync_plot(is_wanted=on)),
+    Row("statistics", "&Statistics", "view", 0, None, ("I",), toggles=lambda w, on: w.show_statistics(is_wanted=on)),
+    Row("rig", "Simulated &motion rig\u2026", "view", 0, lambda w: w.dialogs.rig(w.clock)),
+    Row("faults", "Inject fa&ults\u2026", "view", 0, lambda w: w.dialogs.faults(w.clock)),
+    Row("fullscreen", "&Fullscreen", "view", 1, lambda w: w.toggle_fullscreen(), ("F", "F11"), needs_clip=True),
+    Row("shortcuts", "&Keyboard shortcuts\u2026", "help", 0, lambda w: w.dialogs.shortcuts(COMMANDS), ("?", "F1")),
+    Row("about", "&About", "help", 0, lambda w: w.dialogs.about()),
+)  # fmt: skip
 
 
 class Actions:
@@ -139,8 +98,8 @@ class Actions:
         self.by_name: dict[str, QAction] = {}
         self.menus: dict[str, QMenu] = {}
         for command in COMMANDS:
-            action = QAction(text_of(command), window)
-            action.setCheckable(command.is_checkable)
+            action = QAction(command.title, window)
+            action.setCheckable(command.toggles is not None)
             window.addAction(action)
             self.by_name[command.name] = action
         self.grip.setChecked(True)
@@ -158,7 +117,16 @@ class Actions:
         """Give every action the keys that the settings say."""
         chosen = self._settings.table(KEYS)
         for command in COMMANDS:
-            self.by_name[command.name].setShortcuts(keys_of(command, chosen))
+            self.by_name[command.name].setShortcuts(command.keys_in(chosen))
+
+    def bind(self, window: CommandTarget) -> None:
+        """Let every action do what its row says."""
+        for command in COMMANDS:
+            action = self.by_name[command.name]
+            if (toggles := command.toggles) is not None:
+                action.toggled.connect(lambda on, do=toggles: do(window, on))
+            elif (does := command.does) is not None:
+                action.triggered.connect(lambda _=False, do=does: do(window))
 
     def fill(self, bar: QMenuBar) -> None:
         """Put the actions into menus."""
@@ -186,7 +154,7 @@ class Actions:
     @property
     def opening(self) -> list[QAction]:
         """What begins a piece of work."""
-        return [self.by_name[name] for name in _OPENING]
+        return [self.by_name[c.name] for c in COMMANDS if c.is_work]
 
     @property
     def playing(self) -> list[QAction]:

@@ -4,11 +4,13 @@ import importlib
 import threading
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QWidget
 
 from app.bridge.settings import Settings, choose_library, library_folder
+from app.player.command import Command
 from app.player.device_dialogs import DeviceDialogs
 from app.player.session import Session
 from app.player.video_question import video_question
@@ -227,11 +229,11 @@ class Dialogs(DeviceDialogs):
         """Show an information dialog."""
         make(self._window).open()
 
-    def shortcuts(self) -> None:
+    def shortcuts(self, commands: tuple[Command[Any], ...]) -> None:
         """Show the keys of the window, and let people choose others."""
         from app.player.keys_dialog import KeysDialog
 
-        dialog = KeysDialog(self._settings, self._window)
+        dialog = KeysDialog(commands, self._settings, self._window)
         dialog.changed.connect(self.keys_changed)
         dialog.open()
 

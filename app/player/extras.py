@@ -77,14 +77,8 @@ def warning(name: str, reported_s: float) -> str:
     return f"{what}; {todo}"
 
 
-FAR_S = 60.0
 SCREEN = "fullscreen_screen"
 """Name in the settings."""
-
-_TURNS = {"quieter": -1, "louder": 1}
-_SPEEDS = {"slower": -1, "faster": 1, "normal_speed": 0}
-_STEPS = {"step_back": -1, "step_forward": 1}
-_SKIPS = {"far_back": -FAR_S, "far_forward": FAR_S}
 
 
 class Extras(QObject):
@@ -123,18 +117,6 @@ class Extras(QObject):
 
     def _connect(self) -> None:
         controls, actions = self.controls, self._actions
-        for names, call in (
-            (_TURNS, controls.turn),
-            (_SPEEDS, controls.change_speed),
-            (_STEPS, controls.step),
-            (_SKIPS, self._session.skip),
-        ):
-            for name, value in names.items():
-                action = actions.by_name[name]
-                action.triggered.connect(lambda _=False, c=call, v=value: c(v))
-        actions.loop.triggered.connect(controls.loop)
-        actions.mute.toggled.connect(lambda on: controls.mute(is_wanted=on))
-        actions.statistics.toggled.connect(self._on_statistics)
         self._transport.volume_chosen.connect(controls.set_volume)
         self._transport.mute_clicked.connect(actions.mute.toggle)
         controls.message.connect(self.toast.show_text)
@@ -184,7 +166,8 @@ class Extras(QObject):
         self._fullscreen.screen_name = name
         self._settings.keep(SCREEN, name)
 
-    def _on_statistics(self, is_wanted: bool) -> None:
+    def show_statistics(self, *, is_wanted: bool) -> None:
+        """Show or hide the figures over the video."""
         self.statistics.setVisible(is_wanted)
         if is_wanted:
             self.statistics.refresh(self._player)

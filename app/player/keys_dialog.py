@@ -1,5 +1,7 @@
 """The keys of the window: what they do, and other keys for it."""
 
+from typing import Any
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
@@ -12,15 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.settings import Settings
-from app.player.commands import (
-    BY_NAME,
-    COMMANDS,
-    KEYS,
-    Command,
-    keys_of,
-    owner_of,
-    text_of,
-)
+from app.player.command import KEYS, Command, owner_of
 from app.widgets.buttons import text_button
 from app.widgets.layout import (
     STRETCH,
@@ -33,7 +27,6 @@ from app.widgets.tables import plain_table
 
 _WIDTH_PX, _HEIGHT_PX = 520, 560
 _FIELD_MARGIN_PX = 36
-_NAME = Qt.ItemDataRole.UserRole
 
 
 class KeysDialog(QDialog):
@@ -41,8 +34,14 @@ class KeysDialog(QDialog):
 
     changed = Signal()
 
-    def __init__(self, settings: Settings, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        commands: tuple[Command[Any], ...],
+        settings: Settings,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
+        self._commands = commands
         self.setWindowTitle(self.tr("Keyboard shortcuts"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._settings = settings
@@ -86,7 +85,7 @@ class KeysDialog(QDialog):
             is_chosen_from=True,
             has_grid=False,
         )
-        table.setRowCount(len(COMMANDS))
+        table.setRowCount(len(self._commands))
         return table
 
     def _lay_out(self) -> None:
@@ -102,21 +101,17 @@ class KeysDialog(QDialog):
     def refresh(self) -> None:
         """Show the keys as they are."""
         chosen = self._settings.table(KEYS)
-        for row, command in enumerate(COMMANDS):
-            name = QTableWidgetItem(plain(command))
-            name.setData(_NAME, command.name)
-            self.table.setItem(row, 0, name)
-            keys = ", ".join(key_text(key) for key in keys_of(command, chosen))
+        for row, command in enumerate(self._commands):
+            self.table.setItem(row, 0, QTableWidgetItem(command.plain_title))
+            keys = ", ".join(key_text(key) for key in command.keys_in(chosen))
             self.table.setItem(row, 1, QTableWidgetItem(keys))
 
     def choose(self, name: str) -> None:
         """Choose a command by its name."""
-        self.table.selectRow([command.name for command in COMMANDS].index(name))
+        self.table.selectRow([command.name for command in self._commands].index(name))
 
-    def _chosen(self) -> Command:
-        item = self.table.item(max(0, self.table.currentRow()), 0)
-        assert item is not None
-        return BY_NAME[item.data(_NAME)]
+    def _chosen(self) -> Command[Any]:
+        return self._commands[max(0, self.table.currentRow())]
 
     def _on_chosen(self) -> None:
         is_free = not self._chosen().is_fixed
@@ -134,21 +129,23 @@ class KeysDialog(QDialog):
         if key.isEmpty():
             self.note.setText(self.tr("Press a shortcut in the field first"))
             return
-        owner = owner_of(key, chosen)
+        owner = owner_of(key, self._commands, chosen)
         if owner is not None and owner is not command:
             text = self.tr("{key} is already used by \u201c{command}\u201d")
-            self.note.setText(text.format(key=key_text(key), command=plain(owner)))
+            self.note.setText(text.format(key=key_text(key), command=owner.plain_title))
             return
         self._keep({**chosen, command.name: [key.toString()]})
 
     def _on_reset(self) -> None:
         command, chosen = self._chosen(), self._settings.table(KEYS)
         chosen.pop(command.name, None)
-        for key in keys_of(command, chosen):
-            owner = owner_of(key, {**chosen, command.name: []})
+        for key in command.keys_in(chosen):
+            owner = owner_of(key, self._commands, {**chosen, command.name: []})
             if owner is not None:
                 text = self.tr("{key} is already used by \u201c{command}\u201d")
-                self.note.setText(text.format(key=key_text(key), command=plain(owner)))
+                self.note.setText(
+                    text.format(key=key_text(key), command=owner.plain_title)
+                )
                 return
         self._keep(chosen)
 
@@ -162,11 +159,6 @@ class KeysDialog(QDialog):
         self.note.clear()
         self.refresh()
         self.changed.emit()
-
-
-def plain(command: Command) -> str:
-    """Return what a command is called where it is not in a menu."""
-    return text_of(command).replace("&", "").rstrip("\u2026")
 
 
 def key_text(key: QKeySequence) -> str:

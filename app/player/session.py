@@ -22,7 +22,6 @@ from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict, VideoCheck
 from hapticplayer.rendering import ChosenFeedback
 
-SKIP_S = 5.0
 _DEAD = (Health.FAILED, Health.GONE)
 
 

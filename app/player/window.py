@@ -10,6 +10,7 @@ from app.bridge.settings import Settings, keep_outlets
 from app.experimenter.study_menu import StudyMenu
 from app.player import choices
 from app.player.commands import Actions
+from app.player.controls import Controls
 from app.player.dialogs import Dialogs
 from app.player.display import Display, PlotArea
 from app.player.empty_page import EmptyPage
@@ -17,7 +18,7 @@ from app.player.extras import Extras
 from app.player.fullscreen import EscapeFilter, Fullscreen
 from app.player.health_line import HealthLine
 from app.player.menus import ThemeMenus
-from app.player.session import SKIP_S, Session
+from app.player.session import Session
 from app.player.sync_plot import SyncPlot
 from app.player.transport import Transport
 from app.player.video_surface import VideoSurface
@@ -161,39 +162,8 @@ class PlayerWindow(QMainWindow):
         self._connect_commands()
 
     def _connect_commands(self) -> None:
-        commands, session = self.commands, self.session
-        for action, slot in (
-            (commands.open_sequence, self.dialogs.open_sequence),
-            (commands.open_video, self.dialogs.open_video),
-            (commands.import_recording, self.dialogs.import_recording),
-            (commands.library, lambda: self.dialogs.library(self.clock)),
-            (commands.edit_effects, lambda: self.dialogs.edit_effects(self.clock)),
-            (commands.open_demo, session.open_demo),
-            (commands.share, self.dialogs.share),
-            (commands.rendering, self.dialogs.rendering),
-            (commands.quit, self.close),
-            (commands.play, self.player.toggle),
-            (commands.back, lambda: session.skip(-SKIP_S)),
-            (commands.forward, lambda: session.skip(SKIP_S)),
-            (commands.to_start, lambda: self.player.seek(0.0)),
-            (commands.to_end, session.go_to_end),
-            (commands.stop, self.stop),
-            (commands.rearm, session.rearm),
-            (commands.fullscreen, self.toggle_fullscreen),
-            (commands.feedback, self.dialogs.other_feedback),
-            (commands.set_up_device, lambda: self.dialogs.set_up(self.clock)),
-            (commands.outlets, lambda: self.dialogs.outlets(self.clock)),
-            (commands.get_to_know, lambda: self.dialogs.get_to_know(self.clock)),
-            (commands.faults, lambda: self.dialogs.faults(self.clock)),
-            (commands.rig, lambda: self.dialogs.rig(self.clock)),
-            (commands.latencies, lambda: self.dialogs.latencies(self.clock)),
-            (commands.shortcuts, self.dialogs.shortcuts),
-            (commands.about, self.dialogs.about),
-            (commands.open_log, self.dialogs.open_log),
-            (commands.export_settings, self.dialogs.export_settings),
-            (commands.import_settings, self.dialogs.import_settings),
-        ):
-            action.triggered.connect(slot)
+        commands = self.commands
+        commands.bind(self)
         for menu in commands.menus.values():
             menu.aboutToShow.connect(self.dialogs.prepare)
         self.dialogs.keys_changed.connect(commands.apply_keys)
@@ -201,11 +171,6 @@ class PlayerWindow(QMainWindow):
         self.dialogs.device_wanted.connect(self._on_device_chosen)
         self.dialogs.plugged.changed.connect(self._offer_devices)
         self.transport.device_opening.connect(self.dialogs.plugged.refresh)
-        commands.sync_plot.toggled.connect(
-            lambda on: self.fullscreen.will_show(self.sync_plot, is_wanted=on)
-        )
-        commands.plots.toggled.connect(lambda on: self.show_plots(are_wanted=on))
-        commands.grip.toggled.connect(lambda on: self.plots.show_grip(is_wanted=on))
 
     # --- what a person does --------------------------------------------------
 
@@ -237,6 +202,23 @@ class PlayerWindow(QMainWindow):
         if are_wanted:
             self.plots.prepare()
         self.fullscreen.will_show(self.plots, is_wanted=are_wanted)
+
+    def show_grip(self, *, is_wanted: bool) -> None:
+        """Show or hide the grip beside the live plots."""
+        self.plots.show_grip(is_wanted=is_wanted)
+
+    def show_sync_plot(self, *, is_wanted: bool) -> None:
+        """Show or hide the delay of the force."""
+        self.fullscreen.will_show(self.sync_plot, is_wanted=is_wanted)
+
+    def show_statistics(self, *, is_wanted: bool) -> None:
+        """Show or hide the figures over the video."""
+        self.extras.show_statistics(is_wanted=is_wanted)
+
+    @property
+    def controls(self) -> Controls:
+        """Speed, loop, single frames, volume and sound output."""
+        return self.extras.controls
 
     def show_message(self, text: str) -> None:
         """Say what went wrong; not behind a video that fills the screen."""

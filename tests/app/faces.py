@@ -39,6 +39,7 @@ from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
+from app.player.commands import COMMANDS
 from app.player.condition_form import ConditionDialog
 from app.player.device_page import DevicePage
 from app.player.dialogs import about_dialog
@@ -95,7 +96,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "rendering": lambda: RenderingPage(
             window.player.snapshot().source.path, "A ride", folder, window
         ),
-        "keyboard": lambda: KeysDialog(window.settings, window),
+        "keyboard": lambda: KeysDialog(COMMANDS, window.settings, window),
         "about": lambda: about_dialog(window),
         "set-up": lambda: SetupPage(
             window.clock,

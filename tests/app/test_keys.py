@@ -6,7 +6,8 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 
 from app.bridge.settings import Settings
-from app.player.commands import COMMANDS, KEYS, keys_of
+from app.player.command import KEYS
+from app.player.commands import COMMANDS
 from app.player.keys_dialog import KeysDialog
 from hapticplayer.playback.phases import Phase
 
@@ -43,7 +44,7 @@ def test_every_command_does_something(window):
 
 @pytest.fixture
 def dialog(window, qtbot, settings) -> KeysDialog:
-    made = KeysDialog(settings, window)
+    made = KeysDialog(COMMANDS, settings, window)
     made.changed.connect(window.commands.apply_keys)
     qtbot.addWidget(made)
     made.show()
@@ -65,7 +66,7 @@ def test_another_key_works_at_once_and_after_a_restart(
     assert window.extras.controls.is_muted
     again = Settings(tmp_path / "window.json")
     mute = next(command for command in COMMANDS if command.name == "mute")
-    assert keys_of(mute, again.table(KEYS)) == [QKeySequence("X")]
+    assert mute.keys_in(again.table(KEYS)) == [QKeySequence("X")]
 
 
 def test_a_key_that_is_taken_is_refused_with_its_owner(dialog, settings):
@@ -81,7 +82,7 @@ def test_the_stop_key_stays(dialog, settings):
     assert not dialog.assign.isEnabled()
     assert "always" in dialog.note.text()
     stop = next(command for command in COMMANDS if command.name == "stop")
-    assert keys_of(stop, {"stop": ["X"]}) == [QKeySequence("Esc")]
+    assert stop.keys_in({"stop": ["X"]}) == [QKeySequence("Esc")]
 
 
 def test_reset_gives_the_first_keys_back(dialog, window, settings):
@@ -98,7 +99,7 @@ def test_reset_gives_the_first_keys_back(dialog, window, settings):
 @pytest.mark.parametrize("kept", [{"play": 3}, {"play": [1]}, {"play": {}}, {"x": []}])
 def test_damaged_keys_are_like_none(kept):
     play = next(command for command in COMMANDS if command.name == "play")
-    assert keys_of(play, kept) == [QKeySequence("Space")]
+    assert play.keys_in(kept) == [QKeySequence("Space")]
 
 
 # --- settings ----------------------------------------------------------------

@@ -5,6 +5,7 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
+from app.player.commands import COMMANDS
 from app.player.dialogs import about_dialog
 from app.player.fault_panel import FaultPanel
 from app.player.keys_dialog import KeysDialog
@@ -168,7 +169,7 @@ def _faults(stage: Stage, window: PlayerWindow) -> Pictures:
 
 def _dialogs(stage: Stage, window: PlayerWindow) -> Pictures:
     for name, make in (
-        ("keyboard", lambda: KeysDialog(stage.settings, window)),
+        ("keyboard", lambda: KeysDialog(COMMANDS, stage.settings, window)),
         ("about", lambda: about_dialog(window)),
     ):
         with stage.shown(make()) as dialog:
