@@ -147,7 +147,7 @@ class SyncPage(QWidget):
         self.keep_skew.setToolTip(found.clip_camera)
         pats_s = tuple(pat.heard_s for pat in sync.pats) if sync else ()
         clock = ClockMap(offset_s, sync.clock_map.rate if sync else 1.0)
-        is_by_turns = sync is not None and sync.method == "pictures"
+        is_by_turns = sync is not None and sync.method == "frames"
         lanes = self._lanes(found)
         self.strip.show_lanes(lanes, pats_s, clock, is_by_turns=is_by_turns)
         is_near = bool(pats_s or len(found.turned[0]))
@@ -321,7 +321,7 @@ class SyncPage(QWidget):
                 other_offset=local(offsets[1]),
                 other=translated(methods.title_of(sync.second.method)),
             ), theme.WARN
-        if sync.method == "pictures":
+        if sync.method == "frames":
             return self._verdict_of_frames(sync)
         if sync.method != "pats":
             text = self.tr("Synchronised: {method} (confidence {confidence}).")
@@ -344,7 +344,7 @@ class SyncPage(QWidget):
         return text, theme.WARN
 
     def _verdict_of_frames(self, sync: Synchronisation) -> tuple[str, str]:
-        if sync.pictures is None:
+        if sync.frames is None:
             text = self.tr(
                 "The rotation in the frames fits the log nowhere. Is it the log of this "
                 "clip, and the video not stabilised? Drag manually."
@@ -369,8 +369,8 @@ class SyncPage(QWidget):
         shown = text.format(
             confidence=local(f"{sync.clock_map.confidence:.2f}"),
             ms=local(f"{1e3 * sync.offset_sigma_s:.1f}"),
-            share=local(f"{100.0 * sync.pictures.explained:.0f}"),
-            doubt=translated(sync.pictures.doubt),
+            share=local(f"{100.0 * sync.frames.explained:.0f}"),
+            doubt=translated(sync.frames.doubt),
         )
         if sync.is_coarse:
             shown = f"{shown} {translated(COARSE_NOTE)}"

@@ -9,14 +9,14 @@ from benchmarks.common import Report
 from benchmarks.motion.budget import make_ride, shifted
 from benchmarks.sync.picture_clips import RATES_HZ
 from hapticplayer.capture.mounting import gravity_agrees, mean_up
-from hapticplayer.capture.sync.pictures import synchronize_pictures
+from hapticplayer.capture.sync.pictures import synchronize_frames
 from hapticplayer.capture.sync.result import CLEAR_RATIO, Synchronisation
 from hapticplayer.capture.vision import FrameRotation
 from hapticplayer.errors import InputError
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 
-METHODS = ("pictures", "pats", "both")
+METHODS = ("frames", "pats", "both")
 LIMITS_MS = {"median": 2.5, "p95": 5.0, "largest": 8.0}
 WINDOW_LIMITS_MS = {"median": 3.0, "p95": 8.0}
 MOST_CPU_S = 16.0
@@ -56,7 +56,7 @@ class Found:
         what has to be flagged is the mounting.
         """
         try:
-            found = synchronize_pictures(log, frames)
+            found = synchronize_frames(log, frames)
             confidence = found.clock_map.confidence
             if kind == MIRRORED and _is_upside_down(log, found):
                 confidence = 0.0
@@ -99,7 +99,7 @@ def write_tables(found: Found, report: Report) -> None:
             one = figures(chosen, method)
             rows.append([name, method, *one.values()])
             columns = ["clips", "method", *one]
-            if method == "pictures" and name.endswith("Hz"):
+            if method == "frames" and name.endswith("Hz"):
                 for key, limit in LIMITS_MS.items():
                     what = f"{name}: error of confident ones, {key}, ms"
                     report.target(what, one[key], ("<=", limit))
@@ -118,7 +118,7 @@ def write_tables(found: Found, report: Report) -> None:
     _mountings(outcomes, report)
     report.figures["errors_ms"] = {
         f"{scene}, {rate_hz} Hz": [
-            round(1e3 * one.error_s["pictures"], 2)
+            round(1e3 * one.error_s["frames"], 2)
             for one in outcomes
             if (one.scene, one.rate_hz) == (scene, rate_hz)
         ]
@@ -196,7 +196,7 @@ def write_budget(outcomes: list[Outcome], report: Report) -> None:
         ride = make_ride(scene, 1)
         for rate_hz in RATES_HZ:
             row: list[Any] = [scene, rate_hz]
-            for method in ("pats", "pictures"):
+            for method in ("pats", "frames"):
                 errors_s = [
                     one.error_s[method]
                     for one in outcomes
@@ -208,8 +208,8 @@ def write_budget(outcomes: list[Outcome], report: Report) -> None:
                 row += [1e3 * rms_s, float(np.sqrt(square))]
             rows.append(row)
             if scene == "horse":
-                what = f"horse, {rate_hz} Hz: force error by sync, pictures / pats"
+                what = f"horse, {rate_hz} Hz: force error by sync, frames / pats"
                 report.target(what, row[5] / row[3], ("<=", 0.5))
-    header = ["clips", "Hz", "pats ms", "mN", "pictures ms", "mN"]
+    header = ["clips", "Hz", "pats ms", "mN", "frames ms", "mN"]
     report.table("RMS error of confident results, and of the force", header, rows)
     report.figures["budget"] = rows

@@ -40,7 +40,7 @@ from benchmarks.sync.picture_tables import (
     write_tables,
 )
 from hapticplayer.capture import read_recording
-from hapticplayer.capture.sync.pictures import synchronize_pictures, usable
+from hapticplayer.capture.sync.pictures import synchronize_frames, usable
 from hapticplayer.capture.sync.result import ClipSound, Synchronisation, SyncInput
 from hapticplayer.capture.sync.rotation_line import Line, fit_line
 from hapticplayer.capture.sync.rotation_match import Gyro, fit_at
@@ -73,10 +73,10 @@ def _log_s(log: Logged, media_s: float) -> float:
 
 
 def outcome(film: Filmed, log: Logged, frames: FrameRotation) -> Outcome:
-    """Synchronise by pictures, pats and both."""
+    """Synchronise by frames, pats and both."""
     sound = ClipSound(film.audio.mean(axis=1), SOUND_RATE_HZ)
     start = time.process_time()
-    pictures = synchronize_pictures(log.imu, frames)
+    pictures = synchronize_frames(log.imu, frames)
     fit_s = time.process_time() - start
     pats = by_pats(SyncInput(log.imu, lambda: sound))
     both = joined_findings(pats, pictures)
@@ -90,8 +90,8 @@ def outcome(film: Filmed, log: Logged, frames: FrameRotation) -> Outcome:
         fit_s,
         window_error_s=window_errors_s(film, log, frames),
     )
-    if pictures.pictures is not None:
-        told_s = pictures.pictures.read_out_s
+    if pictures.frames is not None:
+        told_s = pictures.frames.read_out_s
         one = replace(one, read_out_error_s=told_s - film.read_out_s)
     if (mounting := pictures.mounting) is not None:
         is_right = mounting.axes == log.axes
@@ -193,13 +193,13 @@ def real(follow: Follow, report: Report) -> None:
             continue
         imu = read_recording(path).imu
         try:
-            found = synchronize_pictures(imu, follow(path))
+            found = synchronize_frames(imu, follow(path))
         except InputError as problem:
             print(f"{name}: {problem}")
             continue
         middle_s = 0.5 * probe(path).duration_s
         shift_s = found.media_s(middle_s) - middle_s
-        explained = found.pictures.explained if found.pictures else 0.0
+        explained = found.frames.explained if found.frames else 0.0
         confidence = found.clock_map.confidence
         rows.append([name, 1e3 * shift_s, 1e3 * found.offset_sigma_s, explained,
                      confidence])  # fmt: skip

@@ -161,7 +161,7 @@ def _say_imported(folder: Path, sequence: Sequence) -> None:
     )
     found = made_of.get("synchronisation")
     synchronised = ""
-    if found and found["method"] in ("pats", "pictures", "variance"):
+    if found and found["method"] in ("pats", "frames", "variance"):
         synchronised = sync_text(found)
         say(synchronised)
     if (

@@ -241,7 +241,7 @@ def sync_text(found: Mapping[str, Any]) -> str:
     if found["sound_late_s"]:
         skew_ms = 1e3 * found["sound_late_s"]
         first += f", {skew_ms:.0f} ms of the camera's skew taken off"
-    lines = [first, *_lag_text(found), *_pictures_text(found)]
+    lines = [first, *_lag_text(found), *_frames_text(found)]
     for count, pat in enumerate(found["pats"], start=1):
         lines.append(
             f"  pat {count}: heard at {pat['heard_s']:.3f} s, felt at "
@@ -257,9 +257,9 @@ def _lag_text(found: Mapping[str, Any]) -> list[str]:
     return [f"  {lag['text']}"] if lag else []
 
 
-def _pictures_text(found: Mapping[str, Any]) -> list[str]:
+def _frames_text(found: Mapping[str, Any]) -> list[str]:
     """Return the result of the frames, and that of a second method."""
-    lines, evidence, second = [], found.get("pictures"), found.get("second")
+    lines, evidence, second = [], found.get("frames"), found.get("second")
     if evidence:
         lines.append(
             f"  frames: the gyro explains {100 * evidence['explained']:.0f} % of the "

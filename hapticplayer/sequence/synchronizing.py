@@ -191,7 +191,7 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
     if found.unused:
         reasons.append(found.unused)
     look = Message("otherwise give --offset S")
-    if found.method != "pictures":
+    if found.method != "frames":
         look = Message(
             "compare sound and motion with `hapticplayer sync --plot FILE`, then give "
             "--offset S"
@@ -204,7 +204,7 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
 
 def _reason(found: Synchronisation) -> Message:
     """Return why the result of one method is uncertain."""
-    if found.method == "pictures":
+    if found.method == "frames":
         return _doubtful_frames(found)
     if not found.pats:
         return NO_PATS
@@ -227,19 +227,19 @@ def _disagree(found: Synchronisation) -> bool:
 
 def _disagreement(found: Synchronisation, clip: str) -> str:
     by_method = {one.method: one for one in (found, found.second) if one is not None}
-    pats, pictures = (by_method[name] for name in ("pats", "pictures"))
+    pats, frames = (by_method[name] for name in ("pats", "frames"))
     return Message(
-        "{clip}: the pats give an offset of {pats_s:.3f} s, the frames {pictures_s:.3f} "
-        "s; choose --sync pats or --sync pictures (sync: --method), or give --offset S; "
+        "{clip}: the pats give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} "
+        "s; choose --sync pats or --sync frames (sync: --method), or give --offset S; "
         "if the camera's sound is late, --skew settles it",
         clip=clip,
         pats_s=pats.clock_map.offset_s,
-        pictures_s=pictures.clock_map.offset_s,
+        frames_s=frames.clock_map.offset_s,
     )
 
 
 def _doubtful_frames(found: Synchronisation) -> Message:
-    evidence = found.pictures
+    evidence = found.frames
     if evidence is None:
         return NO_FIT
     return Message(

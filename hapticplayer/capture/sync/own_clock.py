@@ -74,7 +74,7 @@ def sigma_of_windows_s(line: Line) -> float:
     return float(np.sqrt(max(1.0, square) / trust.sum()))
 
 
-def by_frames(
+def with_lag_by_frames(
     imu: ImuLog, own: ClockMap, look: Callable[[], FrameRotation]
 ) -> Synchronisation:
     """Return the clock of a camera without timestamps as the frames correct it.
@@ -92,8 +92,8 @@ def by_frames(
 
 def lag_by_frames(found: Synchronisation) -> ClockLag:
     """Return the lag that a result of the frames means for a camera's own motion."""
-    assert found.pictures is not None
-    clock, media_s = found.clock_map, found.pictures.middle_s
+    assert found.frames is not None
+    clock, media_s = found.clock_map, found.frames.middle_s
     log_s = (media_s - clock.offset_s) / clock.rate
     return ClockLag(FRAMES, log_s - media_s, found.offset_sigma_s)
 
@@ -123,13 +123,13 @@ def _compared(
 
 def _doubt(found: Synchronisation | None) -> Message:
     assert found is not None
-    assert found.pictures is not None
-    if found.pictures.explained > _MUCH:
+    assert found.frames is not None
+    if found.frames.explained > _MUCH:
         return Message("the camera rotates too slowly to show the time")
     return Message(
         "the gyro explains {explained:.0%} of their rotation (video stabilised, or a "
         "calm camera)",
-        explained=max(0.0, found.pictures.explained),
+        explained=max(0.0, found.frames.explained),
     )
 
 

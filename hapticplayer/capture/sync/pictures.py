@@ -10,7 +10,7 @@ from hapticplayer.capture.mounting import all_mountings, axes_matrix
 from hapticplayer.capture.sync.result import (
     ENOUGH_CONFIDENCE,
     FoundMounting,
-    PictureEvidence,
+    FrameEvidence,
     Rival,
     Synchronisation,
 )
@@ -64,7 +64,7 @@ def spans_to_watch(duration_s: float) -> Sequence[tuple[float, float]]:
     return [(part * apart_s, part * apart_s + _PART_S) for part in range(_PARTS)]
 
 
-def synchronize_pictures(
+def synchronize_frames(
     imu: ImuLog, frames: FrameRotation, *, is_own: bool = False
 ) -> Synchronisation:
     """Return the clock map of the log to the frames; confidence 0 if nothing fits.
@@ -81,16 +81,16 @@ def synchronize_pictures(
     gyro = Gyro(imu)
     fits = candidates(watched, gyro)
     if not fits:
-        return Synchronisation(ClockMap(confidence=0.0), "pictures")
+        return Synchronisation(ClockMap(confidence=0.0), "frames")
     line = fit_line(watched, gyro, fits[0])
     found = finding(fits, line, frames.kind, is_own=is_own)
     if not found.is_confident:
         return found
     if _is_cut(frames, gyro, line):
         doubted = dataclasses.replace(found.clock_map, confidence=0.0)
-        assert found.pictures is not None
-        seen = dataclasses.replace(found.pictures, doubt=_CUT)
-        return dataclasses.replace(found, clock_map=doubted, pictures=seen)
+        assert found.frames is not None
+        seen = dataclasses.replace(found.frames, doubt=_CUT)
+        return dataclasses.replace(found, clock_map=doubted, frames=seen)
     mounting = _mounting(watched, gyro, line.at(watched.begin_s))
     return dataclasses.replace(found, mounting=mounting)
 
@@ -214,13 +214,13 @@ def finding(
     sigma_s = math.hypot(line.shift_sigma_s, line.row * read_out_sd_s, floor_s)
     return Synchronisation(
         line.clock_map(shift_s, confidence),
-        "pictures",
+        "frames",
         margin=evidence.margin,
         rivals=tuple(Rival(-one.shift_s, 1.0 - one.unexplained) for one in fits[1:]),
         has_drift=True,
         offset_sigma_s=sigma_s,
         drift_sigma_ppm=1e6 * line.drift_sigma,
-        pictures=evidence,
+        frames=evidence,
     )
 
 
@@ -237,11 +237,11 @@ def _evidence(
     line: Line,
     read_out_s: tuple[float, float],
     kind: FeatureKind,
-) -> PictureEvidence:
+) -> FrameEvidence:
     best = fits[0].unexplained
     rival = fits[1].unexplained if len(fits) > 1 else 1.0
     telling = line.window_sigma_s < _KNOWN_S
-    return PictureEvidence(
+    return FrameEvidence(
         line.middle_s,
         max(0.0, 1.0 - best),
         rival / max(best, 1e-6),
@@ -254,7 +254,7 @@ def _evidence(
 
 
 def _signs(
-    evidence: PictureEvidence, drift: float, *, is_own: bool
+    evidence: FrameEvidence, drift: float, *, is_own: bool
 ) -> Iterator[tuple[float, Message]]:
     """Yield the signs, each 0 at its threshold, and what it makes doubtful."""
     is_alike = evidence.second_axis < _SECOND_AXIS and not is_own
@@ -288,7 +288,7 @@ def _signs(
     )
 
 
-def _needed_margin(evidence: PictureEvidence) -> float:
+def _needed_margin(evidence: FrameEvidence) -> float:
     """Return the margin at which the confidence is a half.
 
     Logs of other rides fit the better, the fewer windows tell of a turn; more so where all

@@ -95,7 +95,7 @@ class Rival:
 
 
 @dataclass(frozen=True, slots=True)
-class PictureEvidence:
+class FrameEvidence:
     """How well the rotation from frames fits that of the gyro.
 
     Attributes:
@@ -177,7 +177,7 @@ class Synchronisation:
             sound comes.
         offset_sigma_s: SD of the error at the middle of what was compared; 0 if unknown.
         drift_sigma_ppm: SD of the error of the clock rate; 0 if unknown.
-        pictures: result of the frames.
+        frames: result of the frames.
         mounting: which mounting they tell.
         second: what another method found, which agrees, or does not.
         unused: why another method found nothing.
@@ -194,7 +194,7 @@ class Synchronisation:
     sound_late_s: float = 0.0
     offset_sigma_s: float = 0.0
     drift_sigma_ppm: float = 0.0
-    pictures: PictureEvidence | None = None
+    frames: FrameEvidence | None = None
     mounting: FoundMounting | None = None
     second: "Synchronisation | None" = None
     unused: Message | str = ""
@@ -208,13 +208,13 @@ class Synchronisation:
     @property
     def is_coarse(self) -> bool:
         """Whether frames count in it that were compared coarsely."""
-        own = self.pictures is not None and self.pictures.is_coarse
+        own = self.frames is not None and self.frames.is_coarse
         return own or (self.second is not None and self.second.is_coarse)
 
     @property
     def is_measured(self) -> bool:
         """Whether its method has a confidence of its own."""
-        return self.method in ("pats", "pictures")
+        return self.method in ("pats", "frames")
 
     def media_s(self, log_s: float) -> float:
         """Return the media time of a time of the log."""
@@ -241,7 +241,7 @@ class Synchronisation:
             "sound_late_s": self.sound_late_s,
             "offset_sigma_s": round(self.offset_sigma_s, 6),
             "drift_sigma_ppm": round(self.drift_sigma_ppm, 2),
-            "pictures": self.pictures.described() if self.pictures else None,
+            "frames": self.frames.described() if self.frames else None,
             "mounting": self.mounting.described() if self.mounting else None,
             "second": self.second.described() if self.second else None,
             "lag": self.lag.described() if self.lag else None,

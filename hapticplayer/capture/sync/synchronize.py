@@ -96,7 +96,7 @@ def synchronize(
 
 
 def automatic(inputs: SyncInput) -> Synchronisation:
-    """Use a given offset, else the recording's own clock, else pats and pictures."""
+    """Use a given offset, else the recording's own clock, else pats and frames."""
     if inputs.given is not None:
         return by_given_offset(inputs)
     if inputs.own is not None:
@@ -104,12 +104,12 @@ def automatic(inputs: SyncInput) -> Synchronisation:
     if inputs.look is None:
         return by_pats(inputs)
     pats, problem = _tried(by_pats, inputs)
-    pictures, unseen = _tried(by_pictures, inputs)
-    if pats is not None and pictures is not None:
-        return joined_findings(pats, pictures)
-    if pictures is not None:
+    frames, unseen = _tried(by_frames, inputs)
+    if pats is not None and frames is not None:
+        return joined_findings(pats, frames)
+    if frames is not None:
         assert problem is not None
-        return dataclasses.replace(pictures, unused=problem.what)
+        return dataclasses.replace(frames, unused=problem.what)
     assert unseen is not None
     if pats is not None:
         return dataclasses.replace(pats, unused=unseen.what)
@@ -136,51 +136,47 @@ def _with_both_reasons(unheard: InputError, unseen: InputError) -> InputError:
     return InputError(what, where=unheard.where, remedy=remedy)
 
 
-def joined_findings(
-    pats: Synchronisation, pictures: Synchronisation
-) -> Synchronisation:
-    """Return one result: where both agree the pictures', if they are certain."""
-    if pictures.pictures is None:
+def joined_findings(pats: Synchronisation, frames: Synchronisation) -> Synchronisation:
+    """Return one result: where both agree the frames', if they are certain."""
+    if frames.frames is None:
         return dataclasses.replace(pats, unused=NO_FIT)
     if not pats.pats:
-        return dataclasses.replace(pictures, unused=NO_PATS)
-    likelier, other = pictures, pats
-    if pats.clock_map.confidence > pictures.clock_map.confidence:
-        likelier, other = pats, pictures
-    if agree(pats, pictures):
-        doubt = (1.0 - pats.clock_map.confidence) * (
-            1.0 - pictures.clock_map.confidence
-        )
-        if pictures.is_confident and not (pictures.is_coarse and pats.is_confident):
-            likelier, other = pictures, pats
+        return dataclasses.replace(frames, unused=NO_PATS)
+    likelier, other = frames, pats
+    if pats.clock_map.confidence > frames.clock_map.confidence:
+        likelier, other = pats, frames
+    if agree(pats, frames):
+        doubt = (1.0 - pats.clock_map.confidence) * (1.0 - frames.clock_map.confidence)
+        if frames.is_confident and not (frames.is_coarse and pats.is_confident):
+            likelier, other = frames, pats
         best = likelier
         clock = dataclasses.replace(best.clock_map, confidence=1.0 - doubt)
         found = dataclasses.replace(best, clock_map=clock, pats=pats.pats)
-        return _with_second(found, other, pictures)
-    if pats.is_confident and pictures.is_confident:
+        return _with_second(found, other, frames)
+    if pats.is_confident and frames.is_confident:
         clock = dataclasses.replace(likelier.clock_map, confidence=0.0)
         likelier = dataclasses.replace(likelier, clock_map=clock)
-    return _with_second(likelier, other, pictures)
+    return _with_second(likelier, other, frames)
 
 
 def _with_second(
-    found: Synchronisation, other: Synchronisation, pictures: Synchronisation
+    found: Synchronisation, other: Synchronisation, frames: Synchronisation
 ) -> Synchronisation:
     """Return a result with that of another method, and the mounting of the frames."""
-    return dataclasses.replace(found, second=other, mounting=pictures.mounting)
+    return dataclasses.replace(found, second=other, mounting=frames.mounting)
 
 
-def agree(pats: Synchronisation, pictures: Synchronisation) -> bool:
+def agree(pats: Synchronisation, frames: Synchronisation) -> bool:
     """Whether two results differ by no more than their sigmas allow."""
-    assert pictures.pictures is not None
-    clock = pictures.clock_map
-    log_s = (pictures.pictures.middle_s - clock.offset_s) / clock.rate
-    apart_s = pats.media_s(log_s) - pictures.media_s(log_s)
+    assert frames.frames is not None
+    clock = frames.clock_map
+    log_s = (frames.frames.middle_s - clock.offset_s) / clock.rate
+    apart_s = pats.media_s(log_s) - frames.media_s(log_s)
     since_s = log_s - float(np.mean([pat.felt_s for pat in pats.pats]))
     sigma_s = math.hypot(
         max(pats.offset_sigma_s, _PATS_SIGMA_S),
         1e-6 * pats.drift_sigma_ppm * since_s,
-        pictures.offset_sigma_s,
+        frames.offset_sigma_s,
     )
     return abs(apart_s) <= _MOST_SIGMAS * sigma_s
 
@@ -205,9 +201,9 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
         )
     lag = inputs.lag
     if lag is not None and not lag.is_measured and inputs.look is not None:
-        from hapticplayer.capture.sync.own_clock import by_frames
+        from hapticplayer.capture.sync.own_clock import with_lag_by_frames
 
-        return by_frames(inputs.imu, inputs.own, inputs.look)
+        return with_lag_by_frames(inputs.imu, inputs.own, inputs.look)
     return Synchronisation(
         inputs.own,
         "embedded",
@@ -231,18 +227,18 @@ def by_pats(inputs: SyncInput) -> Synchronisation:
     return _without_skew(found, sound)
 
 
-def by_pictures(inputs: SyncInput) -> Synchronisation:
+def by_frames(inputs: SyncInput) -> Synchronisation:
     """Compare the camera's rotation in the frames with the log's gyro."""
     if inputs.look is None:
-        raise UsageError("the method pictures needs a clip")
+        raise UsageError("the method frames needs a clip")
     from hapticplayer.capture.sync.pictures import (
         refuse_without_gyro,
-        synchronize_pictures,
+        synchronize_frames,
     )
 
     refuse_without_gyro(inputs.imu)
     is_own = inputs.own is not None
-    found = synchronize_pictures(inputs.imu, inputs.look(), is_own=is_own)
+    found = synchronize_frames(inputs.imu, inputs.look(), is_own=is_own)
     lag = inputs.lag
     if lag is None or lag.is_measured or not found.is_confident:
         return found

@@ -43,7 +43,7 @@ def test_frames_propose_a_mounting_that_gravity_allows(
 ):
     found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
     seen = FoundMounting(by_frames, 2.4, "y,-x,z")
-    sync = Synchronisation(ClockMap(4.0), "pictures", mounting=seen)
+    sync = Synchronisation(ClockMap(4.0), "frames", mounting=seen)
     page = wizard.mounting
     page.show_found(dataclasses.replace(found, found=sync))
     assert page.axes == taken

@@ -18,7 +18,7 @@ from app.experimenter.sync_strip import (
     tick_step_s,
 )
 from hapticplayer.capture.clock_lag import FRAMES, ClockLag
-from hapticplayer.capture.sync.result import PictureEvidence, Synchronisation
+from hapticplayer.capture.sync.result import FrameEvidence, Synchronisation
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.import_preview import preview_import
@@ -165,12 +165,12 @@ def test_frames_and_gyro_are_lanes_of_their_own(wizard, ride):
     found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
     times = np.arange(0.0, SECONDS, 1 / 30)
     turns = np.exp(-0.5 * ((times - 12.0) / 0.5) ** 2)
-    seen = PictureEvidence(10.0, 0.94, 3.0, 0.9, 20.0, 0.001, 0.01, 0.002)
+    seen = FrameEvidence(10.0, 0.94, 3.0, 0.9, 20.0, 0.001, 0.01, 0.002)
     sync = Synchronisation(
         ClockMap(4.0, 1.00008, confidence=0.97),
-        "pictures",
+        "frames",
         offset_sigma_s=0.0034,
-        pictures=seen,
+        frames=seen,
     )
     wizard.on_found(
         dataclasses.replace(
@@ -221,8 +221,8 @@ def test_the_lag_of_an_own_clock_is_shown_and_can_be_dragged(wizard, ride):
 
 def test_a_low_window_cuts_no_text_off(wizard, ride, application):
     found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
-    seen = PictureEvidence(10.0, 0.94, 3.0, 0.9, 20.0, 0.001, 0.01, 0.002, "vectors")
-    sync = Synchronisation(ClockMap(4.0, confidence=0.3), "pictures", pictures=seen)
+    seen = FrameEvidence(10.0, 0.94, 3.0, 0.9, 20.0, 0.001, 0.01, 0.002, "vectors")
+    sync = Synchronisation(ClockMap(4.0, confidence=0.3), "frames", frames=seen)
     wizard.on_found(dataclasses.replace(found, found=sync, clip_camera="Cam 5"))
     wizard.go_to(SYNC)
     wizard.resize(940, 540)  # a screen of 1080 lines at 200 %

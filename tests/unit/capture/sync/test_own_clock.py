@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.clock_lag import unstamped
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation, SyncInput
-from hapticplayer.capture.sync.synchronize import by_own_clock, by_pictures
+from hapticplayer.capture.sync.synchronize import by_frames, by_own_clock
 from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import InputError, Message
 from hapticplayer.media.clip_info import probe
@@ -51,15 +51,15 @@ def test_lag_is_measured_and_taken_out(lag_s, rms_radps):
 
 
 @pytest.mark.parametrize(("offset_s", "is_lag"), [(0.02, True), (0.2, False)])
-def test_pictures_measure_the_lag_of_an_own_clock(offset_s, is_lag):
+def test_frames_measure_the_lag_of_an_own_clock(offset_s, is_lag):
     ride = Ride(1)
     inputs = SyncInput(
         ride.log(ClockMap(offset_s)), lambda: None, look=ride.frames, lag=unstamped()
     )
 
-    found = by_pictures(inputs)
+    found = by_frames(inputs)
 
-    assert found.method == "pictures"
+    assert found.method == "frames"
     assert (found.lag is not None) == is_lag
     if found.lag is not None:
         assert found.lag.lag_s == pytest.approx(-offset_s, abs=0.0015)
@@ -140,8 +140,8 @@ def test_lag_of_a_real_hero5_is_measured():
 
     assert found.lag is not None
     assert 1e3 * found.lag.lag_s == pytest.approx(-17.5, abs=3.0)
-    assert found.pictures is not None
-    assert found.pictures.spread_s < 0.002
+    assert found.frames is not None
+    assert found.frames.spread_s < 0.002
     # the second half alone says the same; the camera is calm in the first
     part = frames.select(frames.begin_s > 6.0)
     alone = by_own_clock(inputs._replace(look=lambda: part))

@@ -12,7 +12,7 @@ from hapticplayer.capture.sync.pictures import (
     LONG_S,
     find_mounting,
     spans_to_watch,
-    synchronize_pictures,
+    synchronize_frames,
 )
 from hapticplayer.capture.sync.result import Pat, Synchronisation, SyncInput
 from hapticplayer.capture.sync.synchronize import automatic, joined_findings
@@ -121,12 +121,12 @@ def error_s(found: Synchronisation, clock: ClockMap) -> float:
 def test_offset_is_found_whatever_the_axes(rate_hz, offset_s, drift_ppm, axes) -> None:
     ride, clock = Ride(1), ClockMap(offset_s, 1.0 + 1e-6 * drift_ppm)
 
-    found = synchronize_pictures(ride.log(clock, axes, rate_hz), ride.frames())
+    found = synchronize_frames(ride.log(clock, axes, rate_hz), ride.frames())
 
     assert found.is_confident
     assert abs(error_s(found, clock)) < 0.001
-    assert found.pictures is not None
-    assert found.pictures.explained > 0.95
+    assert found.frames is not None
+    assert found.frames.explained > 0.95
 
 
 def test_clock_rate_of_a_long_clip_is_found() -> None:
@@ -138,7 +138,7 @@ def test_clock_rate_of_a_long_clip_is_found() -> None:
         if f.name != "kind"
     )
 
-    found = synchronize_pictures(
+    found = synchronize_frames(
         ride.log(clock, duration_s=400.0), FrameRotation(*joined)
     )
 
@@ -150,17 +150,17 @@ def test_clock_rate_of_a_long_clip_is_found() -> None:
 def test_rolling_shutter_does_not_bias(read_out_s) -> None:
     ride, clock = Ride(2), ClockMap(1.5)
 
-    found = synchronize_pictures(ride.log(clock), ride.frames(read_out_s, row=-0.2))
+    found = synchronize_frames(ride.log(clock), ride.frames(read_out_s, row=-0.2))
 
     assert abs(error_s(found, clock)) < 0.0012
     assert abs(error_s(found, clock)) < 2.0 * found.offset_sigma_s
-    assert found.pictures is not None
-    assert found.pictures.read_out_s == pytest.approx(read_out_s, abs=0.005)
+    assert found.frames is not None
+    assert found.frames.read_out_s == pytest.approx(read_out_s, abs=0.005)
 
 
 @pytest.mark.parametrize("seed", range(10, 14))
 def test_log_of_another_ride_is_not_believed(seed) -> None:
-    found = synchronize_pictures(Ride(seed).log(ClockMap()), Ride(1).frames())
+    found = synchronize_frames(Ride(seed).log(ClockMap()), Ride(1).frames())
 
     assert found.clock_map.confidence < 0.1
 
@@ -179,7 +179,7 @@ def test_cut_and_gap_do_not_matter() -> None:
         sampling=imu.sampling,
     )
 
-    found = synchronize_pictures(
+    found = synchronize_frames(
         imu, replace(frames, quality=quality, rotation_rad=rotation_rad)
     )
 
@@ -200,7 +200,7 @@ def test_log_of_a_part_of_the_clip_is_believed(span_s) -> None:
         sampling=imu.sampling,
     )
 
-    found = synchronize_pictures(imu, ride.frames())
+    found = synchronize_frames(imu, ride.frames())
 
     assert found.is_confident
     assert abs(error_s(found, clock)) < 0.001
@@ -210,7 +210,7 @@ def test_log_of_a_part_of_the_clip_is_believed(span_s) -> None:
 def test_seconds_of_turning_are_enough_and_tell_no_clock_rate(drift_ppm) -> None:
     ride, clock = Nod(1, 0.5), ClockMap(7.0, 1.0 + 1e-6 * drift_ppm)
 
-    found = synchronize_pictures(ride.log(clock), ride.frames())
+    found = synchronize_frames(ride.log(clock), ride.frames())
 
     assert found.is_confident
     log_s = (5.0 - clock.offset_s) / clock.rate
@@ -223,16 +223,16 @@ def test_slow_film_is_asked_for_its_frame_rate() -> None:
     frames = ride.frames()
     slower = replace(frames, begin_s=frames.begin_s / 1.001, end_s=frames.end_s / 1.001)
 
-    found = synchronize_pictures(ride.log(ClockMap()), slower)
+    found = synchronize_frames(ride.log(ClockMap()), slower)
 
     assert not found.is_confident
-    assert found.pictures is not None
-    assert "ppm" in found.pictures.doubt
-    assert found.pictures.doubt.values["ppm"] == pytest.approx(1000.0, abs=300.0)
+    assert found.frames is not None
+    assert "ppm" in found.frames.doubt
+    assert found.frames.doubt.values["ppm"] == pytest.approx(1000.0, abs=300.0)
 
 
 def test_turning_of_another_ride_is_not_believed() -> None:
-    found = synchronize_pictures(Nod(2, 0.5).log(ClockMap()), Nod(1, 0.5).frames())
+    found = synchronize_frames(Nod(2, 0.5).log(ClockMap()), Nod(1, 0.5).frames())
 
     assert not found.is_confident
 
@@ -242,15 +242,15 @@ def test_same_bend_of_another_ride_is_not_believed(seed) -> None:
     frames = Bend(1).frames()
     near = frames.select((frames.begin_s >= 8.0) & (frames.end_s <= 16.0))
 
-    own = synchronize_pictures(Bend(1).log(ClockMap(2.0)), near)
-    other = synchronize_pictures(Bend(seed).log(ClockMap(2.0)), near)
+    own = synchronize_frames(Bend(1).log(ClockMap(2.0)), near)
+    other = synchronize_frames(Bend(seed).log(ClockMap(2.0)), near)
 
     assert own.is_confident
     assert abs(own.media_s(10.0) - 12.0) < 0.004
-    assert other.pictures is not None
-    assert other.pictures.explained > 0.8
+    assert other.frames is not None
+    assert other.frames.explained > 0.8
     assert not other.is_confident
-    assert "one axis" in other.pictures.doubt
+    assert "one axis" in other.frames.doubt
 
 
 def test_a_bend_is_enough_for_the_own_log_of_a_clip() -> None:
@@ -259,8 +259,8 @@ def test_a_bend_is_enough_for_the_own_log_of_a_clip() -> None:
     noise_rad = np.random.default_rng(6).normal(0.0, 3e-4, near.rotation_rad.shape)
     near = replace(near, rotation_rad=near.rotation_rad + noise_rad)
 
-    one = module.by_pictures(SyncInput(imu, lambda: None, look=lambda: near))
-    own = module.by_pictures(
+    one = module.by_frames(SyncInput(imu, lambda: None, look=lambda: near))
+    own = module.by_frames(
         SyncInput(imu, lambda: None, own=ClockMap(), look=lambda: near)
     )
 
@@ -276,7 +276,7 @@ def test_frames_played_at_another_rate_are_not_believed(slower) -> None:
     begin_s, end_s = slower * frames.begin_s, slower * frames.end_s
     slower = replace(frames, begin_s=begin_s, end_s=end_s)
 
-    assert not synchronize_pictures(ride.log(ClockMap()), slower).is_confident
+    assert not synchronize_frames(ride.log(ClockMap()), slower).is_confident
 
 
 @pytest.mark.parametrize("cut_s", [12.0, 20.0])
@@ -288,11 +288,11 @@ def test_clip_of_which_seconds_were_cut_out_is_not_believed(cut_s) -> None:
     cut = frames.select(kept)
     cut = replace(cut, begin_s=cut.begin_s - earlier_s, end_s=cut.end_s - earlier_s)
 
-    assert synchronize_pictures(ride.log(ClockMap()), frames).is_confident
-    found = synchronize_pictures(ride.log(ClockMap()), cut)
+    assert synchronize_frames(ride.log(ClockMap()), frames).is_confident
+    found = synchronize_frames(ride.log(ClockMap()), cut)
     assert not found.is_confident
-    assert found.pictures is not None
-    assert found.pictures.doubt
+    assert found.frames is not None
+    assert found.frames.doubt
 
 
 def test_mirrored_frames_keep_their_time() -> None:
@@ -300,9 +300,7 @@ def test_mirrored_frames_keep_their_time() -> None:
     frames = ride.frames()
     mirrored = frames.rotation_rad * np.array([1.0, -1.0, -1.0])
 
-    found = synchronize_pictures(
-        ride.log(clock), replace(frames, rotation_rad=mirrored)
-    )
+    found = synchronize_frames(ride.log(clock), replace(frames, rotation_rad=mirrored))
 
     # as if the logger were turned over: gravity has to say that it was not
     assert abs(error_s(found, clock)) < 0.001
@@ -315,13 +313,13 @@ def test_still_camera_or_no_gyro_is_refused() -> None:
     no_gyro = replace(imu, angular_rate_radps=np.zeros((len(imu), 3)))
 
     with pytest.raises(InputError, match=r"only 0\.00 s of the video, at least 5 s"):
-        synchronize_pictures(imu, blind)
+        synchronize_frames(imu, blind)
     with pytest.raises(InputError, match="no angular rate"):
-        synchronize_pictures(no_gyro, frames)
+        synchronize_frames(no_gyro, frames)
     still = replace(
         frames, rotation_rad=np.random.default_rng(3).normal(0, 1e-4, (len(frames), 3))
     )
-    assert not synchronize_pictures(imu, still).is_confident
+    assert not synchronize_frames(imu, still).is_confident
 
 
 def test_long_clips_are_looked_at_in_parts() -> None:
@@ -348,7 +346,7 @@ def test_mounting_is_found(axes) -> None:
 def test_mounting_is_told_when_synchronising() -> None:
     ride, clock = Ride(4), ClockMap(-3.0, 1.00003)
 
-    found = synchronize_pictures(ride.log(clock, "-x,z,y"), ride.frames())
+    found = synchronize_frames(ride.log(clock, "-x,z,y"), ride.frames())
 
     assert found.mounting is not None
     assert found.mounting.axes == "-x,z,y"
@@ -383,37 +381,37 @@ def by_pats(offset_s: float, confidence: float) -> Synchronisation:
 
 
 @pytest.fixture(scope="module")
-def pictures() -> Synchronisation:
+def found_by_frames() -> Synchronisation:
     ride = Ride(1)
-    return synchronize_pictures(ride.log(ClockMap(1.0)), ride.frames())
+    return synchronize_frames(ride.log(ClockMap(1.0)), ride.frames())
 
 
 def with_confidence(found: Synchronisation, confidence: float) -> Synchronisation:
     return replace(found, clock_map=replace(found.clock_map, confidence=confidence))
 
 
-def test_agreement_raises_the_confidence(pictures) -> None:
-    first = with_confidence(pictures, 0.7)
+def test_agreement_raises_the_confidence(found_by_frames) -> None:
+    first = with_confidence(found_by_frames, 0.7)
 
     both = joined_findings(by_pats(1.004, 0.6), first)
 
     assert both.clock_map.confidence == pytest.approx(0.88)
-    assert both.method == "pictures"
+    assert both.method == "frames"
     assert len(both.pats) == 3
     assert both.clock_map.offset_s == first.clock_map.offset_s
     assert both.mounting == first.mounting
 
 
-def test_doubtful_frames_only_support_the_pats(pictures) -> None:
-    both = joined_findings(by_pats(1.004, 0.8), with_confidence(pictures, 0.3))
+def test_doubtful_frames_only_support_the_pats(found_by_frames) -> None:
+    both = joined_findings(by_pats(1.004, 0.8), with_confidence(found_by_frames, 0.3))
 
     assert both.method == "pats"
     assert both.clock_map.offset_s == 1.004
     assert both.clock_map.confidence == pytest.approx(0.86)
 
 
-def test_certain_ones_that_differ_are_a_question(pictures) -> None:
-    both = joined_findings(by_pats(1.1, 0.9), pictures)
+def test_certain_ones_that_differ_are_a_question(found_by_frames) -> None:
+    both = joined_findings(by_pats(1.1, 0.9), found_by_frames)
 
     assert not both.is_confident
     assert both.second is not None
@@ -421,19 +419,21 @@ def test_certain_ones_that_differ_are_a_question(pictures) -> None:
 
 
 @pytest.mark.parametrize(
-    ("pats_sure", "pictures_sure", "taken"),
-    [(0.9, 0.2, "pats"), (0.2, 0.9, "pictures"), (0.1, 0.3, "pictures")],
+    ("pats_sure", "frames_sure", "taken"),
+    [(0.9, 0.2, "pats"), (0.2, 0.9, "frames"), (0.1, 0.3, "frames")],
 )
-def test_the_certain_one_is_taken(pictures, pats_sure, pictures_sure, taken) -> None:
-    other = with_confidence(pictures, pictures_sure)
+def test_the_certain_one_is_taken(
+    found_by_frames, pats_sure, frames_sure, taken
+) -> None:
+    other = with_confidence(found_by_frames, frames_sure)
 
     found = joined_findings(by_pats(7.0, pats_sure), other)
 
     assert found.method == taken
-    assert found.is_confident == (max(pats_sure, pictures_sure) > 0.5)
+    assert found.is_confident == (max(pats_sure, frames_sure) > 0.5)
 
 
-def test_auto_uses_what_there_is(pictures, monkeypatch) -> None:
+def test_auto_uses_what_there_is(found_by_frames, monkeypatch) -> None:
     imu = Ride(1).log(ClockMap(1.0))
 
     def missing() -> object:
@@ -441,7 +441,7 @@ def test_auto_uses_what_there_is(pictures, monkeypatch) -> None:
 
     frames = Ride(1).frames()
     found = automatic(SyncInput(imu, missing, look=lambda: frames))
-    assert found.method == "pictures"
+    assert found.method == "frames"
     assert found.is_confident
 
     monkeypatch.setattr(module, "by_pats", lambda _inputs: by_pats(2.0, 0.9))
@@ -461,10 +461,10 @@ def test_auto_uses_what_there_is(pictures, monkeypatch) -> None:
         automatic(SyncInput(imu, missing, look=dark))
 
 
-def test_a_doubt_tells_of_both_methods(pictures, monkeypatch) -> None:
-    imu, doubtful = Ride(1).log(ClockMap(1.0)), with_confidence(pictures, 0.3)
-    seen = replace(doubtful.pictures, doubt="was the video cut?")
-    doubtful = replace(doubtful, pictures=seen)
+def test_a_doubt_tells_of_both_methods(found_by_frames, monkeypatch) -> None:
+    imu, doubtful = Ride(1).log(ClockMap(1.0)), with_confidence(found_by_frames, 0.3)
+    seen = replace(doubtful.frames, doubt="was the video cut?")
+    doubtful = replace(doubtful, frames=seen)
 
     def dark() -> FrameRotation:
         raise InputError("too dark")
@@ -478,7 +478,7 @@ def test_a_doubt_tells_of_both_methods(pictures, monkeypatch) -> None:
     assert "pats are uncertain" in words
     assert "the gyro explains 99%" in words
     assert "was the video cut?" in words
-    nowhere = replace(doubtful, pictures=None)
+    nowhere = replace(doubtful, frames=None)
     words = uncertainty(joined_findings(by_pats(7.0, 0.4), nowhere), "ride.mp4")
     assert "fits the log nowhere" in words
     no_pats = replace(by_pats(7.0, 0.0), pats=())
@@ -492,21 +492,21 @@ def test_a_log_without_a_gyro_is_refused_at_once() -> None:
     no_gyro = replace(imu, angular_rate_radps=np.zeros((len(imu), 3)))
 
     with pytest.raises(InputError, match=r"no angular rate.*--sync pats"):
-        module.by_pictures(SyncInput(no_gyro, lambda: None, look=pytest.fail))
+        module.by_frames(SyncInput(no_gyro, lambda: None, look=pytest.fail))
 
 
-def test_coarse_frames_are_less_certain(pictures) -> None:
+def test_coarse_frames_are_less_certain(found_by_frames) -> None:
     ride, clock = Ride(1), ClockMap(1.0)
     frames = replace(ride.frames(), kind=FeatureKind.VECTORS)
 
-    found = synchronize_pictures(ride.log(clock), frames)
+    found = synchronize_frames(ride.log(clock), frames)
 
     assert found.is_confident
     assert found.is_coarse
-    assert found.clock_map.confidence < 0.85 * pictures.clock_map.confidence
-    assert found.offset_sigma_s > 1.8 * pictures.offset_sigma_s
-    assert found.described()["pictures"]["kind"] == "vectors"
-    assert not pictures.is_coarse
+    assert found.clock_map.confidence < 0.85 * found_by_frames.clock_map.confidence
+    assert found.offset_sigma_s > 1.8 * found_by_frames.offset_sigma_s
+    assert found.described()["frames"]["kind"] == "vectors"
+    assert not found_by_frames.is_coarse
     # pats that are as certain are the more exact ones
     both = joined_findings(by_pats(1.004, 0.9), found)
     assert both.mounting is not None
@@ -514,9 +514,9 @@ def test_coarse_frames_are_less_certain(pictures) -> None:
     assert both.clock_map.confidence > 0.97
     assert both.is_coarse
     doubtful = joined_findings(by_pats(1.004, 0.3), found)
-    assert doubtful.method == "pictures"
+    assert doubtful.method == "frames"
 
 
-def test_pictures_need_a_clip() -> None:
+def test_frames_need_a_clip() -> None:
     with pytest.raises(UsageError, match="needs a clip"):
-        module.by_pictures(SyncInput(Ride(1).log(ClockMap()), lambda: None))
+        module.by_frames(SyncInput(Ride(1).log(ClockMap()), lambda: None))

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.capture.mounting import axes_matrix
-from hapticplayer.capture.sync.pictures import synchronize_pictures
+from hapticplayer.capture.sync.pictures import synchronize_frames
 from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ImuLog
@@ -87,7 +87,7 @@ def test_log_of_a_ride_is_synchronised_coarsely(ride_film) -> None:
     rate = trajectory.mean_rate_radps(ride_s, step_s) @ axes_matrix("y,-x,z")
     imu = ImuLog(ride_s - begin_s - offset_s, np.zeros_like(rate), rate)
 
-    found = synchronize_pictures(imu, by_vectors(ride_film("horse", begin_s, RIDE_S)))
+    found = synchronize_frames(imu, by_vectors(ride_film("horse", begin_s, RIDE_S)))
 
     assert found.is_confident
     error_s = found.media_s(RIDE_S / 2 - offset_s) - RIDE_S / 2

@@ -9,7 +9,7 @@ from scipy.signal import butter, sosfiltfilt
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.capture.mounting import axes_matrix
-from hapticplayer.capture.sync.pictures import synchronize_pictures
+from hapticplayer.capture.sync.pictures import synchronize_frames
 from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import Cancelled, InputError
 from hapticplayer.media.encode import write_clip
@@ -148,7 +148,7 @@ def test_log_of_a_ride_is_laid_over_its_film(ridden) -> None:
     rate = trajectory.mean_rate_radps(ride_s, step_s) @ axes_matrix("y,-x,z")
     imu = ImuLog(ride_s - begin_s - offset_s, np.zeros_like(rate), rate)
 
-    found = synchronize_pictures(imu, ridden("horse")[0])
+    found = synchronize_frames(imu, ridden("horse")[0])
 
     assert found.is_confident
     assert found.clock_map.offset_s == pytest.approx(offset_s, abs=0.0035)
