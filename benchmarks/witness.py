@@ -1,124 +1,166 @@
-"""Independent witnesses of what the machine took from a measurement.
+"""Independent witnesses of what the machine took from a measurement or a test.
 
-A 1 kHz sleeper of the highest priority on each core tells when that core stalled;
-the kernel's account of each thread tells which processes were ready and had no core.
+A sleeper of the highest priority on each core tells when that core stalled; a process
+that reads the kernel's account of each thread tells which were ready and had no core.
 """
 
 import contextlib
-import itertools
 import mmap
 import os
 import subprocess
 import sys
 import time
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 PERIOD_S, STALL_S = 0.001, 0.001
 SENTINEL_PRIORITY = 99
-MOST_STALLS = 200_000
-_BYTES = 8 * (1 + 2 * MOST_STALLS)
-ACCOUNT_PERIOD_S, FIND_EVERY_S = 0.04, 1.0
+ACCOUNT_PERIOD_S, FIND_EVERY_S = 0.04, 0.2
 ACCOUNT_PRIORITY = 50  # below every loop, above whatever starves others
+MOST_ROWS = 200_000
 Stall = tuple[float, float]
 """Monotonic time of the missed wake-up, and how late it was, s."""
+Wait = tuple[float, float, float]
+"""A span of monotonic time, and how long a thread had no core in it, s."""
 
 
-class Sentinel:
-    """The stalls seen so far by the sleepers on all cores."""
+class Rows:
+    """Rows of numbers in a file in memory: one process appends, another reads."""
 
-    def __init__(self, blocks: Sequence[mmap.mmap]) -> None:
-        self._blocks = blocks
-        self._seen: list[list[Stall]] = [[] for _ in blocks]
+    def __init__(self, descriptor: int, width: int) -> None:
+        size = 8 * (1 + width * MOST_ROWS)
+        os.ftruncate(descriptor, size)
+        self._values = memoryview(mmap.mmap(descriptor, size)).cast("d")
+        self._width, self._read = width, 0
 
-    def by_core(self) -> list[list[Stall]]:
-        """Return the stalls of each core in the order of time."""
-        for block, seen in zip(self._blocks, self._seen, strict=True):
-            values = memoryview(block)[:_BYTES].cast("d")
-            for k in range(len(seen), int(values[0])):
-                seen.append((values[1 + 2 * k], values[2 + 2 * k]))
-        return self._seen
+    def append(self, *row: float) -> None:
+        """Rows beyond `MOST_ROWS` are dropped."""
+        count = int(self._values[0])
+        if count < MOST_ROWS:
+            for column, value in enumerate(row):
+                self._values[1 + self._width * count + column] = value
+            self._values[0] = count + 1
+
+    def new(self) -> list[Any]:
+        """The rows that came since the last call."""
+        before, self._read = self._read, int(self._values[0])
+        starts = range(1 + self._width * before, 1 + self._width * self._read)
+        return [
+            tuple(self._values[k : k + self._width]) for k in starts[:: self._width]
+        ]
+
+
+@dataclass
+class Seen:
+    """What was seen so far, in the order of time.
+
+    Attributes:
+        stalls: of each core.
+        waits: of the thread that waited longest, whichever it was.
+    """
+
+    stalls: list[list[Stall]]
+    waits: list[Wait] = field(default_factory=list)
 
     def summary(self) -> dict[str, float]:
-        """Return how many stalls there were, and the longest."""
-        late_s = [late_s for _, late_s in itertools.chain(*self.by_core())]
+        """How many stalls there were, and the longest."""
+        late_s = [late_s for core in self.stalls for _, late_s in core]
         return {"count": len(late_s), "longest_ms": 1e3 * max(late_s, default=0.0)}
 
     def stalled_s(self, begin_s: float, end_s: float) -> float:
-        """Return for how long the worst core stalled within a span, s."""
+        """For how long the worst core stalled within a span, s."""
+        return max(
+            sum(_common_s((at, at + late), (begin_s, end_s)) for at, late in core)
+            for core in self.stalls
+        )
 
-        def common_s(stall: Stall) -> float:
-            due_s, late_s = stall
-            return max(0.0, min(end_s, due_s + late_s) - max(begin_s, due_s))
+    def waited_s(self, begin_s: float, end_s: float) -> float:
+        """For how long a thread had no core within a span, s."""
+        return sum(
+            min(_common_s((since_s, until_s), (begin_s, end_s)), longest_s)
+            for since_s, until_s, longest_s in self.waits
+        )
 
-        return max(sum(map(common_s, stalls)) for stalls in self.by_core())
+
+def _common_s(one: tuple[float, float], other: tuple[float, float]) -> float:
+    return max(0.0, min(one[1], other[1]) - max(one[0], other[0]))
+
+
+class Witness:
+    """The processes that watch: a sleeper on each core, and an account of threads."""
+
+    def __init__(self, rows: Sequence[Rows]) -> None:
+        *self._cores, self._account = rows
+        self._seen = Seen([[] for _ in self._cores])
+
+    def seen(self) -> Seen:
+        """What was seen since the beginning, or since `forget`."""
+        for stalls, rows in zip(self._seen.stalls, self._cores, strict=True):
+            stalls.extend(rows.new())
+        self._seen.waits += self._account.new()
+        return self._seen
+
+    def forget(self) -> None:
+        """Begin anew."""
+        self.seen()
+        self._seen = Seen([[] for _ in self._cores])
 
 
 @contextlib.contextmanager
-def sentinel() -> Iterator[Sentinel]:
-    """Run a sleeper on each core beside what is measured."""
-    blocks = []
+def machine_witness(period_s: float = PERIOD_S) -> Iterator[Witness]:
+    """Watch this process, those below it and all cores, from beside them."""
+    watches = [["sleep", period_s, core] for core in sorted(os.sched_getaffinity(0))]
     with contextlib.ExitStack() as stack:
-        for core in sorted(os.sched_getaffinity(0)):
-            descriptor = os.memfd_create("sentinel")
+        rows = []
+        for kind, *arguments in [*watches, ["account"]]:
+            descriptor = os.memfd_create("witness")
             stack.callback(os.close, descriptor)
-            os.ftruncate(descriptor, _BYTES)
-            command = [sys.executable, "-S", "-E", __file__, str(descriptor), str(core)]
-            process = subprocess.Popen(command, pass_fds=(descriptor,))
+            rows.append(Rows(descriptor, len(arguments) or 3))
+            command = [sys.executable, "-S", "-E", __file__, kind, descriptor]
+            process = subprocess.Popen(
+                [str(word) for word in (*command, *arguments)], pass_fds=(descriptor,)
+            )
             stack.callback(process.wait)
             stack.callback(process.kill)
-            blocks.append(mmap.mmap(descriptor, _BYTES))
-        yield Sentinel(blocks)
+        yield Witness(rows)
 
 
-def _sleep_and_note(descriptor: int, core: int) -> None:
-    values = memoryview(mmap.mmap(descriptor, _BYTES)).cast("d")
+def _sleep_and_note(rows: Rows, period_s: float, core: int) -> None:
     with contextlib.suppress(OSError):
         os.sched_setaffinity(0, {core})
-        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(SENTINEL_PRIORITY))
-    count, due_s = 0, time.monotonic()
-    while True:
-        due_s += PERIOD_S
+    _ask_for_priority(SENTINEL_PRIORITY)
+    parent, due_s = os.getppid(), time.monotonic()
+    while os.getppid() == parent:
+        due_s += period_s
         time.sleep(max(0.0, due_s - time.monotonic()))
         late_s = time.monotonic() - due_s
-        if late_s > STALL_S and count < MOST_STALLS:
-            values[1 + 2 * count], values[2 + 2 * count] = due_s, late_s
-            count += 1
-            values[0] = count
-            due_s += int(late_s / PERIOD_S) * PERIOD_S
+        if late_s > STALL_S:
+            rows.append(due_s, late_s)
+            due_s += int(late_s / period_s) * period_s
 
 
-class Starved:
-    """When processes below this one, or their threads, were ready and had no core."""
-
-    def __init__(self) -> None:
-        self._spans: list[tuple[float, float, float]] = []  # begin, end, longest wait
-        self._waited: dict[Path, float] = {}
-        self._files: list[Path] = []
-        self._found_s = self._sampled_s = float("-inf")
-        with contextlib.suppress(OSError):
-            policy = os.SCHED_FIFO | os.SCHED_RESET_ON_FORK
-            os.sched_setscheduler(0, policy, os.sched_param(ACCOUNT_PRIORITY))
-
-    def sample(self) -> None:
-        """Note which threads waited since the last call, every `ACCOUNT_PERIOD_S`."""
+def _account(rows: Rows) -> None:
+    """Note which threads of the parent and of all below it waited for a core."""
+    _ask_for_priority(ACCOUNT_PRIORITY)
+    parent, waited, files = os.getppid(), dict[Path, float](), list[Path]()
+    found_s = sampled_s = float("-inf")
+    while os.getppid() == parent:
         now_s = time.monotonic()
-        if now_s > self._found_s + FIND_EVERY_S:
-            self._files, self._found_s = _threads_below(os.getpid()), now_s
-        waited = {file: seconds for file in self._files if (seconds := _waited_s(file))}
-        more_s = [s - self._waited.get(file, s) for file, s in waited.items()]
-        longest_s = max(more_s, default=0.0)
+        if now_s > found_s + FIND_EVERY_S:
+            files, found_s = _threads_of(parent), now_s
+        now = {file: seconds for file in files if (seconds := _waited_s(file))}
+        longest_s = max((s - waited.get(file, s) for file, s in now.items()), default=0)
         if longest_s > 0.1 * ACCOUNT_PERIOD_S:
-            self._spans.append((self._sampled_s, now_s, longest_s))
-        self._waited, self._sampled_s = waited, now_s
+            rows.append(sampled_s, now_s, longest_s)
+        waited, sampled_s = now, now_s
+        time.sleep(ACCOUNT_PERIOD_S)
 
-    def waited_s(self, begin_s: float, end_s: float) -> float:
-        """Return for how long a thread had no core within a span, s."""
-        total_s = 0.0
-        for since_s, until_s, longest_s in self._spans:
-            common_s = min(end_s, until_s) - max(begin_s, since_s)
-            total_s += min(max(0.0, common_s), longest_s)
-        return total_s
+
+def _ask_for_priority(priority: int) -> None:
+    with contextlib.suppress(OSError):
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(priority))
 
 
 def _waited_s(file: Path) -> float:
@@ -128,16 +170,20 @@ def _waited_s(file: Path) -> float:
         return 0.0  # it has ended
 
 
-def _threads_below(pid: int) -> list[Path]:
+def _threads_of(pid: int) -> list[Path]:
     found = []
     with contextlib.suppress(OSError):
         for task in Path(f"/proc/{pid}/task").iterdir():
+            found.append(task / "schedstat")
             for child in (task / "children").read_text().split():
-                threads = Path(f"/proc/{child}/task").iterdir()
-                found += [thread / "schedstat" for thread in threads]
-                found += _threads_below(int(child))
+                if int(child) != os.getpid():
+                    found += _threads_of(int(child))
     return found
 
 
 if __name__ == "__main__":
-    _sleep_and_note(int(sys.argv[1]), int(sys.argv[2]))
+    kind, descriptor, *numbers = sys.argv[1:]
+    if kind == "account":
+        _account(Rows(int(descriptor), 3))
+    else:
+        _sleep_and_note(Rows(int(descriptor), 2), float(numbers[0]), int(numbers[1]))

@@ -20,6 +20,9 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model import quaternions as quat
 from hapticplayer.playback.player import ClipPlayback, Player
 from hapticplayer.sequence.build import Choices, write_sequence
+from tests.realtime import RealTime
+
+pytest_plugins = ("pytester",)
 
 TWO_SCREENS = Path(__file__).parent / "data" / "two_screens.json"
 os.environ["QT_QPA_PLATFORM"] = os.environ.get(
@@ -31,6 +34,10 @@ for _number in (signal.SIGQUIT, signal.SIGHUP):
     signal.signal(_number, signal.SIG_DFL)
 
 SHARED_DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
+
+
+def pytest_configure(config) -> None:
+    config.pluginmanager.register(RealTime())
 
 
 @pytest.hookimpl(wrapper=True)

@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.common import ROOT, Report
-from benchmarks.witness import Sentinel, sentinel
+from benchmarks.witness import Witness, machine_witness
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.media.encode import write_clip
@@ -221,7 +221,7 @@ def material() -> Iterator[tuple[Path, Path]]:
 
 
 def repeat(
-    name: str, count: int, files: tuple[Path, Path], witness: Sentinel
+    name: str, count: int, files: tuple[Path, Path], witness: Witness
 ) -> Iterator[dict[str, float]]:
     """Yield the result of each repetition of a fault."""
     fault, victim = FAULTS[name], None
@@ -233,7 +233,7 @@ def repeat(
             at_s = fault.inject(victim)
             time.sleep(fault.settle_s)
             zero_s = zero_after_s(victim, at_s)
-            stalled_s = witness.stalled_s(at_s, at_s + min(zero_s, 2.0))
+            stalled_s = witness.seen().stalled_s(at_s, at_s + min(zero_s, 2.0))
             result = {"zero_s": zero_s, "stalled_s": stalled_s}
             if name.startswith("GUI"):
                 result["trip_s"] = tripped_after_s(victim, at_s, Cause.HEARTBEAT_LOST)
@@ -278,7 +278,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
     """Repeat every fault."""
     count = options.repetitions or (2 if options.quick else 20)
     rows = []
-    with material() as files, sentinel() as witness:
+    with material() as files, machine_witness() as witness:
         for name in options.only:
             rows.append(judged(name, list(repeat(name, count, files, witness)), report))
             print(f"{name}: {count} done", file=sys.stderr)

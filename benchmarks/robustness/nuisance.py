@@ -17,7 +17,6 @@ import os
 import subprocess
 import sys
 import tempfile
-import time
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import asdict
@@ -28,7 +27,7 @@ import numpy as np
 
 from benchmarks.common import ROOT, Report
 from benchmarks.stage import screen, sound_server
-from benchmarks.witness import ACCOUNT_PERIOD_S, Sentinel, Starved, sentinel
+from benchmarks.witness import Seen, machine_witness
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.playback.player import Player
 from tools.reactions import OF_LOAD, Watch
@@ -45,17 +44,15 @@ BEFORE = defaultdict(
 STALE_S = 0.02
 
 
-def judge(
-    seen: dict[str, Any], witness: Sentinel, starved: Starved, *, judge_load: bool
-) -> dict[str, Any]:
+def judge(seen: dict[str, Any], machine: Seen, *, judge_load: bool) -> dict[str, Any]:
     """Return the figures; what the machine explains is counted apart."""
     gaps_s = np.array(seen.pop("gaps_s"))
     del seen["end_s"]
 
     def lost_s(begin_s: float, end_s: float) -> float:
         """Return what stalls of the machine and other programs took."""
-        waited_s = starved.waited_s(begin_s, end_s)
-        return max(witness.stalled_s(begin_s, end_s), waited_s)
+        waited_s = machine.waited_s(begin_s, end_s)
+        return max(machine.stalled_s(begin_s, end_s), waited_s)
 
     for gap in seen["long_gaps"]:
         gap["machine_s"] = lost_s(gap["begin_s"], gap["begin_s"] + gap["gap_s"])
@@ -78,7 +75,7 @@ def judge(
         "gap_ms": {
             k: 1e3 * float(np.quantile(gaps_s, q)) for k, q in quantiles.items()
         },
-        "machine_stalls": witness.summary(),
+        "machine_stalls": machine.summary(),
     }
 
 
@@ -121,19 +118,15 @@ def run(options: argparse.Namespace, report: Report) -> None:
     chosen |= {"quick": quick, "locked": True}
     with (
         stage(is_offscreen=options.offscreen or quick, has_sound=has_sound) as place,
-        sentinel() as witness,
+        machine_witness() as witness,
     ):
         folder, environment = place
         command = window_command(folder, minutes, **chosen)
-        window = subprocess.Popen(command, env=environment, cwd=ROOT)
-        starved = Starved()
-        while window.poll() is None:
-            starved.sample()
-            time.sleep(ACCOUNT_PERIOD_S)
+        window = subprocess.run(command, env=environment, cwd=ROOT, check=False)
         if window.returncode:
             sys.exit(f"the window ended with {window.returncode}")
         seen = json.loads((folder / "seen.json").read_text())
-        figures = judge(seen, witness, starved, judge_load=not quick)
+        figures = judge(seen, witness.seen(), judge_load=not quick)
     show(figures, report)
     if not options.only:
         kinds, share = len(figures["things"]), figures["share_with_force"]

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from benchmarks.common import Report
 from benchmarks.stage import RATE_HZ, need, sound_server
-from benchmarks.witness import sentinel
+from benchmarks.witness import machine_witness
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.scheduling import hasten_window
@@ -175,14 +175,14 @@ def run(options: argparse.Namespace, report: Report) -> None:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         clip = small_clip(folder, seconds)
         os.environ.update(stack.enter_context(sound_server()).environment)
-        witness = stack.enter_context(sentinel())
+        witness = stack.enter_context(machine_witness())
         for _ in range(rounds):
             source, frames = stepping(clip)
             acted, shown, summary = play(source, options.rate)
             these = list(moments(acted, shown, frames))
             steps, missed = steps + len(frames), missed + len(frames) - len(these)
             found += these
-        report.figures["machine_stalls"] = witness.summary()
+        report.figures["machine_stalls"] = witness.seen().summary()
     shown_s = np.array([at_s for at_s, _ in found])
     at_s = {name: np.array([one[name] for _, one in found]) for name in found[0][1]}
     together = np.array(list(at_s.values()))

@@ -31,7 +31,7 @@ from benchmarks.common import ROOT, Report
 from benchmarks.stage import Usage, need, screen, sound_server
 from benchmarks.sync import staging
 from benchmarks.sync.staging import flashes, onsets, watcher
-from benchmarks.witness import sentinel
+from benchmarks.witness import machine_witness
 from hapticplayer.simulation.falcon.record_reader import read_record
 from tools.sound_server import SoundServer
 
@@ -372,7 +372,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
         staging.force_file(folder, LONG_SECONDS if LONG in cases else length_s)
         shown = stack.enter_context(screen(folder))
         sound = stack.enter_context(sound_server())
-        witness = stack.enter_context(sentinel())
+        witness = stack.enter_context(machine_witness())
         environment = {**shown, **sound.environment, "XDG_CONFIG_HOME": str(folder)}
         place = Place(folder, environment, calibrate(folder, environment), sound)
         for case in cases:
@@ -386,7 +386,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
                 ]
             if figures["beeps_while_hung"]:
                 print(f"{case}: beeps while it hung {figures['beeps_while_hung']}")
-        report.figures["machine_stalls"] = witness.summary()
+        report.figures["machine_stalls"] = witness.seen().summary()
     header = ["case", "player", "what", "n", "5 %", "median", "95 %", "|95 %|", "max"]
     report.table("Sync from outside, ms", header, rows)
     print(f"machine stalls {report.figures['machine_stalls']}")
