@@ -1,6 +1,7 @@
 """The files for the desktop: valid by the desktop's own programs, and by each other."""
 
 import configparser
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -23,11 +24,14 @@ def entry(name: str) -> configparser.SectionProxy:
     return parser["Desktop Entry"]
 
 
-def checked(*command) -> None:
+def checked(*command, may_warn=r"^$") -> None:
     if shutil.which(command[0]) is None:
         pytest.skip(f"{command[0]} is not on this machine")
     done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
+    remarks = re.findall(r"^[EW]: .*", done.stdout, re.MULTILINE)
+    forbidden = [one for one in remarks if not re.search(may_warn, one)]
+    is_right = done.returncode == 0 or (remarks and not forbidden)
+    assert is_right, done.stdout + done.stderr
 
 
 @pytest.mark.parametrize("name", ["hapticplayer", "hapticplayer-open"])
@@ -36,7 +40,9 @@ def test_the_desktop_entries_are_valid(name):
 
 
 def test_the_metadata_is_valid():
-    checked("appstreamcli", "validate", "--no-net", str(METADATA))
+    """Newer validators want a homepage, which the program does not have."""
+    command = ("appstreamcli", "validate", "--no-net", str(METADATA))
+    checked(*command, may_warn="url-homepage-missing")
 
 
 def test_the_metadata_names_what_there_is():
