@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 from _pytest.runner import runtestprotocol
 
-from benchmarks.witness import Seen, Witness, machine_witness
 from hapticplayer.haptics.contract import GAP_RAMP_S, HEARTBEAT_RAMP_S
+from tools.witness import Seen, Witness, machine_witness
 
 MOST_RERUNS = 2
 SLEEP_S = 0.005

@@ -2,8 +2,8 @@
 
 import pytest
 
-from benchmarks.witness import Seen
 from tests.realtime import RealTime, fault_of
+from tools.witness import Seen
 
 TRIED = """
     import pytest

@@ -27,12 +27,12 @@ from typing import Any
 import numpy as np
 
 from benchmarks.common import ROOT, Report
-from benchmarks.witness import Witness, machine_witness
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.media.encode import write_clip
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
+from tools.witness import Witness, machine_witness
 
 FORCE_N, READY_FORCE_N, TURN_RADPS, CLIP_S = 4.0, 3.9, 2.0, 600
 ROW_S = 0.01

@@ -27,10 +27,10 @@ import numpy as np
 
 from benchmarks.common import ROOT, Report
 from benchmarks.stage import screen, sound_server
-from benchmarks.witness import Seen, machine_witness
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.playback.player import Player
 from tools.reactions import OF_LOAD, Watch
+from tools.witness import Seen, machine_witness
 
 GRACE_S, QUICK_GRACE_S = 0.3, 15.0
 LEAST_KINDS, LEAST_SHARE, QUICK_LEAST_SHARE = 10, 0.2, 0.02

@@ -22,7 +22,6 @@ from numpy.typing import NDArray
 
 from benchmarks.common import Report
 from benchmarks.stage import RATE_HZ, need, sound_server
-from benchmarks.witness import machine_witness
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.scheduling import hasten_window
@@ -34,6 +33,7 @@ from hapticplayer.playback.source import Source, open_source
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.rig.decode import DecodedPacket
 from hapticplayer.simulation.rig.receiver import PacketReceiver
+from tools.witness import machine_witness
 
 Floats = NDArray[np.float64]
 STEP_FRAMES, HELD_S, EDGE_S, STEP = 13, 0.15, 1e-3, 1.0
