@@ -183,7 +183,7 @@ def test_the_question_that_is_not_answered_comes_into_sight(make_study, sit, qtb
     assert framed == [page.rows[-1]]
 
 
-def test_what_is_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
+def test_a_text_cut_off_in_a_choice_or_a_header_is_found(dressed, qtbot):
     dressed(language="de")
     face = QWidget()
     qtbot.addWidget(face)

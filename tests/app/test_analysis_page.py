@@ -117,7 +117,7 @@ def test_a_study_that_nobody_took_part_in_says_so_in_its_window(
     assert "participant" in report.messages.text()
 
 
-def test_what_cannot_be_analysed_is_told(make_page, wait_for, failures):
+def test_a_study_that_cannot_be_analysed_is_reported(make_page, wait_for, failures):
     def read(_progress):
         raise InputError("there is no participant")
 

@@ -190,7 +190,7 @@ def gateway(calls) -> ErrorGateway:
     )
 
 
-def test_what_the_engine_refuses_is_shown_as_it_is(gateway, calls):
+def test_a_refusal_of_the_engine_is_shown_as_it_is(gateway, calls):
     gateway.report(InputError("is broken", where="clip.mp4", remedy="copy it again"))
     assert calls == [("show", "clip.mp4: is broken; copy it again")]
 

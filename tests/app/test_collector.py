@@ -43,7 +43,7 @@ def test_rings_are_freed_on_the_windows_thread_and_on_no_other(collector, wait_f
     assert freed_in == [threading.get_ident()]
 
 
-def test_what_lived_long_is_freed_by_the_full_collection(collector, monkeypatch):
+def test_old_garbage_is_freed_by_the_full_collection(collector, monkeypatch):
     monkeypatch.setattr(module, "FULL_EVERY", 4)
     ring = Ring()
     gone = weakref.ref(ring)

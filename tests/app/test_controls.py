@@ -150,7 +150,7 @@ def test_a_picture_is_shown_under_the_pointer(playing, wait_for, qtbot):
     assert not thumbs.tip.isVisible()
 
 
-def test_what_was_opened_is_listed_and_goes_on_where_it_was_left(
+def test_opened_clips_are_listed_and_resume_where_they_were_left(
     make_window, sequence, settings, wait_for, monkeypatch
 ):
     monkeypatch.setattr(history, "FROM_START_S", 0.5)

@@ -155,7 +155,7 @@ def test_every_property_of_both_interfaces_can_be_read(mpris, ask):
         assert f'"{name}"' in player
 
 
-def test_it_vanishes_from_the_bus_for_a_study(mpris, bus, wait_for):
+def test_the_player_vanishes_from_the_bus_for_a_study(mpris, bus, wait_for):
     assert bus.interface().isServiceRegistered(NAME).value()
     mpris.switch(is_on=False)
     wait_for(lambda: not bus.interface().isServiceRegistered(NAME).value())

@@ -24,7 +24,7 @@ def page(application, qtbot):
     made.reject()
 
 
-def test_it_waits_for_a_person_and_says_how_to_stop(page):
+def test_a_demonstration_waits_for_a_person_and_says_how_to_stop(page):
     assert not page.is_running
     assert "Esc" in page.text.text()
     assert page.start_button.isEnabled()
@@ -52,7 +52,7 @@ def test_each_force_is_announced_while_it_is_made(page, wait_for, monkeypatch):
 
 
 @pytest.mark.parametrize("way", ["stop", "escape", "close"])
-def test_it_is_stopped_at_once_and_lets_go_of_the_device(page, wait_for, way):
+def test_a_demonstration_stops_at_once_and_releases_the_device(page, wait_for, way):
     page.start_button.click()
     wait_for(lambda: "right" in page.text.text())
     player = page.force_player

@@ -57,7 +57,9 @@ def test_the_picture_follows_from_the_record(application, qtbot):
 
 
 @pytest.mark.parametrize("name", ["falcon", "rig", "wheel", "rumble"])
-def test_it_moves_with_what_is_sent_and_comes_back_to_rest(application, qtbot, name):
+def test_a_device_picture_moves_with_its_force_and_comes_to_rest(
+    application, qtbot, name
+):
     picture = DevicePicture()
     qtbot.addWidget(picture)
     picture.set_record(RECORDS[name])

@@ -115,7 +115,7 @@ def test_a_drag_is_one_step_and_none_where_it_leads_back(qapp):
     assert document.stack.isClean()
 
 
-def test_what_was_saved_is_never_merged_into(qapp):
+def test_a_saved_edit_is_never_merged_into(qapp):
     first = Effect("mute", 1.0, 2.0)
     document = Document(EffectList((first,)))
     document.change(EffectList((edits.moved(first, 0.1, 9.0),)), "Move", "keys")

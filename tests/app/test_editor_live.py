@@ -129,7 +129,7 @@ def test_of_several_edits_the_last_is_rendered(application, folder, qtbot):
     live.close()
 
 
-def test_what_cannot_be_rendered_is_told_of(application, qtbot):
+def test_a_track_that_cannot_be_rendered_is_reported(application, qtbot):
     class Broken:
         def track(self, _effects):
             raise InputError("the motion track is empty")

@@ -61,7 +61,7 @@ def frame_level(page) -> float:
     return image.pixelColor(image.width() // 2, image.height() // 2).red()
 
 
-def test_it_shows_force_effects_and_the_frame_at_the_cursor(
+def test_the_editor_shows_force_effects_and_frame_at_the_cursor(
     make_page, folder, wait_for
 ):
     page = make_page(folder)
@@ -144,7 +144,7 @@ def test_space_plays_and_escape_stops_before_it_closes(make_page, folder, wait_f
 
 
 @pytest.mark.realtime
-def test_what_plays_is_felt_and_escape_ends_it(make_page, folder, wait_for):
+def test_a_playing_force_is_felt_and_escape_ends_it(make_page, folder, wait_for):
     page = make_page(folder, "simulated")
     player = page.playing.session.player
     wait_for(lambda: player.snapshot().tick is not None)
@@ -190,7 +190,7 @@ def test_menu_and_library_open_it(window, source, folder, wait_for):
     ("kept", "gain"),
     [({}, 1.0), ({"volume": 50}, 0.125), ({"volume": 50, "muted": True}, 0.0)],
 )
-def test_it_is_as_loud_as_the_window(make_page, folder, settings, kept, gain):
+def test_the_editor_is_as_loud_as_the_window(make_page, folder, settings, kept, gain):
     for name, value in kept.items():
         settings.keep(name, value)
     player = make_page(folder).playing.session.player

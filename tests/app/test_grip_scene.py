@@ -43,7 +43,7 @@ def test_from_the_users_place_right_is_right_and_up_is_up():
     assert y_px < y0_px  # pixels count downwards
 
 
-def test_what_comes_towards_the_user_grows_as_perspective_says():
+def test_a_grip_towards_the_user_grows_as_perspective_says():
     view = projection()
     for z_m in (-0.03, 0.01, 0.03):
         grown = view.px_per_m((0, 0, z_m)) / view.px_per_m((0, 0, 0))

@@ -331,7 +331,7 @@ def settle(view: GripView) -> None:
     QTest.qWait(1)
 
 
-def test_what_looks_the_same_is_not_painted_again(view):
+def test_an_unchanged_grip_is_not_painted_again(view):
     view.show_grip(ACTIVE)
     settle(view)
     assert view.paintings == 1

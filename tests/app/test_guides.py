@@ -38,7 +38,7 @@ def words(tmp_path_factory) -> set[str]:
 
 
 @pytest.mark.parametrize("name", WITH_WORDS)
-def test_what_a_guide_sets_in_italics_is_in_the_program(words, name):
+def test_words_in_italics_in_a_guide_are_in_the_program(words, name):
     guide = GUIDES[f"{name}.md"]
     named = [part for text in named_in(guide) for part in text.split(" > ")]
     assert named

@@ -116,7 +116,7 @@ def test_all_is_well():
         ({"device_health": Health.GONE}, 2, Level.NEUTRAL, "\u2013"),
     ],
 )
-def test_what_is_not_well_is_said(changes, entry, level, words):
+def test_an_unhealthy_entry_says_why(changes, entry, level, words):
     found_level, text = shown(**changes)[entry]
     assert found_level is level
     assert words in text
@@ -139,7 +139,7 @@ def test_entries_keep_their_width_when_the_values_change(line):
 
 
 @pytest.mark.parametrize("more_px", [12, 40, 600])
-def test_what_is_long_takes_its_room_from_what_says_little(line, more_px):
+def test_a_long_entry_takes_its_room_from_short_ones(line, more_px):
     loop = LoopStats(10_000, 88, 1.0, 188.0, 1e3, 1e3)
     show(line, loop=loop, force_minus_audio=None)
     margins = line.layout().contentsMargins()

@@ -26,7 +26,7 @@ def enter(field, value_ms):
     field.number.editingFinished.emit()
 
 
-def test_what_is_entered_is_kept_at_once_and_told(field, tmp_path):
+def test_an_entered_latency_is_kept_and_announced_at_once(field, tmp_path):
     field.follow("rumble")
     assert shown(field) == (15.0, "assumed, as is typical")
     field.number.editingFinished.emit()  # nothing was entered
@@ -60,7 +60,7 @@ def test_a_test_measures_what_nobody_has_entered(field):
     assert shown(field) == (5.0, "entered")
 
 
-def test_what_its_settings_say_is_not_changed_here(field):
+def test_a_latency_of_the_settings_is_not_changed_here(field):
     field.follow("rig:outsim,latency_ms=40")
     assert shown(field) == (40.0, "entered in its settings")
     assert not field.number.isEnabled()
@@ -69,7 +69,7 @@ def test_what_its_settings_say_is_not_changed_here(field):
     assert field.number.isEnabled()
 
 
-def test_what_is_entered_on_the_page_is_compensated(make_window, wait_for):
+def test_a_latency_entered_on_the_page_is_compensated(make_window, wait_for):
     window = make_window("none")
     window.player.set_outlets(["rumble"])
     (outlet,) = window.player.snapshot().outlets

@@ -159,7 +159,7 @@ def test_on_a_device_the_force_is_gentle_and_escape_ends_it(make_page, wait_for)
     assert last.tick["force_n"].tolist() == [0.0, 0.0, 0.0]
 
 
-def test_what_is_used_is_kept_for_its_output_and_played_with(
+def test_a_used_latency_is_kept_for_its_output_and_played_with(
     window, qtbot, settings, wait_for
 ):
     page = LatencyPage(SystemClock(), "none", settings, partial(player_of))

@@ -45,7 +45,7 @@ def titles(page) -> list[str]:
     return [item.text().split("\n")[0] for item in shown if not item.isHidden()]
 
 
-def test_it_shows_titles_durations_and_pictures(page, wait_for):
+def test_the_library_shows_titles_durations_and_frames(page, wait_for):
     assert titles(page) == ["Bicycle in the park", "c", "Horse at a gallop"]
     assert "00:02.0" in page.list.item(0).text()
     empty = page.list.item(0).icon().cacheKey()
@@ -146,7 +146,7 @@ def test_a_sequence_is_opened_from_the_window(window, library, settings, wait_fo
     assert window.player.snapshot().source.path == library / "b"
 
 
-def test_what_cannot_be_played_is_not_called_doubtful(page):
+def test_an_unplayable_sequence_is_not_called_doubtful(page):
     page.list.setCurrentRow(1)  # the damaged folder
     shown = page.details.report.toPlainText()
     assert "cannot be played" in shown

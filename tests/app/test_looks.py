@@ -136,7 +136,7 @@ def test_no_step_makes_the_whole_window(shown, wait_for):
     assert turns.count(before) >= 8
 
 
-def test_what_was_opened_meanwhile_is_in_the_new_window(shown, clip, wait_for):
+def test_a_clip_opened_meanwhile_is_in_the_new_window(shown, clip, wait_for):
     shown.remake()
     shown.window.session.open_path(clip)
     wait_for(lambda: not shown.is_remaking)

@@ -73,7 +73,7 @@ def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, receiver, wa
     assert page.states == {}
 
 
-def test_what_cannot_be_reached_or_is_not_allowed_is_said(window, page):
+def test_an_unreachable_or_forbidden_address_is_named(window, page):
     page.kind.setCurrentIndex(page.kind.findData("rig:beamng"))
     page.address.setText("here")
     page.add()
@@ -200,9 +200,7 @@ def test_any_kind_takes_the_settings_that_it_has(window, page):
     assert page.problem.text() == "Settings are letters, digits and signs"
 
 
-def test_what_is_wrong_with_an_outlet_is_read_whole(
-    dressed, make_window, wait_for, qtbot
-):
+def test_the_problem_of_an_output_is_read_whole(dressed, make_window, wait_for, qtbot):
     dressed(language="de")
     window = make_window()
     window.commands.outlets.trigger()
@@ -253,7 +251,7 @@ def test_escape_and_stop_bring_device_and_outlet_to_rest(
 # --- what is remembered --------------------------------------------------------
 
 
-def test_what_is_chosen_and_muted_is_kept(window, page, receiver, settings, tmp_path):
+def test_chosen_and_muted_outputs_are_kept(window, page, receiver, settings, tmp_path):
     name = add_rig(page, receiver)
     assert outlets_of(settings) == {name: False}
     page.look()

@@ -70,7 +70,7 @@ def shown(page, key):
 
 
 @pytest.mark.parametrize("name", MAPPINGS)
-def test_it_shows_what_is_there_and_changes_nothing(make_page, ride, name):
+def test_the_rendering_page_shows_a_mapping_and_changes_nothing(make_page, ride, name):
     set_mapping(ride, MAPPINGS[name], preset="equal")
     page = make_page(ride)
     chosen, mapping = page.fields.chosen(), open_sequence(ride).mapping

@@ -35,7 +35,7 @@ def test_a_packet_moves_the_platform(panel, wait_for):
     assert panel.state.text() == "outsim: followed"
 
 
-def test_what_is_out_of_reach_is_held_back_and_told(panel, wait_for):
+def test_a_pose_out_of_reach_is_held_back_and_reported(panel, wait_for):
     send(panel, up_mps2=30.0)
     wait_for(lambda: panel.view.is_clamped)
     assert 0.05 < panel.view.pose.up_m < 0.3

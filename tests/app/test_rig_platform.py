@@ -55,7 +55,7 @@ def test_up_is_longer_and_a_nose_up_lifts_the_front():
 
 
 @given(POSES)
-def test_what_is_done_is_reachable_and_as_far_as_the_legs_go(pose):
+def test_a_held_back_pose_is_as_far_as_the_legs_reach(pose):
     done, share = reached(pose)
     assert is_reachable(done)
     assert 0.0 <= share <= 1.0
@@ -66,7 +66,7 @@ def test_what_is_done_is_reachable_and_as_far_as_the_legs_go(pose):
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
-def test_what_is_no_number_is_neutral(bad):
+def test_a_pose_that_is_not_a_number_is_neutral(bad):
     assert reached(PlatformPose(up_m=bad)) == (PlatformPose(), 0.0)
 
 

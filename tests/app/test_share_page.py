@@ -33,7 +33,7 @@ def names(page):
     return [page.table.item(row, 1).text() for row in range(page.table.rowCount())]
 
 
-def test_it_lists_what_is_shared_with_sizes(page, sequence):
+def test_the_share_page_lists_its_files_with_sizes(page, sequence):
     assert page.table.item(0, 0).text() == "Video and sound"
     assert not {*MOTION_FILES} & {*names(page)}
     small = page.table.item(page.table.rowCount() - 1, 2).text()
@@ -47,7 +47,7 @@ def test_it_lists_what_is_shared_with_sizes(page, sequence):
 
 
 @pytest.mark.parametrize("is_mp4", [False, True])
-def test_it_writes_and_says_so(page, tmp_path, qtbot, is_mp4):
+def test_the_share_page_writes_and_says_so(page, tmp_path, qtbot, is_mp4):
     page.two_files.setChecked(is_mp4)
     target = tmp_path / f"ride{page.wanted.ending}"
     with qtbot.waitSignal(page.shared) as shared:

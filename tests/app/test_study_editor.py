@@ -17,11 +17,11 @@ def editor(application, qtbot, tmp_path):
     return made
 
 
-def test_nothing_changes_where_nothing_was_edited(editor):
+def test_an_unedited_study_stays_unchanged(editor):
     assert editor.edited() == json.loads(editor.study.content)
 
 
-def test_what_is_edited_is_kept(editor):
+def test_an_edited_study_is_kept(editor):
     editor.title.setText("My study")
     editor.method.setCurrentIndex(editor.method.findData("williams"))
     editor.folders["bike"].setText("rides/bike")
@@ -38,7 +38,7 @@ def test_what_is_edited_is_kept(editor):
     assert editor.result() == editor.DialogCode.Accepted
 
 
-def test_what_is_wrong_is_reported_and_nothing_is_kept(editor):
+def test_a_wrong_study_is_reported_and_not_kept(editor):
     before = (editor.study.folder / "study.json").read_bytes()
     editor.texts["1", "text", "de"].setText(" ")
     editor.save()

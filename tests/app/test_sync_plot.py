@@ -80,14 +80,14 @@ def test_points_lie_where_the_differences_are(plot, qtbot):
     assert plot.height_of(area, LATE_MS) > area.top()
 
 
-def test_what_lies_beyond_is_held_on_the_edge(plot, qtbot):
+def test_a_value_beyond_the_plot_is_held_on_its_edge(plot, qtbot):
     shown(plot, qtbot).follow(NOW_S, traces_of(measured(400.0), SyncMeter()))
     image, area = plot.grab().toImage(), plot.plot_area()
     place = round(area.right()) - 2, round(area.top())
     assert near(image, *place, theme.AXIS_COLOURS[0])
 
 
-def test_nothing_is_read_or_drawn_while_it_is_hidden(plot, qtbot):
+def test_a_hidden_plot_reads_and_draws_nothing(plot, qtbot):
     asked = []
 
     def traces():

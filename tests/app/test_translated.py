@@ -101,7 +101,7 @@ def test_values_that_are_messages_are_translated_too(application):
 @pytest.mark.parametrize(
     "text", ["", "{0} {{", "not translated: yet {", "is really odd"]
 )
-def test_what_has_no_translation_stays_english(spoken, code, text):
+def test_a_text_without_translation_stays_english(spoken, code, text):
     spoken(code)
     assert translated(text) == text
     assert translated(message_of(DeviceError(text))) == text

@@ -164,7 +164,7 @@ def in_window(surface: VideoSurface) -> np.ndarray:
     return pixels[y : y + height, x : x + width, 2::-1].copy()
 
 
-def test_what_lies_upon_the_frame_stays_there(inner, qtbot):
+def test_a_note_upon_the_frame_stays_there(inner, qtbot):
     note = QLabel(inner)
     note.setAutoFillBackground(True)
     note.setStyleSheet("background: rgb(1, 2, 3)")

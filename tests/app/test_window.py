@@ -91,7 +91,7 @@ def test_no_line_of_the_first_page_is_cut_off(application, qtbot, width_px):
         assert label.height() >= label.heightForWidth(label.width())
 
 
-def test_nothing_is_open_at_first(window):
+def test_a_new_window_has_no_clip_open(window):
     titles = [action.text() for action in window.menuBar().actions()]
     assert titles == ["&File", "&Playback", "&View", "&Study", "&Help"]
     assert window.stage.currentWidget() is window.empty_page

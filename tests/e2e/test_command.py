@@ -34,20 +34,20 @@ def end(body):
 
 
 @pytest.mark.parametrize("status", [0, 3])
-def test_it_tidies_and_leaves_nothing_to_be_taken_apart(status):
+def test_a_command_tidies_before_it_ends(status):
     done = end(f"print('said', end=''); return {status}")
     assert (done.returncode, done.stdout) == (status, "saidtidied\n")
     assert done.stderr == ""
 
 
-def test_what_is_raised_is_told_as_ever():
+def test_an_exception_is_reported_as_python_does():
     done = end("raise KeyError('lost')")
     assert done.returncode == 1
     assert "KeyError: 'lost'" in done.stderr
     assert end("raise SystemExit(2)").returncode == 2
 
 
-def test_it_waits_for_its_threads():
+def test_a_command_waits_for_its_threads():
     thread = "threading.Timer(0.2, print, ['done']).start()"
     done = end(f"import threading; {thread}; return 0")
     assert (done.returncode, done.stdout) == (0, "done\ntidied\n")

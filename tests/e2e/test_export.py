@@ -141,7 +141,7 @@ def test_an_unknown_format_is_a_usage_error_with_choices(record, tmp_path):
     assert not (tmp_path / "x").exists()
 
 
-def test_what_cannot_be_converted_is_refused_and_nothing_is_left(record, tmp_path):
+def test_an_unconvertible_record_is_refused_and_leaves_no_file(record, tmp_path):
     (tmp_path / "dear.csv").write_text("dear")
     (tmp_path / "text").write_text("no record")
     before = sorted(tmp_path.iterdir())
@@ -192,7 +192,7 @@ def test_a_long_record_takes_less_memory_than_it_is_large(long_record, tmp_path)
 
 
 @pytest.mark.realtime
-def test_what_was_played_is_recorded_and_agrees_with_the_log(clip, tmp_path):
+def test_a_played_force_is_recorded_and_agrees_with_the_log(clip, tmp_path):
     force, record, log = (tmp_path / name for name in ("f.csv", "ride", "log"))
     force.write_text("time_s,fx_n,fy_n,fz_n\n0,0.5,-0.25,0\n")
     done = in_process(

@@ -102,7 +102,7 @@ def folder(tmp_path: Path, demo: Path) -> Path:
 
 
 @pytest.mark.parametrize("script", [BY_COMMAND, BY_WINDOW], ids=["command", "window"])
-def test_nothing_else_is_opened_and_nobody_is_called(folder, script):
+def test_a_hostile_file_opens_no_other_file_or_connection(folder, script):
     trace = folder.parent / f"{folder.name}.trace"
     sequences = [path.name for path in folder.glob("sequence-*")]
     watched = "trace=open,openat,openat2,socket,connect"

@@ -64,7 +64,7 @@ def state_of(path):
 
 @pytest.mark.parametrize("foreign", FOREIGN)
 @pytest.mark.parametrize("name", WRITERS)
-def test_what_others_made_is_never_overwritten(tmp_path, write, name, foreign):
+def test_files_of_others_are_never_overwritten(tmp_path, write, name, foreign):
     path = tmp_path / f"target.{name}"
     FOREIGN[foreign](path)
     before = state_of(path)
@@ -75,7 +75,7 @@ def test_what_others_made_is_never_overwritten(tmp_path, write, name, foreign):
 
 
 @pytest.mark.parametrize("name", WRITERS)
-def test_what_we_made_is_overwritten_where_asked_for(tmp_path, write, name):
+def test_files_of_ours_are_overwritten_where_asked_for(tmp_path, write, name):
     path = tmp_path / f"target.{name}"
     assert write(name, path).returncode == 0
     first = state_of(path)

@@ -187,7 +187,7 @@ def test_the_same_recording_gives_the_same_svg(log, tmp_path):
     assert b"not valid" not in first
 
 
-def test_what_is_not_valid_is_shaded(log, tmp_path):
+def test_invalid_samples_are_shaded(log, tmp_path):
     lines = log.read_text().splitlines()
     cells = lines[500].split(",")
     flawed, picture = tmp_path / "flawed.csv", tmp_path / "flawed.svg"
@@ -200,7 +200,7 @@ def test_what_is_not_valid_is_shaded(log, tmp_path):
 
 
 @pytest.mark.parametrize("kind", ["file", "dead link", "folder"])
-def test_what_exists_is_not_drawn_over(log, tmp_path, kind):
+def test_an_existing_file_is_not_drawn_over(log, tmp_path, kind):
     target = tmp_path / "mine.png"
     if kind == "file":
         target.write_text("mine")
@@ -254,11 +254,11 @@ def test_impossible_options_have_status_2(log, arguments):
     ("arguments", "words"),
     [(("--average", "5000"), "rate"), (("--lowpass", "5000"), "cutoff")],
 )
-def test_what_does_not_fit_the_recording_is_refused(log, arguments, words):
+def test_options_that_do_not_fit_the_recording_are_refused(log, arguments, words):
     assert words in refused(hapticplayer("process", log, *arguments))
 
 
-def test_what_holds_no_motion_is_refused(clip, tmp_path):
+def test_a_file_without_motion_is_refused(clip, tmp_path):
     assert "holds no motion telemetry" in refused(hapticplayer("process", clip))
     assert "no such file" in refused(hapticplayer("process", tmp_path / "none.csv"))
     assert "sequence" in refused(hapticplayer("process", tmp_path))

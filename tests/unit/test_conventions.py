@@ -9,6 +9,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 LONG_NAME = re.compile(r"^ *def (test_\w{56,})", re.MULTILINE)
+NOBODY = re.compile(r"^ *def (test_(?:it|what|that|nothing)_\w+)", re.MULTILINE)
 IMPORTED = re.compile(r"^ *(?:from|import) (\w+)", re.MULTILINE)
 PRIVATE = re.compile(r"_[^_]")
 PUBLIC = {"_asdict", "_fields", "_make", "_replace"}
@@ -76,6 +77,10 @@ def test_few_places_reach_into_what_others_keep_private():
 
 def test_no_test_has_a_name_longer_than_60_characters():
     assert not list(found("tests", LONG_NAME))
+
+
+def test_a_test_name_says_what_happens_to_whom():
+    assert not list(found("tests", NOBODY))
 
 
 def test_tests_import_no_benchmark():

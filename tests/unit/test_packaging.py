@@ -194,7 +194,7 @@ def test_the_second_start_sets_nothing_up(machine) -> None:
     assert machine.calls("") == []
 
 
-def test_nothing_missing_leaves_apt_alone(machine) -> None:
+def test_a_complete_machine_leaves_apt_alone(machine) -> None:
     machine.start("run")
 
     assert machine.calls("apt-get") == []
@@ -212,7 +212,7 @@ def test_missing_system_packages_are_installed(machine) -> None:
     )
 
 
-def test_what_only_tests_need_is_installed_for_them_alone(machine) -> None:
+def test_packages_for_tests_are_installed_for_them_alone(machine) -> None:
     machine.lacks(checks="ffmpeg umockdev")
 
     machine.start("run")
@@ -240,7 +240,7 @@ def test_a_package_that_would_remove_others_is_left_out(machine) -> None:
     ]
 
 
-def test_what_tests_need_and_cannot_be_had_is_a_warning(machine) -> None:
+def test_a_missing_package_for_tests_is_a_warning(machine) -> None:
     machine.lacks(checks="ffmpeg")
     (machine.fake / "refuse").touch()
 
@@ -295,7 +295,7 @@ def test_packages_that_cannot_be_fetched_are_fetched_next_time(machine) -> None:
     assert machine.start("run").returncode == 7
 
 
-def test_what_a_killed_set_up_left_is_made_again(machine) -> None:
+def test_an_environment_of_a_killed_set_up_is_made_again(machine) -> None:
     machine.start("run")
     (machine.tree / ".venv" / "unfinished").touch()
     (machine.tree / ".venv" / "stamp-run").unlink()
@@ -323,7 +323,7 @@ def test_a_changed_lock_updates_the_environment_in_place(machine) -> None:
     assert len(machine.calls("--requirement")) == 2
 
 
-def test_what_the_checks_need_satisfies_the_program_too(machine) -> None:
+def test_the_set_up_for_tests_satisfies_the_program_too(machine) -> None:
     machine.start("packaging/setup.sh", "dev")
     (machine.fake / "calls").unlink()
 

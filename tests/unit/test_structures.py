@@ -80,7 +80,7 @@ def test_valid_values_are_typed():
 
 
 @pytest.mark.parametrize("value", [True, "1", None, [], 10**400, -(10**400), 1e999])
-def test_what_is_no_finite_number_is_none(value):
+def test_a_value_that_is_not_a_finite_number_is_none(value):
     assert finite_number(value) is None
 
 

@@ -19,7 +19,7 @@ def rules():
     ]
 
 
-def test_it_comes_before_the_rule_that_gives_uaccess_its_meaning():
+def test_the_rule_comes_before_the_one_that_reads_uaccess():
     assert Path(UDEV_RULE).name < "73-seat-late.rules"
     assert Path(UDEV_RULE).suffix == ".rules"
 

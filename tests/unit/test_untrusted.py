@@ -52,7 +52,9 @@ SPECIAL = [pipe, device, terminal, bound_socket, Path.mkdir, loop]
 
 @pytest.mark.parametrize("make", SPECIAL)
 @pytest.mark.parametrize("take", [open_regular, resolve_regular])
-def test_what_is_no_regular_file_is_refused_at_once(tmp_path, monkeypatch, make, take):
+def test_a_file_that_is_not_regular_is_refused_at_once(
+    tmp_path, monkeypatch, make, take
+):
     monkeypatch.chdir(tmp_path)
     path = Path("given")
     make(path)
@@ -60,7 +62,7 @@ def test_what_is_no_regular_file_is_refused_at_once(tmp_path, monkeypatch, make,
         take(path)
 
 
-def test_what_becomes_a_pipe_before_it_is_opened_is_refused(tmp_path, monkeypatch):
+def test_a_file_that_becomes_a_pipe_before_it_opens_is_refused(tmp_path, monkeypatch):
     path, stat = tmp_path / "given", Path.stat
     path.write_bytes(b"content")
 

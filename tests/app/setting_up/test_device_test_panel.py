@@ -87,7 +87,7 @@ def test_the_forces_of_an_outlet_are_tried_and_it_plays_again(make_window, wait_
     assert states().device == "none"
 
 
-def test_it_leads_on_to_the_forces(make_window, wait_for):
+def test_a_device_test_leads_on_to_the_forces(make_window, wait_for):
     window = make_window("simulated")
     window.commands.set_up_device.trigger()
     window.findChild(SetupPage).forces.click()

@@ -44,7 +44,7 @@ def test_from_power_up_to_a_grip_that_is_followed(make_page, wait_for):
 
 
 @pytest.mark.usefixtures("_undecided")
-def test_it_cannot_be_used_before_it_is_homed(make_page, wait_for):
+def test_a_falcon_cannot_be_used_before_it_is_homed(make_page, wait_for):
     page = make_page()
     wait_for(lambda: page.drawing.view.arrow == 1)
     assert not page.use.isEnabled()
@@ -135,7 +135,7 @@ def test_the_only_falcon_shows_its_number_and_keeps_its_name():
     assert gone[0].name == "falcon:GONE"
 
 
-def test_what_is_plugged_in_is_looked_for_beside_the_window(application, wait_for):
+def test_plugged_devices_are_looked_for_beside_the_window(application, wait_for):
     found = [["B", "A"], ["A"], []]
     plugged = PluggedFalcons(lambda: found.pop(0))
     seen = []

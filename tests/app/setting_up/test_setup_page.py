@@ -58,7 +58,9 @@ def test_every_kind_says_what_it_is_and_how_to_connect_it(make_page):
     assert len({what for what, _ in said.values()}) == len(said) - 2  # one for all rigs
 
 
-def test_what_is_missing_is_said_until_it_is_there(make_page, wait_for, monkeypatch):
+def test_a_missing_requirement_is_named_until_it_is_met(
+    make_page, wait_for, monkeypatch
+):
     monkeypatch.setattr(check_list, "LOOK_MS", 50)
     monkeypatch.setattr(check_list, "MOST_SHARE", 1.0)
     page = make_page("simulated")

@@ -106,7 +106,7 @@ def test_a_repeated_orientation_does_not_matter():
     [{"rms_rad": 0.0}, {"seeds": (1, 2)}, {"payloads": 3}],
     ids=["still", "other motion", "short"],
 )
-def test_what_does_not_tell_changes_nothing(flaw):
+def test_an_indistinct_orientation_changes_nothing(flaw):
     found = recording(0.013, **flaw)
 
     assert found.lag is None

@@ -76,7 +76,7 @@ def test_keys_of_earlier_versions_are_understood(tmp_path):
     ["", "[]", "{", '{"accel-unit": 3}', '{"colour": "red"}', "[" * 60_000,
      json.dumps({"axes": "x" * 70_000}), "null"],
 )  # fmt: skip
-def test_what_is_no_template_is_refused(tmp_path, content):
+def test_a_file_that_is_not_a_template_is_refused(tmp_path, content):
     template = tmp_path / "mine.json"
     template.write_text(content)
     with pytest.raises(InputError, match=r"not a template|not valid JSON|is too large"):

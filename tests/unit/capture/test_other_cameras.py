@@ -80,7 +80,7 @@ def test_axes_are_asked_for(camera):
         ("half", "only 50% of its samples are whole"),
     ],
 )
-def test_what_goes_wrong_in_the_library_is_one_sentence(camera, kind, reason):
+def test_a_failure_of_the_library_is_one_sentence(camera, kind, reason):
     camera.write_text(kind)
     with pytest.raises(TelemetryError, match=reason) as caught:
         read_other_camera(camera, AXES)
@@ -108,7 +108,7 @@ def test_answers_that_are_none_are_refused(camera, script):
         read_other_camera(camera, AXES, command=command)
 
 
-def test_nothing_is_left_of_the_copy(camera, tmp_path, monkeypatch):
+def test_the_scratch_copy_is_removed(camera, tmp_path, monkeypatch):
     scratch = tmp_path / "scratch"
     scratch.mkdir()
     monkeypatch.setattr("tempfile.tempdir", str(scratch))

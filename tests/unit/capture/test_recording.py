@@ -47,7 +47,7 @@ def test_log_is_recognised_and_its_clock_is_open(tmp_path):
     assert recording.notes == ()
 
 
-def test_what_was_repaired_is_noted(tmp_path):
+def test_repaired_samples_are_noted(tmp_path):
     path = tmp_path / "log.csv"
     rows = [f"{n / 100},0,0,9.8{n % 3},0,0,0.0{n % 2}" for n in range(50)]
     rows[7] = "0.07,,,,0,0,0"

@@ -214,7 +214,7 @@ def test_integers_beyond_float64_are_subtracted_exactly():
      (b"1,2,3\n" * 50 + b"oops\n" * 9, "9 damaged lines"),
      (b"7" * 5_000_000, "line 1: is longer than 4096 characters")],
 )  # fmt: skip
-def test_what_is_no_table_is_refused(text, sentence):
+def test_text_that_is_not_a_table_is_refused(text, sentence):
     with pytest.raises(InputError, match=sentence):
         rows(text)
 

@@ -158,7 +158,7 @@ def test_an_installed_device_is_offered_everywhere(install, capsys, qapp):
 
 
 @pytest.mark.parametrize("device", ["simulated", "rig:outsim", "wheel:event5,axis=y"])
-def test_what_a_device_can_do_is_printed(capsys, device):
+def test_capabilities_of_a_device_are_printed(capsys, device):
     assert cli.main(["device", "info", "--device", device]) == 0
     said = capsys.readouterr().out
     assert "latency_s" in said

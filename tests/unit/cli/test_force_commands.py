@@ -97,7 +97,7 @@ def test_a_file_that_the_loader_refuses_is_told(capsys, tmp_path):
         (["import-force", "away.csv", "{folder}"], 1, "no such file"),
     ],
 )
-def test_what_cannot_be_done_is_one_sentence(
+def test_an_impossible_command_is_refused_in_one_sentence(
     words, status, says, sequence_folder, capsys, tmp_path, monkeypatch
 ):
     monkeypatch.chdir(tmp_path)

@@ -42,7 +42,7 @@ def test_the_first_device_leads_and_the_rest_play_along(words, expected):
         (("rig", "rig"), "there twice"),
     ],
 )
-def test_what_cannot_be_played_on_is_wrong_usage(words, why, capsys):
+def test_a_device_that_cannot_be_played_on_is_wrong_usage(words, why, capsys):
     with pytest.raises(SystemExit) as end:
         parsed(*words)
     assert end.value.code == 2

@@ -181,5 +181,5 @@ def test_power_tells_how_many_participants_a_design_needs(run, rides):
         ("--effect", "huge"),
     ],
 )
-def test_what_power_cannot_compute_is_refused(run, words):
+def test_a_power_that_cannot_be_computed_is_refused(run, words):
     assert run("power", *words)[0] == 2

@@ -29,7 +29,7 @@ class Bench:
         return reading
 
 
-def test_it_is_a_falcon_by_name():
+def test_a_simulated_device_is_a_falcon_by_name():
     assert find_device("simulated").capabilities == replace(FALCON, latency_s=0.0)
     assert DEVICES["simulated"].server == "hapticplayer.simulation.falcon"
     assert (FALCON.axes, FALCON.peak_force_n, FALCON.continuous_force_n) == (

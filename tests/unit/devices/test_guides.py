@@ -127,7 +127,7 @@ def test_a_card_that_opens_is_found(monkeypatch, capsys):
     assert capsys.readouterr().out == '""'
 
 
-def test_what_depends_on_what_is_missing_is_left_out():
+def test_checks_after_an_unmet_one_are_left_out():
     steps = [Check(REMEDY, met) for met in (True, None, False, True)]
     assert until_unmet(steps) == steps[:3]
 
@@ -138,7 +138,7 @@ def test_a_shaker_is_tested_channel_by_channel():
     assert find_device(parts[1][1]).serial.startswith("pulse,channels=4,")
 
 
-def test_nothing_of_it_is_loaded_with_the_registry():
+def test_guides_are_not_loaded_with_the_registry():
     root = Path(guides.__file__).parents[1]
     text = (root / "devices" / "__init__.py").read_text(encoding="utf-8")
     assert "import guides" not in text

@@ -239,7 +239,7 @@ def test_an_end_before_the_wait_is_seen(holder):
     assert holder.process.has_ended(60.0)
 
 
-def test_what_fades_alone_is_silenced_only_at_the_end(bench):
+def test_a_device_that_fades_alone_is_silenced_only_at_the_end(bench):
     bench.guard = Guard(bench.clock, bench.block, bench.send_zero, watches_stalls=False)
     stalls_s = bench.clock.now_s() + 0.1
     bench.guard.run(Ticking(bench, stalls_s, stalls_s + 0.3))

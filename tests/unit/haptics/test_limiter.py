@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.haptics.limiter import ZERO, limit
 
 
-def test_what_is_allowed_passes_unchanged():
+def test_an_allowed_force_passes_unchanged():
     assert limit((0.1, -0.2, 0.3), (0.0, 0.0, 0.0), 1.0, 4.5) == (0.1, -0.2, 0.3)
 
 

@@ -151,7 +151,7 @@ def test_ticks_that_the_ring_has_overrun_are_counted(recording, ring):
     assert np.flatnonzero(np.diff(record.ticks["monotonic_s"]) != 1).tolist() == [99]
 
 
-def test_it_is_made_durable_once_a_second(recording, ring):
+def test_a_record_is_made_durable_once_a_second(recording, ring):
     recorder, clock, writer, _ = recording
     for _ in range(10 * 16 + 1):
         ring.tick(60)
@@ -185,7 +185,7 @@ def test_a_torn_write_is_taken_back(tmp_path, ring, monkeypatch):
 # --- as a process -----------------------------------------------------------
 
 
-def test_it_ends_with_the_loop_and_holds_the_last_tick(start, ring, loop):
+def test_a_recorder_ends_with_the_loop_and_holds_the_last_tick(start, ring, loop):
     recorder, path = start()
     ring.tick(500)
     wait_for_ticks(path, 500)
@@ -290,7 +290,7 @@ def test_a_block_of_another_version_is_refused(tmp_path, loop, capfd):
     assert "versions differ" in capfd.readouterr().err
 
 
-def test_it_imports_nothing_heavy():
+def test_the_recorder_imports_nothing_heavy():
     code = (
         "import sys, json, hapticplayer.haptics.recorder; "
         "print(json.dumps(sorted({m.split('.')[0] for m in sys.modules})))"

@@ -190,7 +190,7 @@ def test_a_flipped_bit_costs_its_frame_and_is_told(read, ticks, rng):
             assert "damaged places: 1" in record.notice
 
 
-def test_what_follows_the_end_is_told(read, whole):
+def test_bytes_after_the_end_of_a_record_are_reported(read, whole):
     record = read(whole + b"x")
     assert len(record.ticks) == sum(COUNTS)
     assert not record.is_complete
@@ -318,7 +318,7 @@ def test_other_files_are_refused(read, data):
         read(data)
 
 
-def test_what_is_no_plain_file_is_refused_without_waiting(tmp_path):
+def test_a_record_that_is_not_a_plain_file_is_refused_at_once(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     for path in (tmp_path / "pipe", tmp_path, tmp_path / "none", tmp_path / "a\0b"):
         with pytest.raises(InputError):

@@ -70,7 +70,7 @@ def test_a_loop_without_work_rests_at_50_hz(rig):
     assert not records["missed"].any()
 
 
-def test_it_is_at_1_khz_again_before_the_first_force(rig):
+def test_the_loop_is_at_1_khz_again_before_the_first_force(rig):
     acts = [(0.0, lambda: publish(rig, 0.0)), (1.005, lambda: publish(rig, 1.0))]
     records, time_s = run(rig, acts, 2.0)
     first = int(np.argmax(records["mode"] == Mode.ENTERING))

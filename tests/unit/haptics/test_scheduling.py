@@ -112,7 +112,7 @@ def test_a_long_track_is_not_paged_in_when_it_is_mapped():
     assert json.loads(done.stdout) < 100
 
 
-def test_nothing_is_locked_where_a_limit_would_fail_later(monkeypatch):
+def test_memory_stays_unlocked_where_a_limit_would_fail_later(monkeypatch):
     asked = []
     monkeypatch.setattr(resource, "getrlimit", lambda _: (1 << 23, 1 << 23))
     monkeypatch.setattr(resource, "setrlimit", lambda _, limits: asked.append(limits))

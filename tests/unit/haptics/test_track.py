@@ -34,7 +34,7 @@ def test_at_the_entries_themselves_the_value_is_exact(rng):
 
 @pytest.mark.parametrize("rows", [1, 2, 3, 4, 200])
 @pytest.mark.parametrize("how", list(Reconstruction))
-def test_what_was_asked_before_changes_nothing(rows, how, rng):
+def test_a_force_is_the_same_in_any_order_of_times(rows, how, rng):
     times = np.cumsum(rng.random(rows) / 50)
     descriptor = to_shared_memory(
         ForceTrack(times, rng.standard_normal((rows, 3)), how)

@@ -151,7 +151,7 @@ def test_the_height_of_a_block_is_that_of_the_reference(stream, height):
     assert block_height(stream) == height  # printed by the reference decoder
 
 
-def test_what_is_not_understood_is_listed(read):
+def test_unknown_parts_of_a_file_are_listed(read):
     made = content(band(effects=[effect((0, 1.0), (9, 1.0))]), **UP)
     made["perceptions"].append(
         {**made["perceptions"][0], "perception_modality": "Wind"}
@@ -171,7 +171,7 @@ def test_a_file_with_nothing_to_feel_is_refused(read):
         read(content(band(), modality="Temperature"))
 
 
-def test_what_is_written_passes_the_loader_rules(tmp_path, rng):
+def test_a_written_file_passes_the_loader_rules(tmp_path, rng):
     path = tmp_path / "own.hjif"
     track = ForceTrack(np.arange(200) / 50.0, rng.normal(0, 1, (200, 3)))
     with path.open("xb") as out:

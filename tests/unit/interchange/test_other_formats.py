@@ -203,7 +203,7 @@ def test_motion_beside_a_force_adds_nothing_to_it(written, read):
 
 
 @pytest.mark.parametrize("motion", [moving((0, 0, 0)), moving((1, 2, 3), False)])
-def test_what_does_not_move_or_is_not_valid_is_not_written(written, motion):
+def test_motion_that_is_still_or_invalid_is_not_written(written, motion):
     assert "Rigid" not in written("mpegv", motion=motion).read_text()
 
 

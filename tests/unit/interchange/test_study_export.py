@@ -190,7 +190,7 @@ def test_bids_has_what_the_specification_requires(study, tmp_path):
 
 
 @pytest.mark.parametrize("form", ["csv", "bids"])
-def test_what_hands_got_is_a_column_of_each_trial(tmp_path, manual_clock, form):
+def test_the_measured_force_is_a_column_of_each_trial(tmp_path, manual_clock, form):
     made = create_study(tmp_path / "study")
     session = recorded_session(made, manual_clock)
     export_study(open_study(made.folder), tmp_path / "out", form)
@@ -334,7 +334,7 @@ def test_an_export_is_private_as_the_study_is(study, tmp_path):
             assert mode == (0o700 if path.is_dir() else 0o600), path
 
 
-def test_nothing_is_exported_of_a_study_without_answers(tmp_path):
+def test_a_study_without_answers_is_not_exported(tmp_path):
     made = create_study(tmp_path / "study")
     for form in ("csv", "bids", "xdf"):
         with pytest.raises(StudyError, match="no answers"):

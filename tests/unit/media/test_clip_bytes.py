@@ -29,7 +29,7 @@ class InMemory(ClipBytes):
         pass
 
 
-def test_it_is_decoded_like_the_file(tiny_clip):
+def test_a_clip_in_memory_is_decoded_like_the_file(tiny_clip):
     clip = InMemory(tiny_clip.path.read_bytes())
     found = probe(clip)
     assert found.content is clip

@@ -26,7 +26,7 @@ def carrier(clip: Path, tmp_path: Path) -> Path:
     return path
 
 
-def test_what_was_attached_comes_back(carrier: Path, tmp_path: Path) -> None:
+def test_attachments_come_back(carrier: Path, tmp_path: Path) -> None:
     assert read_attachments(carrier, "marker.json") == list(FILES)
     write_attachments(tmp_path / "alone.mkv", FILES)
     assert read_attachments(tmp_path / "alone.mkv", "marker.json") == list(FILES)

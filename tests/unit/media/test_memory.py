@@ -63,7 +63,7 @@ print(full, freed, held_bytes())
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="of glibc")
-def test_what_is_freed_is_kept_until_it_is_given_back():
+def test_freed_memory_is_kept_until_it_is_given_back():
     done = subprocess.run(
         [sys.executable, "-c", GIVE_BACK], capture_output=True, text=True, check=True
     )

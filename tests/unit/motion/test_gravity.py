@@ -68,7 +68,7 @@ def test_acceleration_comes_out_of_a_swinging_sensor(swing, method):
     assert np.allclose(norm, STANDARD_GRAVITY_MPS2, atol=1e-9)
 
 
-def test_what_was_removed_and_what_is_left_add_up(swing):
+def test_gravity_and_the_rest_add_up_to_the_recording(swing):
     log, _ = swing
     track = remove_gravity(log)
     total = track.acceleration_mps2 + track.gravity_mps2

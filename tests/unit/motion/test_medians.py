@@ -34,7 +34,7 @@ def test_of_a_sample_that_is_not_like_the_rest():
     assert median(values) == 1.0
 
 
-def test_nothing_is_written_to():
+def test_a_median_does_not_write_to_its_values():
     values = np.arange(3000.0)[::-1].copy()
     values.setflags(write=False)
     assert median(values) == 1499.5

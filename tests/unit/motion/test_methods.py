@@ -180,7 +180,7 @@ def test_a_mean_of_gravity_is_shorter_while_the_sensor_turns(method):
 
 
 @pytest.mark.parametrize("method", sorted(METHODS))
-def test_what_a_method_reports_can_be_written_down(method, still_log, swing):
+def test_the_summary_of_a_method_can_be_written_as_json(method, still_log, swing):
     for log in (still_log, swing[0]):
         summary = analyse(log, method).summary
         assert json.loads(json.dumps(dict(summary))) == dict(summary)

@@ -116,7 +116,7 @@ UNCLIPPED = {
 
 @pytest.mark.parametrize("sensor", [ACCELEROMETER, GYROSCOPE])
 @pytest.mark.parametrize("name", UNCLIPPED)
-def test_what_never_reached_a_rail_is_left_alone(name, sensor, rng):
+def test_samples_that_never_reached_a_rail_are_left_alone(name, sensor, rng):
     mask, full_scale = saturated(UNCLIPPED[name](rng), sensor)
     assert full_scale is None
     assert not mask.any()

@@ -142,7 +142,7 @@ def test_a_hole_is_no_evidence_of_rest(rng):
     assert not find_still(dataclasses.replace(short, time_s=late)).bins.any()
 
 
-def test_what_was_filled_in_is_no_rest(rng):
+def test_filled_in_samples_are_not_rest(rng):
     valid = np.ones(2000, dtype=bool)
     valid[400:600] = False
     found = find_still(resting(2000, rng, valid=valid)).mask(2000)
@@ -159,7 +159,7 @@ def test_less_than_a_second_is_too_short(count, rng):
     assert spans.still_s == 0.0
 
 
-def test_what_is_left_behind_the_last_bin_belongs_to_none(rng):
+def test_samples_behind_the_last_bin_belong_to_none(rng):
     mask = find_still(resting(2010, rng)).mask(2010)
     assert mask[:2000].all()
     assert not mask[2000:].any()
@@ -214,7 +214,7 @@ def test_a_log_that_moves_throughout_keeps_its_scale(swing):
 
 
 @pytest.mark.parametrize("shaken_s", [[], [0, 4], [0, 3.2], [0.3, 1.6, 2.7, 3.9]])
-def test_what_is_skipped_in_motion_changes_nothing(monkeypatch, shaken_s):
+def test_skipped_samples_in_motion_change_no_stillness(monkeypatch, shaken_s):
     rng = np.random.default_rng(5)
     log = resting(800, rng, rate_std=0.8 * STILL_RATE_STD_LIMIT_RADPS)
     moving = np.zeros(len(log), np.bool_)

@@ -44,7 +44,7 @@ def test_a_standing_clock_stands():
     assert clock.snapshot(T0).rate == 0.0
 
 
-def test_it_runs_from_the_first_sound_even_if_that_lies_ahead():
+def test_the_clock_runs_from_the_first_sound_even_if_ahead():
     clock = led_by_sound()
     assert clock.media_s(T0 - 0.1) == 10.0
     assert clock.media_s(T0 + 1.0) == pytest.approx(11.0)

@@ -117,7 +117,7 @@ def test_an_output_whose_times_only_jitter_is_taken_at_its_word():
 
 
 @given(st.lists(st.floats(-0.5, 0.5), max_size=40))
-def test_it_comes_back_whatever_was_stated(wrongs_s):
+def test_the_clock_comes_back_after_any_wrong_time(wrongs_s):
     output = Output()
     output.run(3.0)
     for wrong_s in wrongs_s:

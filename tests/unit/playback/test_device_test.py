@@ -80,7 +80,7 @@ def test_every_device_is_tested_gently_and_for_a_bounded_time():
         assert rise_npms < 0.01, name  # slow enough to let go
 
 
-def test_what_is_tested_follows_from_what_a_device_can_do():
+def test_the_test_of_a_device_follows_from_its_capabilities():
     directions = {
         name: [step.direction for step in parts_of(name)[0].steps]
         for name in ("simulated", "wheel", "wheel:axis=y", "rumble")

@@ -26,7 +26,7 @@ def test_the_player_has_commands_and_no_public_parts(player):
     assert [name for name in public if not callable(getattr(player, name))] == []
 
 
-def test_what_is_shown_is_frozen(player):
+def test_snapshots_are_frozen(player):
     for value in (player.snapshot(), player.measurements()):
         name = dataclasses.fields(value)[0].name
         with pytest.raises(dataclasses.FrozenInstanceError):

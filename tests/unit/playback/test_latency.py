@@ -126,7 +126,7 @@ def test_latencies_belong_to_outputs():
 
 
 @pytest.mark.parametrize("bad", [-0.001, MOST_S + 0.001, float("nan"), float("inf")])
-def test_what_is_no_latency_is_refused(bad):
+def test_a_latency_out_of_range_is_refused(bad):
     with pytest.raises(UsageError, match="between 0 and 1 s"):
         Latency(display_s=bad)
 

@@ -129,7 +129,7 @@ def test_the_history_has_the_last_ticks_whatever_is_read_at_once(most, rng):
     assert (total.ticks, total.missed) == (end, whole["missed"][:end].sum())
 
 
-def test_what_was_read_from_the_history_stays_as_it_was():
+def test_ticks_read_from_the_history_stay_as_they_were():
     history = TickHistory()
     history.add(ticks(10_000), lost=0)
     kept = (history.since(-math.inf), history.since(105.0), history.latest())

@@ -96,7 +96,7 @@ def test_each_has_the_same_clock_ahead_by_its_own_latency(outlets):
     assert outlets.lead_s == pytest.approx(0.040)
 
 
-def test_what_was_measured_counts_where_nothing_was_entered(outlets):
+def test_a_measured_latency_counts_where_none_was_entered(outlets):
     outlets.set_latencies(Latencies(device_s={RIG: 0.1, OTHER: 0.02}))
     assert outlets[RIG].latency_s == pytest.approx(0.040)
     assert outlets[OTHER].latency_s == pytest.approx(0.020)
@@ -187,7 +187,7 @@ def test_the_state_tells_mode_gain_and_that_nobody_listens(outlets):
     assert state.loop_pid == 7
 
 
-def test_what_is_not_named_any_more_is_released(outlets):
+def test_an_output_that_is_dropped_is_released(outlets):
     kept, gone = processes_of(outlets, RIG), outlets[OTHER].output
     outlets.use([RIG, "simulated"])
     assert processes_of(outlets, RIG) is kept
@@ -278,7 +278,7 @@ def test_an_outlet_is_lent_and_comes_back_with_its_tracks(outlets):
     assert set(processes_of(outlets, "rumble").tracks) == set(TRACKS)
 
 
-def test_what_is_stopped_while_it_is_lent_stays_stopped(outlets):
+def test_an_output_stopped_while_it_is_lent_stays_stopped(outlets):
     outlets.lend(RIG)
     outlets.stop()
     outlets.take_back(RIG)

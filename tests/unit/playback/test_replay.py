@@ -35,7 +35,7 @@ def written(path, clip, *parts):
     return path
 
 
-def test_what_was_sent_is_played_again(source, tmp_path):
+def test_the_force_of_a_log_is_played_again(source, tmp_path):
     media_s = np.arange(0.0, 2.0, 0.001)
     force_n = np.stack([np.sin(media_s), np.cos(media_s), 0.2 * media_s], axis=1)
     path = written(tmp_path / "log", source.clip, ticks(media_s, force_n))
@@ -93,7 +93,7 @@ def test_a_log_of_another_clip_is_refused(source, tmp_path):
         ("\0\0\0", "line 1"),
     ],
 )  # fmt: skip
-def test_what_is_no_log_is_refused_with_its_line(tmp_path, content, message):
+def test_a_file_that_is_not_a_log_is_refused_with_its_line(tmp_path, content, message):
     path = tmp_path / "log"
     path.write_text(content)
     with pytest.raises(InputError, match=message):

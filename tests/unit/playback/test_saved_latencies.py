@@ -59,7 +59,7 @@ def test_outputs_and_devices_are_known_by_name(keep):
         b" " * (1 << 20) + settings(sound={"a": 70}),
     ],
 )
-def test_what_makes_no_sense_is_not_believed(keep, content):
+def test_an_implausible_latency_is_not_used(keep, content):
     keep(content)
     assert dict(saved_latencies().sound_s) == {}
 

@@ -57,7 +57,7 @@ def is_alive(pid):
     return True
 
 
-def test_it_loads_neither_numpy_nor_what_the_player_needs():
+def test_the_sound_process_loads_neither_numpy_nor_the_player():
     code = (
         "import sys, hapticplayer.playback.sound_device;"
         "heavy = {'numpy', 'av', 'scipy', 'PySide6', 'hapticplayer.model'};"
@@ -89,7 +89,7 @@ def test_one_that_is_killed_is_gone(nowhere):
     ring.close()
 
 
-def test_it_ends_with_a_player_that_is_killed(nowhere):
+def test_the_sound_process_ends_with_a_killed_player(nowhere):
     player = subprocess.Popen(
         [sys.executable, "-c", PLAYER],
         stdin=subprocess.PIPE,

@@ -57,7 +57,7 @@ def test_samples_come_out_at_their_media_time(ring):
     ]
 
 
-def test_what_is_missing_is_silence_and_the_time_goes_on(ring):
+def test_missing_samples_are_silent_and_the_time_goes_on(ring):
     ring.write(1, 5.0, ramp(5000, 10))
     ring.play()
     out = render(ring, 30)

@@ -160,7 +160,7 @@ def test_outside_of_its_span_an_effect_changes_nothing(kind):
     assert np.abs(made.at(at_s) - track.at(at_s)).max() > 0.02
 
 
-def test_what_is_off_or_for_the_motion_returns_the_track_itself():
+def test_disabled_or_motion_effects_return_the_track_itself():
     off = Effect("mute", 5.0, 9.0, enabled=False)
     motion = Effect("mute", 5.0, 9.0, Target.MOTION)
     for effects in (NO_EFFECTS, EffectList((off,)), EffectList((off, motion))):

@@ -123,7 +123,7 @@ def test_a_weak_blow_counts_if_it_is_heard(rng):
     assert "heard" in event.text
 
 
-def test_what_is_always_heard_confirms_nothing(rng):
+def test_a_sound_that_is_always_heard_confirms_no_event(rng):
     motion = motion_of(
         0.4 * rng.standard_normal((len(TIME_S), 3)) + along(2, blow(8.0, 4.5))
     )
@@ -228,7 +228,7 @@ def test_effects_of_events_go_into_a_list_as_they_are():
     assert over("gain", (0.2, 9e3), 0.5).duration_s <= MAX_EFFECT_S
 
 
-def test_what_happens_before_the_clip_is_found_too():
+def test_events_before_the_clip_are_found_too():
     motion = motion_of(along(2, blow(8.0, 20.0)))
     early = dataclasses.replace(motion, time_s=TIME_S - 15.0)
     log = log_of(along(2, blow(8.0, 20.0)))

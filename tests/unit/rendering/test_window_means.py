@@ -78,7 +78,7 @@ def test_uneven_windows_are_not_worse_than_lines():
 
 
 @pytest.mark.parametrize("missing_s", [1 / RATE_HZ, 0.4, 60.0])
-def test_nothing_crosses_a_gap(missing_s, rng):
+def test_means_do_not_cross_a_gap(missing_s, rng):
     left, right = rng.standard_normal((2, 40))
     later_s = MIDDLES_S[40:80] + missing_s
     at_s, both = dense(np.append(MIDDLES_S[:40], later_s), np.append(left, right))

@@ -153,7 +153,7 @@ def test_a_target_that_another_makes_meanwhile_is_kept(
     assert target.is_file() or len(list(target.iterdir())) == (kind == "folder")
 
 
-def test_what_the_killed_left_is_removed_and_no_more(tmp_path):
+def test_folders_of_killed_imports_are_removed_and_no_others(tmp_path):
     for name in (".hapticplayer-dead.part", ".other-dead.part", ".hapticplayer-mine"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "clip.mp4").write_bytes(b"half")
@@ -169,7 +169,7 @@ def test_what_the_killed_left_is_removed_and_no_more(tmp_path):
 
 
 @pytest.mark.parametrize("kind", ["folder", "empty folder", "file", "dead link"])
-def test_what_exists_is_never_touched(tmp_path, tiny_clip, log_file, kind):
+def test_an_existing_target_is_never_touched(tmp_path, tiny_clip, log_file, kind):
     target = tmp_path / "ride"
     if kind == "file":
         target.write_text("mine")
@@ -241,6 +241,6 @@ def test_a_clip_that_changes_meanwhile_is_refused(
     assert sorted(p.name for p in tmp_path.iterdir()) == ["log.csv", "ride.mp4"]
 
 
-def test_nothing_of_the_machine_gets_into_the_sequence(sequence_folder, tmp_path):
+def test_paths_of_the_machine_stay_out_of_the_sequence(sequence_folder, tmp_path):
     text = (sequence_folder / "sequence.json").read_text()
     assert str(tmp_path) not in text

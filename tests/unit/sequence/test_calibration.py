@@ -32,7 +32,7 @@ def kept(tmp_path):
     return tmp_path / "sensor.json"
 
 
-def test_what_is_kept_is_read_again(kept):
+def test_a_kept_calibration_is_read_again(kept):
     assert read_calibration(kept) == STORED
 
 
@@ -76,7 +76,7 @@ def test_anything_else_is_refused_with_a_sentence(kept, name, value, says):
 @pytest.mark.parametrize(
     "text", ["", "[]", "null", "{", '{"a": NaN}', "\0", "[" * 9000]
 )
-def test_what_is_no_object_is_refused(kept, text):
+def test_a_calibration_that_is_not_an_object_is_refused(kept, text):
     kept.write_text(text)
     with pytest.raises(InputError, match=r"calibration|JSON"):
         read_calibration(kept)

@@ -103,6 +103,6 @@ def test_a_rotation_comes_back_to_six_digits(rng):
 
 
 @pytest.mark.parametrize("text", ["", "x,y", "x,x,y", "x,y,-z", "1,0,0,0,1,0,0,0,2"])
-def test_what_are_no_axes_of_a_device_is_refused(text):
+def test_axes_that_no_device_has_are_refused(text):
     with pytest.raises(HapticPlayerError):
         device_axes(text)

@@ -54,7 +54,7 @@ def test_a_track_is_added_by_name_and_removed_with_its_file(folder, csv):
 
 
 @pytest.mark.parametrize("stop", ["cancel", "disk"])
-def test_what_stops_a_change_leaves_the_old_state(folder, csv, stop, monkeypatch):
+def test_a_stopped_change_leaves_the_old_state(folder, csv, stop, monkeypatch):
     before = {path.name: path.read_bytes() for path in folder.iterdir()}
 
     def full(*_):

@@ -65,7 +65,7 @@ def test_a_list_is_changed_and_printed(folder, capsys):
     assert len(list(folder.glob("effects*.json"))) == 1
 
 
-def test_what_is_not_allowed_changes_nothing(folder, capsys):
+def test_a_forbidden_change_of_effects_changes_nothing(folder, capsys):
     before = (folder / "sequence.json").read_bytes()
     assert do(folder, "remove", "1") == 2
     assert "there is no effect 1" in capsys.readouterr().err

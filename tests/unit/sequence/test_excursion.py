@@ -45,7 +45,7 @@ def quiet(duration_s=60.0):
      ("braking", 13.5, 17.5)],
 )  # fmt: skip
 @pytest.mark.parametrize("hand", ["relaxed", "firm"])
-def test_it_agrees_with_the_full_physics_and_the_real_step(name, begin_s, end_s, hand):
+def test_the_prediction_agrees_with_the_full_physics(name, begin_s, end_s, hand):
     part = excerpt(track(name), begin_s, end_s)
     duration_s = end_s - begin_s - 0.02
     trial = Trial(part, HANDS[hand]).run(duration_s)
@@ -135,7 +135,7 @@ class StoppedError(Exception):
     pass
 
 
-def test_nothing_is_computed_where_there_is_no_force():
+def test_a_track_without_force_is_not_computed():
     progress = []
     found = predict(quiet(3600.0), 3600.0, progress.append)
     assert progress == []

@@ -33,7 +33,7 @@ def recording(axes: str, by_frames: FoundMounting | None) -> Recording:
     )
 
 
-def test_what_synchronising_found_is_taken() -> None:
+def test_a_mounting_found_by_synchronising_is_taken() -> None:
     by_frames = FoundMounting("z,y,-x", 4.0, "x,y,z")
 
     found = mounting_by_frames(CLIP, recording("z,y,-x", by_frames), no_progress)

@@ -134,7 +134,7 @@ def test_a_clip_that_has_changed_is_not_shared(sequence_folder, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["ride.mkv", "ride.mp4"])
-def test_what_is_cancelled_leaves_nothing(sequence_folder, tmp_path, name):
+def test_a_cancelled_pack_leaves_no_file(sequence_folder, tmp_path, name):
     def stop(fraction, _step):
         if fraction > 0.8:
             raise Cancelled

@@ -23,7 +23,7 @@ from hapticplayer.sequence.processing import (
 from hapticplayer.sequence.report import notes_on_motion
 
 
-def test_nothing_chosen_is_gravity_removal_alone(swing):
+def test_processing_by_default_is_gravity_removal_alone(swing):
     imu, _ = swing
     done = process_motion(imu, Processing())
     expected = motion.remove_gravity(imu)
@@ -74,7 +74,7 @@ def test_a_time_constant_of_another_method_is_wrong_usage():
         Processing("vqf", time_constant_s=12.0)
 
 
-def test_what_does_not_exist_or_does_not_fit_is_refused(swing):
+def test_unknown_or_unfit_processing_is_refused(swing):
     imu, _ = swing
     with pytest.raises(UsageError, match="choose one of smoother"):
         process_motion(imu, Processing("magic"))
@@ -180,7 +180,7 @@ def test_a_good_recording_needs_no_note(still_log):
         ({"calibration_overruled": 1}, "contradicts the calibration"),
     ],
 )
-def test_what_harms_the_force_is_noted(still_log, changed, sentence):
+def test_flaws_that_harm_the_force_are_noted(still_log, changed, sentence):
     (note,) = notes_on_motion(still_log, found_in(still_log, **changed))
     assert sentence in note
 

@@ -73,7 +73,7 @@ def test_a_copy_has_the_mapping_and_the_source_stays(folder, tmp_path, capsys):
     assert entry.gain_n_per_mps2 is None
 
 
-def test_what_is_not_given_stays_and_comes_back(folder, capsys):
+def test_options_that_are_not_given_stay_as_they_were(folder, capsys):
     before = open_sequence(folder)
     for words in (
         ["--gain", "0.2", "--soft-knee", "--lever-arm", "0,0,1", "--axes=y,z,x"],
@@ -184,7 +184,7 @@ def test_a_preset_is_rendered_kept_and_taken_back(folder, tmp_path, capsys):
         ([], 1, "exists"),
     ],
 )
-def test_what_cannot_be_is_refused(folder, capsys, words, status, said):
+def test_an_impossible_rendering_is_refused(folder, capsys, words, status, said):
     before = contents(folder)
     assert cli.main(["render", str(folder), *words, "-o", str(folder)]) == status
     assert said in capsys.readouterr().err

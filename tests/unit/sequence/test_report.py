@@ -90,7 +90,7 @@ def test_a_force_that_would_stop_is_bad():
     assert found["workspace"] is Mark.BAD
 
 
-def test_what_an_old_sequence_lacks_is_left_out():
+def test_entries_that_a_sequence_lacks_are_left_out():
     assert quality_report({}) == []
     assert worst([]) is Mark.DOUBTFUL
     names = [one.name for one in quality_report({"provenance": {"imu_rate_hz": 50}})]

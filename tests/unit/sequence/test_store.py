@@ -23,7 +23,7 @@ def edit(folder, change):
     path.write_text(json.dumps(content))
 
 
-def test_what_was_written_comes_back(sequence_folder, recording):
+def test_a_written_sequence_comes_back(sequence_folder, recording):
     sequence = open_sequence(sequence_folder)
     track = motion.remove_gravity(recording.imu)
     assert sequence.title == "Ride"

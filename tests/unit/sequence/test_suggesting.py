@@ -76,7 +76,7 @@ def test_the_provenance_says_that_nothing_measured_it(folder):
     assert "sync" not in [one.name for one in read_entry(folder).findings]
 
 
-def test_it_stays_estimated_when_rendered_again(folder, tmp_path):
+def test_an_estimate_stays_one_when_rendered_again(folder, tmp_path):
     copy = tmp_path / "copy"
     copy.mkdir()
     store.copy_files(folder, copy)
@@ -169,7 +169,7 @@ def test_the_command_says_what_was_estimated(suggest, tiny_clip, tmp_path, capsy
     assert open_sequence(target).description["provenance"]["estimate"]["gain"] == 0.5
 
 
-def test_what_was_recorded_is_not_estimated(suggest, tiny_clip, tmp_path, capsys):
+def test_recorded_motion_is_not_estimated(suggest, tiny_clip, tmp_path, capsys):
     log = tmp_path / "log.csv"
     log.write_text("")
     more = ("--suggest-motion", "--imu", str(log))

@@ -21,7 +21,7 @@ def shaken(tmp_path_factory):
     return write_shaken_sequence(folder / "clip.mp4", folder / "sequence")
 
 
-def test_it_has_the_effects_and_events_of_the_sequence(shaken):
+def test_a_time_line_has_the_effects_and_events_of_the_sequence(shaken):
     effects = EffectList((Effect("mute", 0.2, 0.7), Effect("gain", 0.5, 1.0)))
     set_effects(shaken, effects)
     line = time_line_of(shaken)

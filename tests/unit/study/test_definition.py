@@ -139,7 +139,7 @@ SPOILT = [
 
 
 @pytest.mark.parametrize(("spoil", "place"), SPOILT)
-def test_what_is_wrong_is_named(template, spoil, place):
+def test_a_wrong_field_of_a_study_is_named(template, spoil, place):
     spoil(template)
     with pytest.raises(StudyError) as refusal:
         parse(template)
@@ -150,7 +150,7 @@ def test_what_is_wrong_is_named(template, spoil, place):
 @pytest.mark.parametrize(
     "content", [b"", b"[]", b"{", b"\xff\xfe", b'{"a":1,"a":2}', b"[" * 100_000, b"NaN"]
 )
-def test_what_is_no_study_is_refused(content):
+def test_a_file_that_is_not_a_study_is_refused(content):
     with pytest.raises(StudyError):
         parse_definition(content, "study.json")
 

@@ -112,7 +112,9 @@ def path(tmp_path):
     return made
 
 
-def test_nothing_counts_as_kept_before_it_is_synced(path, manual_clock, monkeypatch):
+def test_a_record_counts_as_kept_only_once_it_is_synced(
+    path, manual_clock, monkeypatch
+):
     calls = []
     real_write, real_sync = os.write, os.fsync
 

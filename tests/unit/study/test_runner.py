@@ -175,7 +175,7 @@ def test_an_answer_is_on_the_disk_before_the_next_page(running, monkeypatch):
         {**VALUES, "mood": 3},
     ],
 )
-def test_what_is_no_answer_is_refused_and_nothing_is_kept(running, values):
+def test_an_invalid_answer_is_refused_and_not_kept(running, values):
     running.to_trials()
     running.play()
     before = running.records()

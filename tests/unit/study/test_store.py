@@ -71,7 +71,7 @@ def test_answers_are_read_in_the_order_of_the_definition(study, scripted):
     assert {r.sequence for r in answers.ratings[:12]} == {"bike"}
 
 
-def test_what_was_skipped_is_missing_and_not_dropped(study, scripted):
+def test_a_skipped_answer_is_missing_and_not_dropped(study, scripted):
     scripted(study, lambda c: None if c.sequence == "horse" else VALUES)
     answers = read_answers(study.folder)
     assert len(answers.ratings) == 48

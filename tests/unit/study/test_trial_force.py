@@ -124,7 +124,7 @@ def test_a_force_where_none_is_planned_is_off():
     assert of(ticks(np.zeros(len(T)), sine(0.1, 2.0))).is_off
 
 
-def test_what_is_no_number_in_a_record_does_not_count():
+def test_values_that_are_not_numbers_do_not_count():
     made = ticks(sine(2.0, 0.5), 0.5 * sine(2.0, 0.5))
     made["force_n"][5000:5010] = np.nan
     made["planned_n"][7000, 2] = np.inf

@@ -99,7 +99,7 @@ def test_a_slow_pan_changes_nothing():
 
 
 @pytest.mark.parametrize(("offset_s", "axes"), [(0.2, "x,y,z"), (0.02, "y,-x,z")])
-def test_what_does_not_fit_the_camera_changes_nothing(offset_s, axes):
+def test_offsets_that_no_camera_has_change_nothing(offset_s, axes):
     """Cameras are not so far off, and their axes are known."""
     ride = Ride(1)
 

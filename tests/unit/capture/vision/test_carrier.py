@@ -36,5 +36,5 @@ def test_a_dashboard_is_told_from_the_horizon() -> None:
     assert not held[ROAD].any()
 
 
-def test_nothing_is_told_while_the_camera_does_not_turn() -> None:
+def test_a_camera_that_does_not_turn_teaches_no_carrier() -> None:
     assert not learned(turn_px=0.02).any()

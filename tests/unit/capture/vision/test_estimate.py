@@ -53,7 +53,7 @@ def test_the_gain_is_a_factor_on_both_parts() -> None:
     assert thrice.sigma_mps2 == pytest.approx(3.0 * once.sigma_mps2)
 
 
-def test_nothing_above_5_hz() -> None:
+def test_suggested_motion_ends_at_5_hz() -> None:
     rng = np.random.default_rng(5)
     noise = iter(rng.standard_normal(10_000))
     made = steps(
@@ -142,7 +142,7 @@ def test_sway_of_a_simulated_bicycle_is_its_true_one(ride_film) -> None:
     assert correlation(found, "bike", 14.5, 0, turns) > 0.9
 
 
-def test_it_can_be_cancelled(ride_film) -> None:
+def test_a_suggestion_can_be_cancelled(ride_film) -> None:
     def cancel(share: float, _step: str) -> None:
         if share > 0.1:
             raise Cancelled

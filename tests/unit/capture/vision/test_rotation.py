@@ -85,7 +85,7 @@ def test_each_axis_has_its_sign_and_gain(tmp_path, standing_m) -> None:
     assert found.quality.mean() > 0.6
 
 
-def test_nothing_is_told_of_a_cut_or_a_blank_frame(tmp_path) -> None:
+def test_a_cut_or_a_blank_frame_has_no_rotation(tmp_path) -> None:
     bike, horse = film("bike"), film("horse")
     blank = [np.full((180, 320, 4), 90, np.uint8)] * 15
     frames = [*bike.frames(300, 315), *horse.frames(600, 615), *blank]

@@ -61,7 +61,7 @@ def session(running):
     session.device.close()
 
 
-def test_it_goes_from_unplugged_to_ready_and_back(bench):
+def test_a_falcon_goes_from_unplugged_to_ready_and_back(bench):
     device = bench.driver()
     assert device.state is DriverState.DISCONNECTED
     device.open()

@@ -221,7 +221,7 @@ def test_a_loader_that_raises_cts_late_or_never_is_served(bench, after_s):
     assert bench.openings == 1
 
 
-def test_what_is_left_from_before_does_not_disturb_the_hello(bench):
+def test_old_bytes_do_not_disturb_the_hello(bench):
     ftdi = bench.ftdi()
     bench.chip.send_back(b"<AAAAAAAAAAAAAA>" * 3, bench.clock.now_s())
     firmware.upload(ftdi, bench.image, bench.clock)

@@ -153,7 +153,7 @@ def test_condition_numbers_are_those_of_numpy(rng):
     assert matrix3.condition(((0.0,) * 3,) * 3) == math.inf
 
 
-def test_nothing_fades_in_the_workspace(rng):
+def test_the_force_does_not_fade_in_the_workspace(rng):
     assert all(
         kinematics.fade(kinematics.jacobian(p)) == 1.0 for p in in_workspace(rng, 500)
     )

@@ -194,7 +194,7 @@ def test_answers_are_read_early_whatever_the_latency_timer():
 
 
 @pytest.mark.parametrize("call", ["post", "newest"])
-def test_what_the_reader_met_is_raised_by_the_next_call(link, gate, call):
+def test_an_error_of_the_reader_is_raised_by_the_next_call(link, gate, call):
     gate.to_read.put(FalconGoneError("unplugged"))
     gate.may_write.release()
     link.post(b"x")
@@ -202,7 +202,7 @@ def test_what_the_reader_met_is_raised_by_the_next_call(link, gate, call):
     wait_for(lambda: raises(FalconGoneError, again))
 
 
-def test_what_the_writer_met_is_raised_by_the_next_call(gate):
+def test_an_error_of_the_writer_is_raised_by_the_next_call(gate):
     def write(data, timeout_s):
         raise FalconGoneError("unplugged")
 

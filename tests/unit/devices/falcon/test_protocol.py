@@ -97,7 +97,7 @@ def test_flags_that_do_not_exist_are_refused():
         b"<AAAAAAAAAAAA\xc1A>",
     ],
 )
-def test_what_is_no_frame_is_none(frame):
+def test_bytes_that_are_not_a_frame_are_skipped(frame):
     assert ReplyParser().feed(frame) == CommandParser().feed(frame) == []
 
 

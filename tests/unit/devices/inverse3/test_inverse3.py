@@ -33,7 +33,7 @@ def test_the_command_is_the_one_of_the_vendors_pages():
 
 
 @given(JSON, st.sampled_from(["state", "status", "device_id", "cursor_position"]))
-def test_nothing_that_a_service_says_breaks_the_reader(part, where):
+def test_no_message_of_a_service_breaks_the_reader(part, where):
     message = json.loads(Service(simulation_of()).inventory(0.0))
     device = message["inverse3"][0]
     (device["state"] if where == "cursor_position" else device)[where] = part

@@ -6,7 +6,7 @@ from hapticplayer.devices.rig.settings import LOOPBACK, rig_settings
 from hapticplayer.errors import DeviceError
 
 
-def test_nothing_is_outsim_to_this_machine():
+def test_empty_settings_are_outsim_to_this_machine():
     settings = rig_settings("")
     assert (settings.format.name, settings.address) == ("outsim", "127.0.0.1:4123")
     assert (settings.rate_hz, settings.id, settings.gain) == (200.0, 0, 1.0)
@@ -54,6 +54,6 @@ def test_an_address_of_version_6_is_in_brackets():
         ("outsim,", "not HOST:PORT"),
     ],
 )
-def test_what_is_not_allowed_is_refused_with_what_is(text, why):
+def test_forbidden_settings_are_refused_with_the_allowed_ones(text, why):
     with pytest.raises(DeviceError, match=why):
         rig_settings(text)

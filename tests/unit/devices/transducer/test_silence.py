@@ -48,7 +48,7 @@ def test_the_server_sees_the_end_of_an_open_client(line, server):
         assert not cut()  # there is none left
 
 
-def test_what_was_open_before_stays_with_its_owner(line, server):
+def test_a_connection_from_before_stays_with_its_owner(line, server):
     _, path = server
     with socket.socket(socket.AF_UNIX) as client:
         client.connect(path)
@@ -76,7 +76,7 @@ def test_a_card_without_a_server_is_told_to_drop(line, tmp_path, monkeypatch):
         os.fstat(taken)
 
 
-def test_what_refuses_is_left_alone(line, tmp_path, monkeypatch):
+def test_a_sound_card_that_refuses_is_left_alone(line, tmp_path, monkeypatch):
     card = tmp_path / "pcmC0D0p"
     card.touch()
     monkeypatch.setattr(silence, "CARD", str(card))

@@ -68,7 +68,7 @@ def test_a_steady_force_is_its_carrier_and_nothing_below():
 
 
 @pytest.mark.parametrize(("hertz", "least", "most"), [(5, 0.0, 0.25), (40, 0.45, 1.0)])
-def test_what_is_inside_the_band_is_played_as_it_is(hertz, least, most):
+def test_a_force_inside_the_band_is_played_unchanged(hertz, least, most):
     """The axis alone, with no carrier's help: the direct part against its force."""
     bench = Bench("band=15-120,axis=z")
 

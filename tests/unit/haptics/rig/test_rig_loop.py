@@ -112,7 +112,7 @@ def assert_comes_to_rest(packets, begins_s):
     assert all(b > a for a, b in itertools.pairwise(times))
 
 
-def test_it_fades_in_from_neutral_with_time_0(bench):
+def test_a_rig_fades_in_from_neutral_with_time_0(bench):
     packets = bench.run(2.0)
     assert packets[0][1] == 0.0
     assert packets[0][2] == NEUTRAL

@@ -145,7 +145,7 @@ def test_years_between_two_samples_do_not_become_windows(make_log):
     assert 19 <= len(log) <= 21
 
 
-def test_what_is_not_valid_reaches_no_valid_average(make_log):
+def test_invalid_samples_reach_no_valid_average(make_log):
     end = np.arange(1, 401) / 200.0
     valid = np.ones(400, bool)
     valid[100:104] = False

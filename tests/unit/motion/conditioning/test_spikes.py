@@ -151,7 +151,7 @@ def test_in_averaged_samples_only_drops_go(ride):
     assert log.specific_force_mps2[500, 0] == 30.0
 
 
-def test_nothing_is_judged_beside_a_gap_or_a_recorder_that_waits(ride):
+def test_spikes_beside_a_gap_or_a_waiting_recorder_are_kept(ride):
     spiky = changed(ride, specific_force_mps2=[(500, 0, 30.0), (900, 0, 30.0)])
     time_s = spiky.time_s.copy()
     time_s[501:] += 2.0
@@ -165,7 +165,7 @@ def test_nothing_is_judged_beside_a_gap_or_a_recorder_that_waits(ride):
     assert report.kept[[500, 900]].all()
 
 
-def test_what_is_not_valid_is_neither_judged_nor_used(ride):
+def test_invalid_samples_are_neither_judged_nor_used(ride):
     valid = np.ones(1800, bool)
     valid[[499, 500, 508, 700]] = False
     spoilt = changed(

@@ -181,7 +181,7 @@ def test_columns_without_a_prior_wait_for_one(rng):
         assert_same(covariance(got), dense.covariance()[-count:, -count:])
 
 
-def test_nothing_but_the_prior_is_known_of_what_has_no_influence(rng):
+def test_a_parameter_without_influence_keeps_its_prior(rng):
     problem = random_problem(rng, 20, 3)
     problem.tilt[2], problem.impulse[2] = 0.0, 0.0
     got = minimise(problem)

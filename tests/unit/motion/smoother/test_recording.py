@@ -77,7 +77,7 @@ def test_blocks_of_a_real_recording_agree_with_one_block(recording, name, bound_
     assert moved(one, many) < bound_mps2
 
 
-def test_nothing_jumps_where_blocks_meet():
+def test_gravity_does_not_jump_where_blocks_meet():
     many = remove_gravity(wobbling(), parameters=SHORT)
     # what blocks add changes slowly: the difference to one block moves by no more
     # from sample to sample than blending a disagreement over seconds does

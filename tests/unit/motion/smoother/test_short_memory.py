@@ -67,7 +67,7 @@ def test_a_smoother_that_drifts_gives_way_where_it_drifts():
     assert np.abs(np.diff(found.weight)).max() < 0.5
 
 
-def test_what_spans_a_gap_is_not_used():
+def test_windows_across_a_gap_are_not_used():
     nodes = moved(0.3 * np.sin(1.5 * TIME_S))
     lost_s = np.where((TIME_S[:-1] > 70.0) & (TIME_S[:-1] < 80.0), STEP_S, 0.0)
     found = floor(LEVEL + 0.2, dataclasses.replace(nodes, lost_s=lost_s))

@@ -88,7 +88,7 @@ def test_its_nodes_are_twice_as_far_apart(rng, monkeypatch):
         assert short == pytest.approx(0.5 * nodes(), rel=0.05)
 
 
-def test_what_moves_for_a_moment_is_looked_at_in_full(rng, monkeypatch):
+def test_a_recording_that_moves_for_a_moment_is_used_in_full(rng, monkeypatch):
     log = on_a_tripod(rng)
     force = log.specific_force_mps2.copy()
     force[6000:6200, 0] += 3.0 * np.sin(0.05 * np.arange(200))

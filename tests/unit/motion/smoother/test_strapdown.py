@@ -102,7 +102,7 @@ def test_many_windows_are_treated_like_few(rng):
 
 
 @pytest.mark.parametrize("averaged", [False, True])
-def test_what_was_lost_in_a_window_is_the_sum_of_its_samples(averaged, rng):
+def test_the_lost_time_of_a_window_is_the_sum_of_its_samples(averaged, rng):
     plain = random_samples(rng, 11, averaged=averaged)
     plain.lost_s[4:8], plain.doubt_s[9] = 0.25, 1.5
     got = integrate(plain, 3, NO_BIAS, NO_MATRIX)

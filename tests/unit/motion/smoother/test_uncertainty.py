@@ -100,7 +100,7 @@ def test_of_a_short_block_the_variance_is_that_of_the_inverse(intervals):
 
 @pytest.mark.parametrize("bound_mps", [0.3, 1.0, 3.0])
 @pytest.mark.parametrize("gap", [100, 113])
-def test_what_is_not_known_in_a_gap_is_not_overlooked(gap, bound_mps):
+def test_the_uncertainty_in_a_gap_is_not_overlooked(gap, bound_mps):
     problem = steady_problem(240, bound_mps, gap)
     ratio = noise_variance(problem, gaps_of(problem)) / exact_variance(problem)
     assert ratio[gap : gap + 2].min() > 0.7

@@ -59,7 +59,7 @@ def in_a_car(rng, bias_radps=(0.003, -0.002, 0.001)) -> ImuLog:
     )
 
 
-def test_what_lasts_as_long_as_a_bend_is_not_levelled_away(rng, monkeypatch):
+def test_a_force_as_long_as_a_bend_is_not_levelled_away(rng, monkeypatch):
     log, up = in_a_car(rng), CAR.up(TIME_S)
     assert rms(CAR.acceleration(TIME_S)) > 2.0
     kept = rms(miss(log, up))
@@ -93,7 +93,7 @@ def swaying(speed_mps):
 @pytest.mark.parametrize(
     ("speed_mps", "sigma_mps"), [(0.0, 0.0), (0.39, 0.0), (0.55, 10.0), (2.0, 10.0)]
 )
-def test_what_sways_has_none_and_what_goes_may_have_any(speed_mps, sigma_mps):
+def test_swaying_has_no_body_velocity_and_driving_may_have_any(speed_mps, sigma_mps):
     found = locomotion_of(swaying(speed_mps), WALKING_RADPS)
     assert found.body_sigma_mps == pytest.approx(sigma_mps, abs=1e-9)
 
@@ -226,9 +226,7 @@ def test_of_what_drives_a_part_is_bounded_like_the_whole(scene, kept, monkeypatc
         (4.0, 0.0, 1.0),
     ],
 )
-def test_what_goes_far_from_the_centre_of_its_turns_drives(
-    speed_mps, turn_radps, share
-):
+def test_a_vehicle_is_told_by_the_radius_of_its_turns(speed_mps, turn_radps, share):
     assert locomotion_of(swaying(speed_mps), turn_radps).vehicle_weight == share
 
 
@@ -243,7 +241,7 @@ def test_between_what_is_carried_and_what_drives_nothing_jumps():
 
 @pytest.mark.parametrize("scene", ["car-motorway", "car-hills"])
 @pytest.mark.parametrize("seed", [4, 5, 63])
-def test_what_drives_is_solved_for_until_nothing_moves(scene, seed):
+def test_a_vehicle_is_solved_for_until_the_solution_settles(scene, seed):
     """As many solutions as hands need left the motorways elsewhere."""
     log = simulate_motion(scene, seed).imu
     much = SmootherParameters(vehicle_bias_change_radps=1e-6, vehicle_solutions=40)
@@ -274,7 +272,7 @@ def test_without_turns_no_heading_is_looked_for(monkeypatch):
 @pytest.mark.parametrize(
     ("turn_radps", "share"), [(0.0, 0.0), (0.005, 0.0), (0.01, 0.5), (0.02, 1.0)]
 )
-def test_what_turns_shows_its_heading(turn_radps, share):
+def test_a_turning_sensor_shows_its_heading(turn_radps, share):
     assert locomotion_of(swaying(2.0), turn_radps).heading_weight == pytest.approx(
         share
     )
@@ -307,9 +305,7 @@ def test_the_speed_bound_follows_only_unusual_speeds():
         (0.3, 0.05, 0.0),  # what sways, however slowly
     ],
 )
-def test_what_is_ridden_is_told_by_the_centre_of_its_turns(
-    speed_mps, turn_radps, share
-):
+def test_riding_is_told_by_the_centre_of_its_turns(speed_mps, turn_radps, share):
     assert locomotion_of(swaying(speed_mps), turn_radps).riding_weight == share
 
 
@@ -349,7 +345,7 @@ def test_half_of_a_downhill_ride_is_bounded_like_the_whole(seed, sensor, monkeyp
         assert np.median(bound_mps) < 9.5
 
 
-def test_what_holes_seem_to_have_moved_is_not_looked_at():
+def test_nodes_near_a_dropout_are_not_used():
     nodes = nodes_of_a_turn(60)
     time_s = np.append(0.0, np.cumsum(nodes.duration_s))
     assert vehicle.undisturbed(nodes).all()

@@ -41,7 +41,7 @@ def test_energy_never_rises_without_a_force(kinematics, rng, hand, restitution):
 
 
 @pytest.mark.parametrize("hand", [None, *HANDS], ids=str)
-def test_what_comes_in_as_work_is_there_or_lost(kinematics, rng, hand):
+def test_work_on_the_plant_is_kept_or_lost(kinematics, rng, hand):
     mechanism = replace(Mechanism(), restitution=0.5)
     plant = Plant(kinematics, mechanism, HANDS[hand] if hand else None)
     lost_j, force_n = 0.0, ZERO

@@ -64,7 +64,7 @@ def bench(request):
     bench.close()
 
 
-def test_it_answers_and_moves(bench):
+def test_a_simulated_falcon_answers_and_moves(bench):
     os.close(bench.guard_end)
     reading = bench.run(PUSH, 500)
     assert reading.is_homed

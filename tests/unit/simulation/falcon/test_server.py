@@ -101,7 +101,7 @@ def test_a_zero_is_never_too_old(bench):
     assert bench.simulation.refused == 0
 
 
-def test_what_makes_no_sense_is_refused_and_counted(bench):
+def test_garbled_commands_are_refused_and_counted(bench):
     good = command_bytes(*ForceCommand(0, bench.clock.now_s(), PUSH))
     for data in (b"?", good[:-1], bytes(64), good[:-1] + bytes([good[-1] ^ 1])):
         bench.raw.send(data)
@@ -159,7 +159,7 @@ def test_an_unplugged_device_ends_and_the_player_is_told(bench):
         bench.device.open()
 
 
-def test_it_ends_when_the_last_holder_has_closed_and_not_before(bench):
+def test_a_server_ends_when_the_last_holder_has_closed(bench):
     bench.tick(count=5)
     bench.device.close()
     bench.controls.close()

@@ -378,7 +378,7 @@ def test_truth_is_handed_on_as_arrays() -> None:
     assert {"time_s", "acceleration_mps2", "vertical", "quaternion_wxyz"} <= set(arrays)
 
 
-def test_what_does_not_exist_is_refused_with_what_does() -> None:
+def test_an_unknown_scene_is_refused_with_the_known_ones() -> None:
     with pytest.raises(
         UsageError, match="motion scene 'boat' not found; choose one of car-"
     ):

@@ -60,7 +60,7 @@ def sent(rig, moves, start_s=0.0):
         rig.hear(start_s + 0.01 * number, packet("outsim", motion, time_s))
 
 
-def test_it_says_how_it_was_left():
+def test_a_rig_reports_how_it_was_left():
     rig, moved = SimulatedRig(), NEUTRAL._replace(up_mps2=3.0)
     sent(rig, [(0.01 * k, moved if k < 100 else NEUTRAL) for k in range(301)])
     report = rig.report(3.1)

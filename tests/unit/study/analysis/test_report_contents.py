@@ -195,7 +195,7 @@ def test_methods_say_what_was_decided(made, make_answers):
     assert "doubles the smaller tail" not in large
 
 
-def test_what_was_not_computed_is_not_described(make_answers):
+def test_a_test_that_was_not_computed_is_not_described(make_answers):
     blocks = parts(make_answers(5, 1, sequences=2)).blocks
     text = text_of(blocks)
     assert "were compared by" not in text
