@@ -4,7 +4,6 @@ python -m tools.performance_page
 """
 
 import json
-import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,6 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[1]
 BENCHMARKS, PAGE = ROOT / "benchmarks", ROOT / "docs" / "performance.md"
 RESULTS = BENCHMARKS / "results"
-MOST_SHOWN = 12
 Table = tuple[list[str], list[list[Any]]]
 TEXT = """# Performance
 
@@ -23,9 +21,13 @@ rounds. A row is of the code of its date. Gravity removal, error of the force an
 
 ## All benchmarks
 
-In brackets the target; a figure that missed it is bold.
+`python -m benchmarks.` and the name in a row runs one; a click on the name shows all of its figures.
 
 {summary}
+
+Targets that were missed:
+
+{missed}
 
 ## From a fault to no force, ms
 
@@ -131,75 +133,50 @@ def result(path: Path) -> dict[str, Any]:
     return dict(json.loads(path.read_text(encoding="utf-8")))
 
 
-def kinematics(found: dict[str, Any]) -> list[str]:
-    """Return time and error of one tick beside two other methods."""
-    return [
-        f"{name}: {_cell(found[name]['p50 us'])} us, p99 {_cell(found[name]['p99 us'])} "
-        f"us, RMS error {_cell(found[name]['error rms mm'])} mm"
-        for name in ("ours", "numpy", "half steps")
-    ]
-
-
-def skips(found: dict[str, Any]) -> list[str]:
-    """Return the time with each skip as a share of the time without it."""
-    ratios = [f"{what} {_cell(ratio)}" for what, _, _, _, ratio, *_ in found["rows"]]
-    return ["time with each skip over the time without it", *ratios]
-
-
-def memory(found: dict[str, Any]) -> list[str]:
-    """Return the growth of each player."""
-    return [f"{r[0]} {r[1]:+.1f} ± {r[2]:.1f} MB an hour" for r in found["rows"]]
-
-
-FIGURES: dict[str, Callable[[dict[str, Any]], list[str]]] = {
-    "kinematics": kinematics,
-    "skips": skips,
-    "memory": memory,
-}
-"""Of benchmarks without a target."""
-
-
-def peers() -> dict[str, str]:
-    """Return what each benchmark is compared with, by its command: its README's."""
+def known() -> dict[str, tuple[str, str]]:
+    """What each benchmark measures, and against what, by its command: its README's."""
     lines = (BENCHMARKS / "README.md").read_text(encoding="utf-8").splitlines()
     rows = [line.strip("| ").split(" | ") for line in lines if line.startswith("| `")]
-    return {" ".join(row[0].strip("`").split()[:2]): row[2] for row in rows}
+    return {row[0].strip("`"): (row[1], row[2]) for row in rows}
+
+
+def all_results() -> dict[str, dict[str, Any]]:
+    """Every saved result by its file's name, in the order of the commands."""
+    results = {path.stem: result(path) for path in RESULTS.glob("*.json")}
+    return dict(sorted(results.items(), key=lambda one: one[1]["command"]))
 
 
 def summary() -> Table:
-    """Return a row for each benchmark: target, figure, peer, date and machine."""
+    """A row for each result: what, against what, targets, date and machine."""
+    described = known()
     rows = []
-    known = peers()
-    results = {path.stem: result(path) for path in RESULTS.glob("*.json")}
-    for name, found in sorted(results.items(), key=lambda one: one[1]["command"]):
-        command = found["command"].removeprefix("python -m benchmarks.")
-        where = found["machine"].get("processor", "virtual machine")
+    for name, found in all_results().items():
+        command = _command(found)
+        met = [one["met"] for one in found.get("targets", [])]
         rows.append([
-            f"`{command}`",
-            "; ".join(_figures(name, found)) or "no target",
-            known[" ".join(command.split()[:2])],
+            f"[`{command}`](../benchmarks/results/{name}.json)",
+            *described[" ".join(command.split()[:2])],
+            f"{sum(met)} of {len(met)}" if met else "none",
             found["date"],
-            f"{where}, {found['machine']['cores']} cores",
+            found["machine"].get("processor", "virtual machine"),
         ])  # fmt: skip
-    header = ["`python -m benchmarks.`", "measured (target)", "peer or limit"]
-    return [*header, "date", "machine"], rows
+    return ["benchmark", "measures", "against", "targets met", "date", "machine"], rows
 
 
-def _figures(name: str, found: dict[str, Any]) -> list[str]:
-    """Return what is shown of a benchmark: of many targets only those missed."""
-    if name in FIGURES:
-        return FIGURES[name](found)
-    asked = found["targets"]
-    if len(asked) <= MOST_SHOWN:
-        return [_asked(one) for one in asked]
-    missed = [_asked(one) for one in asked if not one["met"]]
-    return [f"{len(asked) - len(missed)} of {len(asked)} targets met", *missed]
+def missed() -> Table:
+    """A row for each target that was missed."""
+    rows = [
+        [f"`{' '.join(_command(found).split()[:2])}`", one["what"], f"{one['measured']:.4g}",
+         one["target"].replace("<=", "≤").replace(">=", "≥")]
+        for found in all_results().values()
+        for one in found.get("targets", [])
+        if not one["met"]
+    ]  # fmt: skip
+    return ["benchmark", "figure", "measured", "target"], rows
 
 
-def _asked(one: dict[str, Any]) -> str:
-    bound = one["target"].replace("<=", "≤").replace(">=", "≥")
-    text = f"{one['what']}: {_cell(one['measured'])} ({bound})"
-    return text if one["met"] else f"**{text}**"
+def _command(found: dict[str, Any]) -> str:
+    return str(found["command"]).removeprefix("python -m benchmarks.")
 
 
 def _line(cells: Iterable[Any]) -> str:
@@ -214,18 +191,17 @@ def _first(value: Any) -> Any:
     return value[0] if isinstance(value, list) else value
 
 
-def main() -> int:
-    """Write the page."""
-    tables = {"summary": summary()}
+def page() -> str:
+    """The page as the results have it."""
+    tables = {"summary": summary(), "missed": missed()}
     for name, make in TABLES.items():
         tables[name] = make(result(RESULTS / f"{name}.json"))
     text = {
         name: "\n".join([_line(head), "|" + "---|" * len(head), *map(_line, rows)])
         for name, (head, rows) in tables.items()
     }
-    PAGE.write_text(TEXT.format(**text), encoding="utf-8")
-    return 0
+    return TEXT.format(**text)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    PAGE.write_text(page(), encoding="utf-8")
