@@ -16,7 +16,7 @@ from app.player.commands import COMMANDS as WINDOW_COMMANDS
 from hapticplayer import cli
 from hapticplayer.capture import formats
 from hapticplayer.capture.sync import methods
-from hapticplayer.devices import OUTLETS, installed_devices
+from hapticplayer.devices import installed_devices
 from hapticplayer.interchange.force_formats import FORCE_FORMATS
 from hapticplayer.interchange.study_export import EXPORTERS
 from hapticplayer.motion import METHODS
@@ -162,7 +162,7 @@ def force_formats() -> str:
 
 def devices() -> str:
     """Devices that can be chosen."""
-    found = [*installed_devices().values(), *OUTLETS.values()]
+    found = installed_devices().values()
     return table(
         "device | what | axes | peak force | rate | latency, assumed",
         (

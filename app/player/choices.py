@@ -9,7 +9,12 @@ from PySide6.QtCore import QCoreApplication, QObject
 from app.bridge.jobs import BackgroundLookup
 from app.bridge.languages import translated
 from app.player.health import device_name
-from hapticplayer.devices import NO_DEVICE, device_names, installed_devices
+from hapticplayer.devices import (
+    NO_DEVICE,
+    device_names,
+    installed_devices,
+    takes_motion,
+)
 from hapticplayer.devices.falcon.transport import list_falcons
 from hapticplayer.playback.replay import FROM_LOG
 from hapticplayer.playback.source import FROM_FILE
@@ -75,7 +80,7 @@ def devices(
         if name == "falcon":
             text = device_name(name)
             found += [Choice(n, f"{text} {serial}".rstrip()) for n, serial in falcons]
-        elif not _is_hidden(name) or name == current:
+        elif not (_is_hidden(name) or takes_motion(name)) or name == current:
             found.append(Choice(name, device_name(name)))
     if current not in [choice.name for choice in found]:  # one that is not plugged in
         found.insert(0, Choice(current, device_name(current)))

@@ -12,7 +12,7 @@ from app.player.controls import OUTPUT
 from app.player.session import Session
 from app.player.video_surface import SurfaceSink
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, OUTLETS
+from hapticplayer.devices import NO_DEVICE, takes_motion
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
@@ -78,7 +78,7 @@ class DeviceDialogs(QObject):
             if page in self._working:
                 self._working.remove(page)
             chosen = next(iter(wanted + shown), "")
-            is_beside = bool(outlet) or _is_outlet(chosen)
+            is_beside = bool(outlet) or takes_motion(chosen)
             if chosen and is_beside:
                 self._use_beside(chosen, outlet)
             if not shown:
@@ -206,7 +206,3 @@ class DeviceDialogs(QObject):
         if dialog in self._working:
             self._working.remove(dialog)
         dialog.deleteLater()
-
-
-def _is_outlet(name: str) -> bool:
-    return name.partition(":")[0] in OUTLETS

@@ -13,10 +13,10 @@ from app.widgets.layout import captioned
 from app.widgets.texts import titled
 from hapticplayer.devices import (
     NO_DEVICE,
-    OUTLETS,
     DeviceEntry,
     find_device,
     installed_devices,
+    takes_motion,
 )
 from hapticplayer.devices.guides import guide_of
 from hapticplayer.errors import DeviceError
@@ -24,16 +24,15 @@ from hapticplayer.errors import DeviceError
 
 def entry_of(name: str) -> DeviceEntry:
     """Return the registry's entry of a kind, whatever follows it; not for "none"."""
-    kind = name.partition(":")[0]
-    return OUTLETS.get(kind) or installed_devices()[kind]
+    return installed_devices()[name.partition(":")[0]]
 
 
 def outlet_text(name: str) -> str:
     """Return a device's name for people, with what was chosen of it."""
     kind, _, chosen = name.partition(":")
-    if kind not in OUTLETS:
+    if not takes_motion(kind):
         return device_name(name).replace(",", ", ")
-    return titled(translated(OUTLETS[kind].label), chosen.replace(",", ", "))
+    return titled(translated(entry_of(kind).label), chosen.replace(",", ", "))
 
 
 def takes_settings(name: str) -> bool:
@@ -42,14 +41,14 @@ def takes_settings(name: str) -> bool:
     Falcons are found by themselves, each with its number.
     """
     entry = entry_of(name)
-    return not entry.direct and (entry.has_serials or bool(entry.settings))
+    return bool(entry.options) and not entry.direct
 
 
 def variants() -> list[Choice]:
     """Return the kinds of those outlets that have several, such as a rig's formats."""
     return [
         Choice(f"{entry.name}:{variant}", outlet_text(f"{entry.name}:{variant}"))
-        for entry in OUTLETS.values()
+        for entry in installed_devices().values()
         for variant in guide_of(entry).variants
     ]
 
@@ -59,7 +58,7 @@ def kinds(
 ) -> list[Choice]:
     """Return everything that can be chosen, by what precedes its settings."""
     kind = parted(current)[0]
-    held = NO_DEVICE if kind.partition(":")[0] in OUTLETS else kind
+    held = NO_DEVICE if takes_motion(kind) else kind
     found = choices.devices(held, falcons)
     return [*(one for one in found if one.name != NO_DEVICE), *variants()]
 

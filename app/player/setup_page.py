@@ -31,7 +31,7 @@ from app.widgets.layout import (
 )
 from app.widgets.texts import PERCENT, breakable
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, OUTLETS
+from hapticplayer.devices import NO_DEVICE, takes_motion
 from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.devices.falcon.setting_up import Progress, Step, set_up
 from hapticplayer.devices.guides import guide_of
@@ -330,7 +330,7 @@ class SetupPage(QDialog):
         self.panel.picture.setVisible(is_testing or not is_falcon)
         self.device.setEnabled(not is_testing)
         self.form.settings.setEnabled(not is_testing)
-        self.forces.setVisible(self.chosen.partition(":")[0] not in OUTLETS)
+        self.forces.setVisible(not takes_motion(self.chosen))
         for button in (self.forces, self.use):
             button.setEnabled(self.is_ready and not is_testing)
         self.panel.test_button.setEnabled(self.is_ready and not is_testing)

@@ -10,7 +10,7 @@ from functools import partial
 from types import FrameType
 from typing import Any
 
-from hapticplayer.devices import NO_DEVICE, OUTLETS, device_names, find_device
+from hapticplayer.devices import NO_DEVICE, device_names, find_device, takes_motion
 from hapticplayer.errors import DeviceError, UsageError
 from hapticplayer.model.ranges import Range
 from hapticplayer.untrusted import without_controls
@@ -143,7 +143,7 @@ def add_outlets(command: argparse.ArgumentParser) -> None:
     The first device that takes a force is `device`, "none" where only others are named;
     the rest are `outlets`.
     """
-    names = [*device_names(), *OUTLETS]
+    names = device_names()
     command.set_defaults(device="simulated", outlets=(), named=())
     command.add_argument(
         "--device",
@@ -170,7 +170,7 @@ class _AddOutlet(argparse.Action):
             parser.error(f"argument --device: {values} is there twice")
         namespace.named = (*namespace.named, values)
         others = [name for name in namespace.named if name != NO_DEVICE]
-        devices = [name for name in others if name.partition(":")[0] not in OUTLETS]
+        devices = [name for name in others if not takes_motion(name)]
         namespace.device = devices[0] if devices else NO_DEVICE
         namespace.outlets = tuple(n for n in others if n != namespace.device)
 
@@ -190,10 +190,13 @@ def _known_name(names: Sequence[str], text: str) -> str:
 
 
 def add_device_name(
-    command: argparse.ArgumentParser, default: str = "simulated", *more: str
+    command: argparse.ArgumentParser,
+    default: str = "simulated",
+    *,
+    motion: bool = False,
 ) -> None:
-    """Add the option that names a haptic device, or one of some outlets."""
-    names = [*device_names(), *more]
+    """Add the option that names a haptic device, also one that takes motion."""
+    names = [name for name in device_names() if motion or not takes_motion(name)]
     command.add_argument(
         "--device",
         type=partial(_known_name, names),

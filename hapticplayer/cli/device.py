@@ -23,7 +23,7 @@ from hapticplayer.cli.device_forces import test_forces
 from hapticplayer.cli.device_measure import measure_falcon
 from hapticplayer.cli.device_rig import add_monitor_options, monitor
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import OUTLETS, find_device, installed_devices
+from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.ftdi import Ftdi
@@ -51,14 +51,19 @@ def add_options(command: argparse.ArgumentParser) -> None:
     actions = command.add_subparsers(title="actions", metavar="ACTION")
 
     def add(
-        name: str, text: str, run: Action, device: str = "falcon", *more: str
+        name: str,
+        text: str,
+        run: Action,
+        device: str = "falcon",
+        *,
+        motion: bool = False,
     ) -> argparse.ArgumentParser:
         action: argparse.ArgumentParser = actions.add_parser(
             name, help=text, description=f"{text[0].upper()}{text[1:]}."
         )
         action.set_defaults(run=lambda chosen, _open_window: run(chosen))
         if device:
-            add_device_name(action, device, *more)
+            add_device_name(action, device, motion=motion)
         action.add_argument("--json", action="store_true", help="report as JSON")
         return action
 
@@ -69,7 +74,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         device="",
     )
     what = "what a device can do and needs here, its firmware, whether it is homed"
-    add("info", what, info, "falcon", *OUTLETS)
+    add("info", what, info, motion=True)
     home = add("home", "home the Falcon, with guidance", home_falcon)
     add_number(
         home,
@@ -94,7 +99,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )
     _add_yes(upload)
     slow = "draw a slow circle of 0.8 N, or move a rig gently, after asking"
-    _add_yes(add("test", slow, test_forces, "falcon", *OUTLETS))
+    _add_yes(add("test", slow, test_forces, motion=True))
     measure = add(
         "measure",
         "measure what is not known of a Falcon, at low force",
@@ -116,7 +121,7 @@ def _add_yes(action: argparse.ArgumentParser) -> None:
 
 def list_devices(options: argparse.Namespace) -> int:
     """Print the devices that this version can drive, and what is plugged in."""
-    known = (*installed_devices().values(), *OUTLETS.values())
+    known = installed_devices().values()
     entries = [{"name": d.name, "title": d.title} for d in known]
     entries.append({"name": "none", "title": "no force at all"})
     falcons: list[dict[str, Any]] = []

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.cli.common import agreed, complain, interruptible, peak_text, say
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import find_device, settings_of
+from hapticplayer.devices import find_device
 from hapticplayer.devices.transducer.settings import ShakerSettings
 from hapticplayer.errors import DeviceError, Message
 from hapticplayer.haptics.contract import Cause, Mode
@@ -32,7 +32,7 @@ def test_forces(options: argparse.Namespace) -> int:
     entry = find_device(options.device)
     if entry.capabilities.signal is Signal.MOTION:
         return _test_rig(options)
-    chosen = settings_of(entry)
+    chosen = entry.settings
     if isinstance(chosen, ShakerSettings):
         return _test_shaker(options, chosen)
     agreed(
@@ -79,7 +79,7 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
     channels = ", ".join(map(str, chosen.channels))
     agreed(
         options,
-        f"The shakers on channels {channels} of {chosen.address} will swell and fade in "
+        f"The shakers on channels {channels} of {chosen.address or 'default'} will swell and fade in "
         f"turn, {track.time_s[-1]:.0f} s each. Turn their amplifier low; Ctrl-C stops. "
         "Ready?",
     )

@@ -20,12 +20,16 @@ from hapticplayer.devices.capabilities import (
     TCODE,
     WHEEL,
 )
+from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.errors import DeviceError, Message, joined
 from hapticplayer.extension import load, rows
-from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
+from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Signal, Vector
 
 NO_DEVICE = "none"
 UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
+FAULTS = "hapticplayer.simulation.faults"
+"""Module of the faults that developers can inject into what has a `server`."""
+_RELEASE_S, _OWN_LOOP_RELEASE_S = 2.0, 4.0
 
 
 class HapticDevice(Protocol):
@@ -65,37 +69,28 @@ class DeviceEntry:
     """A device that can be chosen by name. Functions are named "module:function".
 
     Attributes:
-        name: for command lines and files.
+        name: for command lines and files; with what was chosen after a colon.
         label: short, for lists.
         title: a line about it.
-        capabilities: what it can do.
-        driver: called with a descriptor, and with a serial number where there may be
-            several, returns the `HapticDevice`, not yet open.
-        silencer: called by the guard with what `driver` is called with, returns what
-            writes one zero command; False from it means that there is nothing left to
-            silence.
-        server: module that is run as a process of its own; loop and guard both hold
-            the other end of its line. "" for real hardware: then they hold the two
-            ends of one line, along which the loop may pass what the guard needs.
-        faults: module of the faults that developers can inject; "" for none.
-        direct: called with the line of a loop, or -1 for none, returns how tools
-            reach a Falcon without the haptics process (`falcon.reach`).
-        has_serials: whether it can be chosen as `name:serial`.
-        is_for_developers: whether windows leave it out.
-        patience_s: longest time that opening it may take.
-        release_s: longest time that bringing it to rest may take.
-        settings: called with what follows the name and a colon, in place of a serial
-            number; raises DeviceError for what is not allowed.
-        loop: class of the loop in the device's process; "" for the 1 kHz loop.
-        fades_alone: whether it falls silent by itself when its loop stands still, so
-            that the guard writes zero only after the loop's end.
-        guard: what makes the loop's guard; "" for the one that writes zero.
-        keeps_latency: whether its driver keeps the latency of its settings, by the
-            device's own clock.
+        capabilities: what it can do, with what was chosen.
+        driver: called with a descriptor, and where there are `options` with those,
+            returns the `HapticDevice`, not yet open.
+        silencer: called by the guard as `driver` is, returns what writes one zero
+            command; False from it means that there is nothing left to silence.
+        options: called with what follows the name and a colon, returns
+            `DeviceOptions`; raises DeviceError for what is not allowed, with what is.
+            "" where nothing can follow.
         guide: its set-up page, a `guides.Guide`; "" for one made of what is here.
-        record: called with what follows `name:`, returns the capabilities with these
-            options, or raises DeviceError; "" where they are always the same.
-        serial: the one that was chosen, or its options.
+        server: module that is run as a process of its own and takes injected faults;
+            loop and guard both hold the other end of its line. "" for real hardware:
+            then they hold the two ends of one line, along which the loop may pass what
+            the guard needs.
+        direct: called with the line of a loop, or -1 for none, and what was chosen,
+            returns how tools reach a Falcon without the haptics process.
+        loop: class of the loop in the device's process, whose `guard` makes its guard;
+            "" for the 1 kHz loop and the guard that writes zero.
+        patience_s: longest time that opening it may take.
+        is_for_developers: whether windows leave it out.
     """
 
     name: str
@@ -103,35 +98,55 @@ class DeviceEntry:
     title: str
     capabilities: DeviceCapabilities
     driver: str
-    silencer: str
-    server: str = ""
-    faults: str = ""
-    direct: str = ""
-    has_serials: bool = False
-    is_for_developers: bool = False
-    patience_s: float = 10.0
-    release_s: float = 2.0
-    record: str = ""
-    serial: str = ""
-    settings: str = ""
-    loop: str = ""
-    guard: str = ""
+    silencer: str = ""
+    options: str = ""
     guide: str = ""
-    fades_alone: bool = False
-    keeps_latency: bool = False
+    server: str = ""
+    direct: str = ""
+    loop: str = ""
+    patience_s: float = 10.0
+    is_for_developers: bool = False
+
+    @property
+    def chosen(self) -> str:
+        """What follows the name and a colon."""
+        return self.name.partition(":")[2]
+
+    @property
+    def takes_motion(self) -> bool:
+        """Whether it is sent the motion of the recording and no force."""
+        return self.capabilities.signal is Signal.MOTION
+
+    @property
+    def settings(self) -> DeviceOptions:
+        """What was chosen, with all that follows from it; raises DeviceError."""
+        if self.options:
+            return _parsed(self.options, self.chosen)
+        return DeviceOptions(self.capabilities)
+
+    @property
+    def release_s(self) -> float:
+        """Longest time that bringing it to rest may take."""
+        return _OWN_LOOP_RELEASE_S if self.loop else _RELEASE_S
 
     def make(self, descriptor: int) -> HapticDevice:
-        """Return the device, not yet open."""
-        made: HapticDevice = load(self.driver)(*self._chosen(descriptor))
+        """The device, not yet open."""
+        made: HapticDevice = load(self.driver)(*self._arguments(descriptor))
         return made
 
     def silence(self, descriptor: int) -> Callable[[], bool]:
-        """Return what writes one zero command."""
-        silencer: Callable[[], bool] = load(self.silencer)(*self._chosen(descriptor))
+        """What writes one zero command."""
+        silencer: Callable[[], bool] = load(self.silencer)(*self._arguments(descriptor))
         return silencer
 
-    def _chosen(self, descriptor: int) -> tuple[int] | tuple[int, str]:
-        return (descriptor, self.serial) if self.serial else (descriptor,)
+    def _arguments(self, descriptor: int) -> tuple[Any, ...]:
+        return (descriptor, self.settings) if self.options else (descriptor,)
+
+
+@cache
+def _parsed(options: str, text: str) -> DeviceOptions:
+    found: DeviceOptions = load(options)(text)
+    return found
 
 
 _SIMULATION = "hapticplayer.simulation"
@@ -145,7 +160,6 @@ _BUILT_IN = (
         f"{_SIMULATION}.falcon.remote:RemoteFalcon",
         f"{_SIMULATION}.falcon.remote:silence",
         server=f"{_SIMULATION}.falcon",
-        faults=f"{_SIMULATION}.faults",
         guide=f"{_GUIDES}:SIMULATED",
     ),
     DeviceEntry(
@@ -156,7 +170,7 @@ _BUILT_IN = (
         "hapticplayer.devices.falcon.driver:make",
         "hapticplayer.devices.falcon.silence:silence",
         direct="hapticplayer.devices.falcon.reach:real",
-        has_serials=True,
+        options="hapticplayer.devices.falcon:falcon_options",
         patience_s=45.0,  # ten uploads, should the first nine fail
         guide=f"{_GUIDES}:FALCON",
     ),
@@ -168,7 +182,6 @@ _BUILT_IN = (
         f"{_SIMULATION}.usb.driver:make",
         f"{_SIMULATION}.usb.remote:silence",
         server=f"{_SIMULATION}.usb",
-        faults=f"{_SIMULATION}.faults",
         direct=f"{_SIMULATION}.usb.driver:simulated",
         is_for_developers=True,
         patience_s=45.0,
@@ -180,7 +193,7 @@ _BUILT_IN = (
         INVERSE3,
         "hapticplayer.devices.inverse3.driver:make",
         "hapticplayer.devices.inverse3.driver:silence",
-        has_serials=True,
+        options="hapticplayer.devices.inverse3.driver:inverse3_options",
         guide=f"{_GUIDES}:INVERSE3",
     ),
     DeviceEntry(
@@ -191,7 +204,6 @@ _BUILT_IN = (
         f"{_SIMULATION}.inverse3.driver:make",
         f"{_SIMULATION}.falcon.remote:silence",
         server=f"{_SIMULATION}.inverse3",
-        faults=f"{_SIMULATION}.faults",
         is_for_developers=True,
     ),
     DeviceEntry(
@@ -201,8 +213,7 @@ _BUILT_IN = (
         WHEEL,
         "hapticplayer.devices.evdev.driver:make_wheel",
         "hapticplayer.devices.evdev.driver:silence_wheel",
-        has_serials=True,
-        record="hapticplayer.devices.evdev.options:capabilities_of",
+        options="hapticplayer.devices.evdev.options:wheel_options",
         guide=f"{_GUIDES}:WHEEL",
     ),
     DeviceEntry(
@@ -212,7 +223,7 @@ _BUILT_IN = (
         RUMBLE,
         "hapticplayer.devices.evdev.driver:make_rumble",
         "hapticplayer.devices.evdev.driver:silence_rumble",
-        has_serials=True,
+        options="hapticplayer.devices.evdev.options:rumble_options",
         guide=f"{_GUIDES}:RUMBLE",
     ),
     DeviceEntry(
@@ -222,10 +233,8 @@ _BUILT_IN = (
         SHAKER,
         "hapticplayer.devices.transducer.driver:make",
         "hapticplayer.devices.transducer.silence:silence",
-        settings="hapticplayer.devices.transducer.settings:shaker_settings",
+        options="hapticplayer.devices.transducer.settings:shaker_settings",
         guide=f"{_GUIDES}:SHAKER",
-        fades_alone=True,
-        keeps_latency=True,
     ),
     DeviceEntry(
         "buttplug",
@@ -234,7 +243,7 @@ _BUILT_IN = (
         BUTTPLUG,
         "hapticplayer.devices.buttplug:make",
         "hapticplayer.devices.buttplug:silence",
-        has_serials=True,
+        options="hapticplayer.devices.buttplug:buttplug_options",
         guide=f"{_GUIDES}:BUTTPLUG",
     ),
     DeviceEntry(
@@ -244,30 +253,22 @@ _BUILT_IN = (
         TCODE,
         "hapticplayer.devices.tcode:make",
         "hapticplayer.devices.tcode:silence",
-        has_serials=True,
+        options="hapticplayer.devices.tcode:tcode_options",
         guide=f"{_GUIDES}:TCODE",
     ),
-)
-DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
-"""Those of the core; `installed_devices` has also those of extensions."""
-
-_RIG = "hapticplayer.haptics.rig"
-OUTLETS: dict[str, DeviceEntry] = {
-    "rig": DeviceEntry(
+    DeviceEntry(
         "rig",
         Message("Motion rig"),
         "software of a motion rig, spoken to as a game does by UDP",
         RIG,
         "hapticplayer.devices.rig.sender:make",
-        "",
-        release_s=4.0,
-        settings="hapticplayer.devices.rig.settings:rig_settings",
-        loop=f"{_RIG}.loop:RigLoop",
-        guard=f"{_RIG}.guard:make",
+        options="hapticplayer.devices.rig.settings:rig_settings",
+        loop="hapticplayer.haptics.rig.loop:RigLoop",
         guide=f"{_GUIDES}:RIG",
-    )
-}
-"""What plays beside a device, or without one, and takes no force."""
+    ),
+)
+DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
+"""Those of the core; `installed_devices` has also those of extensions."""
 
 
 @cache
@@ -281,30 +282,32 @@ def device_names() -> list[str]:
     return [*installed_devices(), NO_DEVICE]
 
 
+def takes_motion(name: str) -> bool:
+    """Whether a device is sent the motion of the recording, whatever was chosen of it."""
+    entry = installed_devices().get(name.partition(":")[0])
+    return entry is not None and entry.takes_motion
+
+
 def find_device(name: str) -> DeviceEntry:
-    """Return the device or outlet of that name, or name:serial, or name:settings.
+    """The device of that name, or of name:options.
 
     Raises:
-        DeviceError: for others.
+        DeviceError: for others, and for options that are not allowed.
     """
-    kind, _, serial = name.partition(":")
-    ours = (*DEVICES.values(), *OUTLETS.values())
-    known = rows("devices", DeviceEntry, ours)  # asks no package for one of ours
+    kind, _, chosen = name.partition(":")
+    known = rows("devices", DeviceEntry, DEVICES.values())  # asks no package for ours
     entry = next((one for one in known if one.name == kind), None)
-    if entry is not None and entry.settings:
-        load(entry.settings)(serial)  # refuses what is not allowed
-    elif entry is None or (serial and not entry.has_serials):
+    if entry is None:
         raise DeviceError(
             "device {name!r}: this version has no driver for it; use {known}",
             name=name,
             known=joined(Message(" or "), installed_devices()),
         )
-    if not serial:
+    if not chosen:
         return entry
-    record = load(entry.record)(serial) if entry.record else entry.capabilities
-    return replace(entry, name=name, serial=serial, capabilities=record)
-
-
-def settings_of(entry: DeviceEntry) -> Any:
-    """Return what was chosen of an entry that has settings, else None."""
-    return load(entry.settings)(entry.serial) if entry.settings else None
+    if not entry.options:
+        raise DeviceError(
+            "device {name!r}: nothing can follow; use {kind}", name=name, kind=kind
+        )
+    record = _parsed(entry.options, chosen).capabilities
+    return replace(entry, name=name, capabilities=record)

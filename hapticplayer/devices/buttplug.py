@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.capabilities import BUTTPLUG
 from hapticplayer.devices.descriptor_passing import hand_over, take_over
+from hapticplayer.devices.options import DeviceOptions, service_options
 from hapticplayer.devices.paced import FULL_LEVEL, PacedDriver, Rumble
 from hapticplayer.devices.websocket import OPENING_S, Connection
 from hapticplayer.errors import DeviceError
@@ -236,17 +237,22 @@ def _messages(text: str | bytes) -> list[tuple[str, dict[str, Any]]]:
         return []
 
 
-def make(line: int, where: str = "") -> PacedDriver:
-    """Return the driver of what Intiface has."""
+def buttplug_options(text: str) -> DeviceOptions:
+    """Intiface on this machine, or at HOST:PORT; raises DeviceError."""
+    return service_options(text, DEFAULT, BUTTPLUG)
+
+
+def make(line: int, options: DeviceOptions) -> PacedDriver:
+    """The driver of what Intiface has."""
     return PacedDriver(
         "buttplug",
         BUTTPLUG,
-        lambda: ButtplugPort(where or DEFAULT, line, SystemClock()),
+        lambda: ButtplugPort(options.address, line, SystemClock()),
         REFRESH_S,
     )
 
 
-def silence(line: int, _where: str = "") -> Callable[[], bool]:
+def silence(line: int, _options: object = None) -> Callable[[], bool]:
     """Return what shuts the connection down, for the guard: the server stops all."""
     held: list[int] = []  # as long as the guard lives
 

@@ -63,4 +63,4 @@ INVERSE3 = DeviceCapabilities(
     latency_s=0.002,
 )
 
-SHAKER = replace(VIBRATION, rate_hz=1000.0, latency_s=0.080)
+SHAKER = replace(VIBRATION, rate_hz=1000.0, latency_s=0.080, has_own_clock=True)

@@ -12,7 +12,7 @@ import socket
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from hapticplayer.devices.addresses import host_and_port
+from hapticplayer.devices.options import host_and_port
 from hapticplayer.errors import HapticPlayerError, Message, message_of
 
 ANSWER_S = 0.5

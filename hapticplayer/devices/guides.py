@@ -7,6 +7,7 @@ record. Nothing of this is loaded by the haptics process.
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from hapticplayer.devices import UDEV_RULE, DeviceEntry
 from hapticplayer.devices import buttplug as _intiface
@@ -21,22 +22,22 @@ from hapticplayer.devices.checks import (
     usable,
 )
 from hapticplayer.devices.evdev.effects import FF_CONSTANT, FF_RUMBLE
-from hapticplayer.devices.evdev.options import parse
 from hapticplayer.devices.evdev.ports import DEVICES as _NODES
 from hapticplayer.devices.evdev.ports import list_devices
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.devices.falcon.transport import list_falcons
 from hapticplayer.devices.falcon.usbfs import NODE
 from hapticplayer.devices.inverse3 import driver as _inverse3
+from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.devices.rig.packets import FORMATS
-from hapticplayer.devices.rig.settings import LOOPBACK, rig_settings
+from hapticplayer.devices.rig.settings import LOOPBACK
 from hapticplayer.devices.transducer.cards import check_card
-from hapticplayer.devices.transducer.settings import shaker_settings
+from hapticplayer.devices.transducer.settings import ShakerSettings
 from hapticplayer.errors import HapticPlayerError, Message, message_of
 from hapticplayer.extension import load
 from hapticplayer.model.device import DeviceCapabilities, Signal
 
-Checks = Callable[[str], Iterable[Check]]
+Checks = Callable[[Any], Iterable[Check]]
 _WEBSOCKETS = Message("Install hapticplayer with its extra websockets.")
 _RULE = Message(
     "Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the device and plug it "
@@ -45,22 +46,22 @@ _RULE = Message(
 )
 
 
-def _nothing(_chosen: str) -> Iterable[Check]:
+def _nothing(_options: Any) -> Iterable[Check]:
     return ()
 
 
 @dataclass(frozen=True, slots=True)
 class Guide:
-    """The set-up page of a kind of device; `chosen` is what follows its name and a colon.
+    """The set-up page of a kind of device; `options` is what its parser returns.
 
     Attributes:
         what: what it is and does, a sentence.
         connect: how to connect it, some sentences.
         hold: what a person does before it moves; "" for what suits its capabilities.
-        checks: called with `chosen`, in a thread, returns what it needs.
-        example: of `chosen`.
+        checks: called with `options`, in a thread, returns what it needs.
+        example: of what follows the name and a colon.
         variants: kinds of it that lists offer, each with an example of what follows it.
-        parts: called with `chosen`, returns label and device name of each part that is
+        parts: called with `options`, returns label and device name of each part that is
             tested by itself; for devices with several channels.
         tells_latency: whether it answers each command when it acts on it: half the age
             of its answers is its latency.
@@ -72,7 +73,7 @@ class Guide:
     checks: Checks = _nothing
     example: str = ""
     variants: Mapping[str, str] = field(default_factory=dict)
-    parts: Callable[[str], Sequence[tuple[str, str]]] | None = None
+    parts: Callable[[Any], Sequence[tuple[str, str]]] | None = None
     tells_latency: bool = False
 
 
@@ -96,7 +97,7 @@ def hold_text(guide: Guide, record: DeviceCapabilities) -> Message:
 def checks_of(entry: DeviceEntry) -> list[Check]:
     """Return what a device needs, up to the first that is not met."""
     try:
-        return until_unmet(guide_of(entry).checks(entry.serial))
+        return until_unmet(guide_of(entry).checks(entry.settings))
     except Exception as problem:  # noqa: BLE001 - of any package: the page shows it
         what = Message("Search on this computer")
         return [Check(what, False, message_of(problem))]
@@ -105,10 +106,12 @@ def checks_of(entry: DeviceEntry) -> list[Check]:
 # --- what each of them needs ----------------------------------------------------
 
 
-def _falcon(serial: str) -> Iterable[Check]:
+def _falcon(options: DeviceOptions) -> Iterable[Check]:
     remedy = Message("Connect its power supply and its USB cable.")
     found = [
-        one for one in list_falcons() if serial in ("", one.serial) or not one.serial
+        one
+        for one in list_falcons()
+        if options.address in ("", one.serial) or not one.serial
     ]
     yield Check(Message("Falcon on USB"), bool(found), remedy)
     for one in found[:1]:
@@ -123,14 +126,14 @@ def _falcon(serial: str) -> Iterable[Check]:
         yield Check(Message("Firmware"), True)
 
 
-def _inverse(where: str) -> Iterable[Check]:
+def _inverse(options: DeviceOptions) -> Iterable[Check]:
     yield from package("websockets", _WEBSOCKETS)
-    yield service(_inverse3.TITLE, where or _inverse3.DEFAULT)
+    yield service(_inverse3.TITLE, options.address)
 
 
-def _buttplug(where: str) -> Iterable[Check]:
+def _buttplug(options: DeviceOptions) -> Iterable[Check]:
     yield from package("websockets", _WEBSOCKETS)
-    yield service(_intiface.TITLE, where or _intiface.DEFAULT)
+    yield service(_intiface.TITLE, options.address)
 
 
 def _event(node: str, effect: int, kind: Message) -> Iterable[Check]:
@@ -150,29 +153,29 @@ def _event(node: str, effect: int, kind: Message) -> Iterable[Check]:
         yield usable(str(_NODES / one.node), group)
 
 
-def _wheel(chosen: str) -> Iterable[Check]:
+def _wheel(options: DeviceOptions) -> Iterable[Check]:
     return _event(
-        parse(chosen).node, FF_CONSTANT, Message("Wheel or joystick with a motor")
+        options.address, FF_CONSTANT, Message("Wheel or joystick with a motor")
     )
 
 
-def _rumble(node: str) -> Iterable[Check]:
-    return _event(node, FF_RUMBLE, Message("Game pad that Linux can rumble"))
+def _rumble(options: DeviceOptions) -> Iterable[Check]:
+    return _event(options.address, FF_RUMBLE, Message("Game pad that Linux can rumble"))
 
 
-def _rig(chosen: str) -> Iterable[Check]:
-    yield receiver(rig_settings(chosen).address, Message("Start the rig's software."))
+def _rig(options: DeviceOptions) -> Iterable[Check]:
+    yield receiver(options.address, Message("Start the rig's software."))
 
 
-def _shaker(chosen: str) -> Iterable[Check]:
+def _shaker(options: ShakerSettings) -> Iterable[Check]:
     yield from package(
         "sounddevice", Message("Install the Python package sounddevice.")
     )
-    yield check_card(chosen)
+    yield check_card(options)
 
 
-def _board(chosen: str) -> Iterable[Check]:
-    where = chosen.partition(",")[0] or _tcode.DEFAULT
+def _board(options: DeviceOptions) -> Iterable[Check]:
+    where = options.address
     if where.startswith("/"):
         group = Message("Connect the board, and add yourself to the group dialout.")
         yield usable(where, group)
@@ -182,8 +185,7 @@ def _board(chosen: str) -> Iterable[Check]:
         )
 
 
-def _channels(chosen: str) -> Sequence[tuple[str, str]]:
-    settings = shaker_settings(chosen)
+def _channels(settings: ShakerSettings) -> Sequence[tuple[str, str]]:
     return [(str(channel), settings.alone(channel)) for channel in settings.channels]
 
 

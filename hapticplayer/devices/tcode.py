@@ -10,12 +10,18 @@ import os
 import re
 import socket
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
-from hapticplayer.devices.addresses import host_and_port
 from hapticplayer.devices.capabilities import TCODE
+from hapticplayer.devices.options import (
+    DeviceOptions,
+    Fields,
+    fields_of,
+    host_and_port,
+)
 from hapticplayer.devices.paced import FULL_LEVEL, PacedDriver, Rumble, silencer
 from hapticplayer.errors import DeviceError
-from hapticplayer.model.device import Vector
+from hapticplayer.model.device import DeviceCapabilities, Vector
 
 DEFAULT = "127.0.0.1:8000"
 REFRESH_S = 0.5
@@ -23,6 +29,15 @@ STOP = b"DSTOP\n"
 _FULL, _RAMP_MS = 9999, 20
 _MOST_READ = 256
 _SERIAL_BAUD = "B115200"
+
+
+@dataclass(frozen=True, slots=True)
+class TcodeOptions(DeviceOptions):
+    """HOST:PORT or a serial port, and which channel of it vibrates."""
+
+    capabilities: DeviceCapabilities = TCODE
+    address: str = DEFAULT
+    channel: str = "V0"
 
 
 class TcodeTranslator:
@@ -95,20 +110,28 @@ class TCodePort:
         )
 
 
-def open_board(text: str) -> TCodePort:
-    """Return the board at `HOST:PORT` or `/dev/ttyUSB0`, with `,channel=V1`.
+def tcode_options(text: str) -> TcodeOptions:
+    """What follows "tcode:", such as "/dev/ttyUSB0,channel=V1"; raises DeviceError."""
+    return TcodeOptions(
+        **fields_of("tcode", text, _board, {"channel": ("channel", _channel)})
+    )
 
-    Raises:
-        DeviceError: for what makes no sense, and where nothing can be opened.
-    """
-    where, _, rest = (text or DEFAULT).partition(",")
-    channel = rest.removeprefix("channel=") or "V0"
-    if not re.fullmatch(r"[LRVA]\d", channel):
-        raise DeviceError(
-            "device option {part!r}: not known; use HOST:PORT or a serial port, then "
-            "channel=V0",
-            part=rest,
-        )
+
+def _board(part: str) -> Fields:
+    if not part.startswith("/"):
+        host_and_port(part)
+    return {"address": part}
+
+
+def _channel(_name: str, text: str) -> str:
+    if not re.fullmatch(r"[LRVA]\d", text):
+        raise DeviceError("use L, R, V or A and a digit, such as V0")
+    return text
+
+
+def open_board(options: TcodeOptions) -> TCodePort:
+    """The board, open; raises DeviceError."""
+    where = options.address
     try:
         descriptor = _serial(where) if where.startswith("/") else _udp(where)
     except OSError as problem:
@@ -118,7 +141,7 @@ def open_board(text: str) -> TCodePort:
             where=where,
             reason=problem.strerror or str(problem),
         ) from problem
-    return TCodePort(descriptor, where, TcodeTranslator(channel))
+    return TCodePort(descriptor, where, TcodeTranslator(options.channel))
 
 
 def _udp(where: str) -> int:
@@ -148,11 +171,11 @@ def _serial(where: str) -> int:
     return descriptor
 
 
-def make(_line: int, text: str = "") -> PacedDriver:
-    """Return the driver of a board."""
-    return PacedDriver("tcode", TCODE, lambda: open_board(text), REFRESH_S)
+def make(_line: int, options: TcodeOptions) -> PacedDriver:
+    """The driver of a board."""
+    return PacedDriver("tcode", TCODE, lambda: open_board(options), REFRESH_S)
 
 
-def silence(_line: int, text: str = "") -> Callable[[], bool]:
-    """Return what stops a board, for the guard."""
-    return silencer(lambda: open_board(text))
+def silence(_line: int, options: TcodeOptions) -> Callable[[], bool]:
+    """What stops a board, for the guard."""
+    return silencer(lambda: open_board(options))

@@ -6,7 +6,7 @@ import sys
 from typing import Any
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import HapticDevice, find_device
+from hapticplayer.devices import FAULTS, HapticDevice, find_device
 from hapticplayer.errors import DeviceError, message_of
 from hapticplayer.extension import load
 from hapticplayer.haptics.block import LoopBlock
@@ -37,7 +37,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--faults", action="store_true", help="take faults")
     parser.add_argument("--scheduling", choices=[s.value for s in Scheduling])
     options = parser.parse_args(argv)
-    if options.faults and not find_device(options.device).faults:
+    if options.faults and not find_device(options.device).server:
         parser.error("a real device does not accept injected faults")
 
     # Ctrl-C and a hang-up reach the whole group: the player decides, its alarm reports
@@ -90,7 +90,7 @@ def _loop(
 def _kind(options: argparse.Namespace) -> type[Loop]:
     if not options.faults:
         return Loop
-    kind: type[Loop] = load(f"{find_device(options.device).faults}.loop:FaultyLoop")
+    kind: type[Loop] = load(f"{FAULTS}.loop:FaultyLoop")
     return kind
 
 

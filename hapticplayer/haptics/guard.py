@@ -129,13 +129,13 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _guard(entry: DeviceEntry, block: LoopBlock, handle: int) -> Any:
-    if entry.guard:
-        return load(entry.guard)(SystemClock(), block, entry.make(handle))
+    if entry.loop:
+        return load(entry.loop).guard(SystemClock(), block, entry.make(handle))
     return Guard(
         SystemClock(),
         block,
         entry.silence(handle),
-        watches_stalls=not entry.fades_alone,
+        watches_stalls=not entry.capabilities.has_own_clock,
     )
 
 

@@ -11,7 +11,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, DeviceEntry, find_device
+from hapticplayer.devices import FAULTS, NO_DEVICE, DeviceEntry, find_device
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
 from hapticplayer.extension import load
 from hapticplayer.haptics.lifeline import hold_lifeline
@@ -91,7 +91,7 @@ class HapticsProcesses:
             if device == NO_DEVICE:
                 return
             entry = find_device(device)
-            if takes_faults and not entry.faults:
+            if takes_faults and not entry.server:
                 raise UsageError(
                     "{device} is a real device and does not accept injected faults",
                     device=device,
@@ -103,7 +103,7 @@ class HapticsProcesses:
                 stack.enter_context(acted_on)
                 device_options = [*device_options, "--control", str(acted_on.fileno())]
                 device_descriptors = [*device_descriptors, acted_on.fileno()]
-                self._device_faults = load(f"{entry.faults}:DeviceFaults")(act.detach())
+                self._device_faults = load(f"{FAULTS}:DeviceFaults")(act.detach())
             self.health = Health.STARTING
             self.beat()
             try:

@@ -30,6 +30,9 @@ class DeviceCapabilities:
         first_axis: 0, 1, 2 for x, y, z.
         has_newtons: whether a force of 1 N is 1 N; else it is a share of what the
             device can do.
+        has_own_clock: whether it plays what it is sent at stated times, by a clock of
+            its own: its driver keeps the latency of its options, and it falls silent by
+            itself when its loop stands still.
     """
 
     axes: int
@@ -41,6 +44,7 @@ class DeviceCapabilities:
     signal: Signal = Signal.FORCE
     first_axis: int = 0
     has_newtons: bool = True
+    has_own_clock: bool = False
 
 
 MOST_CHANNELS = 8

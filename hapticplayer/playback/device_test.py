@@ -67,7 +67,7 @@ def parts_of(name: str) -> tuple[DevicePart, ...]:
         return (DevicePart("", name, *rig_demonstration()),)
     strengths = GENTLE if record.axes else GENTLE_VIBRATION
     track, steps = demonstration(record, strengths)
-    parts = divide(entry.serial) if divide else (("", name),)
+    parts = divide(entry.settings) if divide else (("", name),)
     return tuple(DevicePart(label, device, track, steps) for label, device in parts)
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from hapticplayer.devices import NO_DEVICE, find_device, settings_of
+from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.sequence.files import config_home
 from hapticplayer.structures import finite_number
@@ -122,9 +122,8 @@ class Latencies:
         if name in ("", NO_DEVICE):
             return DeviceLatency(self.device_s.get(name, 0.0), LatencySource.ASSUMED)
         entry = find_device(name)
-        chosen = settings_of(entry)
-        own_s = chosen.latency_s if chosen else 0.0
-        if own_s and not entry.keeps_latency:
+        own_s = entry.settings.latency_s
+        if own_s and not entry.capabilities.has_own_clock:
             return DeviceLatency(own_s, LatencySource.SETTINGS)
         if name in self.device_s:
             return DeviceLatency(self.device_s[name], LatencySource.MEASURED)

@@ -8,8 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, find_device, settings_of
-from hapticplayer.devices.rig.settings import RigSettings
+from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses
@@ -66,11 +65,11 @@ class Outlet:
     ) -> None:
         self._before = before
         entry = find_device(name)
-        chosen = settings_of(entry)
+        chosen = entry.settings
         self.name, self.output = name, output
         self.takes_motion = entry.capabilities.signal is Signal.MOTION
-        self.gain = chosen.gain if chosen else 1.0
-        self.address = chosen.address if chosen else ""
+        self.gain = chosen.gain
+        self.address = chosen.address
         self.latency_s, self.latency_source = Latencies().of_device(name)
         self.is_muted, self.feedback = False, ""
         self.is_lent = self._is_stopped = False
@@ -316,15 +315,9 @@ class Outlets:
 
 
 def _refuse_alike(names: Sequence[str]) -> None:
-    taken: set[tuple[str, str]] = set()
+    taken = set()
     for name in names:
-        chosen = settings_of(find_device(name))
-        if not isinstance(chosen, RigSettings):  # a sound card mixes what it gets
-            continue
-        if (chosen.format.name, chosen.address) in taken:
-            raise UsageError(
-                "two outlets send {format} to {address}; keep one of them",
-                format=chosen.format.name,
-                address=chosen.address,
-            )
-        taken.add((chosen.format.name, chosen.address))
+        use = find_device(name).settings.sole_use
+        if use and use in taken:
+            raise UsageError("two outlets send {what}; keep one of them", what=use)
+        taken.add(use)

@@ -77,7 +77,7 @@ def test_an_unreachable_or_forbidden_address_is_named(window, page):
     page.kind.setCurrentIndex(page.kind.findData("rig:beamng"))
     page.address.setText("here")
     page.add()
-    assert "'here' is not HOST:PORT" in page.problem.text()
+    assert "use outsim, codemasters, beamng, HOST:PORT" in page.problem.text()
     assert playing_on(window) == {}
 
 

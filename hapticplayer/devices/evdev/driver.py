@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 
-from hapticplayer.devices.capabilities import RUMBLE
 from hapticplayer.devices.evdev.effects import (
     FF_CONSTANT,
     FF_RUMBLE,
@@ -10,42 +9,42 @@ from hapticplayer.devices.evdev.effects import (
     ConstantForceTranslator,
     RumbleTranslator,
 )
-from hapticplayer.devices.evdev.options import capabilities_of, parse
+from hapticplayer.devices.evdev.options import WheelOptions
 from hapticplayer.devices.evdev.ports import EventPort, GainPort, open_first
+from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.devices.paced import PacedDriver, silencer
 
 
-def _wheel(text: str, kind: type[EventPort]) -> EventPort:
-    chosen = parse(text)
+def _wheel(chosen: WheelOptions, kind: type[EventPort]) -> EventPort:
     return open_first(
         FF_CONSTANT,
-        chosen.node,
-        lambda: ConstantForceTranslator(chosen.axis, chosen.full_n),
+        chosen.address,
+        lambda: ConstantForceTranslator(chosen.axis, chosen.sign * chosen.full_n),
         kind,
     )
 
 
-def make_wheel(_line: int, options: str = "") -> PacedDriver:
-    """Return the driver of a wheel or joystick with a motor; raises DeviceError."""
-    record = capabilities_of(options)
+def _pad(chosen: DeviceOptions, kind: type[EventPort]) -> EventPort:
+    return open_first(FF_RUMBLE, chosen.address, RumbleTranslator, kind)
+
+
+def make_wheel(_line: int, options: WheelOptions) -> PacedDriver:
+    """The driver of a wheel or joystick with a motor."""
+    record = options.capabilities
     return PacedDriver("wheel", record, lambda: _wheel(options, EventPort), REFRESH_S)
 
 
-def silence_wheel(_line: int, options: str = "") -> Callable[[], bool]:
-    """Return what takes a wheel's gain away, for the guard."""
+def silence_wheel(_line: int, options: WheelOptions) -> Callable[[], bool]:
+    """What takes a wheel's gain away, for the guard."""
     return silencer(lambda: _wheel(options, GainPort))
 
 
-def make_rumble(_line: int, node: str = "") -> PacedDriver:
-    """Return the driver of a pad that the kernel can rumble."""
-    return PacedDriver(
-        "rumble",
-        RUMBLE,
-        lambda: open_first(FF_RUMBLE, node, RumbleTranslator, EventPort),
-        REFRESH_S,
-    )
+def make_rumble(_line: int, options: DeviceOptions) -> PacedDriver:
+    """The driver of a pad that the kernel can rumble."""
+    record = options.capabilities
+    return PacedDriver("rumble", record, lambda: _pad(options, EventPort), REFRESH_S)
 
 
-def silence_rumble(_line: int, node: str = "") -> Callable[[], bool]:
-    """Return what takes a pad's gain away, for the guard."""
-    return silencer(lambda: open_first(FF_RUMBLE, node, RumbleTranslator, GainPort))
+def silence_rumble(_line: int, options: DeviceOptions) -> Callable[[], bool]:
+    """What takes a pad's gain away, for the guard."""
+    return silencer(lambda: _pad(options, GainPort))

@@ -1,68 +1,61 @@
-"""What is chosen with a wheel: `wheel:event5,axis=y,full=3,sign=-`."""
+"""What is chosen with a wheel or pad: `wheel:event5,axis=y,full=3,sign=-`."""
 
-import math
+import re
 from dataclasses import dataclass, replace
 
-from hapticplayer.devices.capabilities import WHEEL
+from hapticplayer.devices.capabilities import RUMBLE, WHEEL
+from hapticplayer.devices.options import (
+    DeviceOptions,
+    Fields,
+    Parse,
+    fields_of,
+    one_of,
+)
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceCapabilities
+from hapticplayer.model.ranges import Range
 
 AXES = "xyz"
-_LEAST_FULL_N, _MOST_FULL_N = 0.5, 20.0
+FULL_N = Range(0.5, 20.0, "N")
+_SIGNS = {"+": 1.0, "-": -1.0}
 
 
 @dataclass(frozen=True, slots=True)
-class WheelOptions:
-    """What the user has chosen.
+class WheelOptions(DeviceOptions):
+    """Which wheel, and how it is moved.
 
     Attributes:
-        node: name under /dev/input; "" for the first that fits.
+        address: name under /dev/input; "" for the first that fits.
         axis: 0, 1, 2 for x, y, z of frame D: which part of the force it exerts.
-        full_n: force of the track at which the wheel does all it can; negative turns
-            its direction round.
+        full_n: force of the track at which the wheel does all it can.
+        sign: -1 turns its direction round.
     """
 
-    node: str = ""
+    capabilities: DeviceCapabilities = WHEEL
     axis: int = 0
     full_n: float = WHEEL.peak_force_n
+    sign: float = 1.0
 
 
-def parse(text: str) -> WheelOptions:
-    """Return what follows "wheel:"; raises DeviceError for what makes no sense."""
-    node, sign, full_n, axis = "", 1.0, WHEEL.peak_force_n, 0
-    for part in filter(None, text.split(",")):
-        key, equals, value = part.partition("=")
-        if not equals and not node:
-            node = key
-        elif key == "axis" and len(value) == 1 and value in AXES:
-            axis = AXES.index(value)
-        elif key == "full":
-            full_n = _newtons(part, value)
-        elif key == "sign" and value in ("+", "-"):
-            sign = -1.0 if value == "-" else 1.0
-        else:
-            raise _unknown(part)
-    return WheelOptions(node, axis, sign * full_n)
+def wheel_options(text: str) -> WheelOptions:
+    """What follows "wheel:"; raises DeviceError."""
+    found = WheelOptions(**fields_of("wheel", text, _node, _OPTIONS))
+    return replace(found, capabilities=replace(WHEEL, first_axis=found.axis))
 
 
-def capabilities_of(text: str) -> DeviceCapabilities:
-    """Return the record of a wheel with its options; raises DeviceError."""
-    return replace(WHEEL, first_axis=parse(text).axis)
+def rumble_options(text: str) -> DeviceOptions:
+    """What follows "rumble:"; raises DeviceError."""
+    return DeviceOptions(RUMBLE, **fields_of("rumble", text, _node, {}))
 
 
-def _newtons(part: str, value: str) -> float:
-    try:
-        full_n = float(value)
-    except ValueError:
-        raise _unknown(part) from None
-    if not math.isfinite(full_n) or not _LEAST_FULL_N <= full_n <= _MOST_FULL_N:
-        raise _unknown(part)
-    return full_n
+def _node(part: str) -> Fields:
+    if not re.fullmatch(r"event\d+", part):
+        raise DeviceError("use a name in /dev/input, such as event5")
+    return {"address": part}
 
 
-def _unknown(part: str) -> DeviceError:
-    return DeviceError(
-        "device option {part!r}: not known; use event5 (a name in /dev/input), "
-        "axis=x, y or z, full=N (0.5 to 20 newtons of the track), sign=+ or -",
-        part=part,
-    )
+_OPTIONS: dict[str, tuple[str, Parse]] = {
+    "axis": ("axis", lambda _name, value: AXES.index(one_of(value, AXES))),
+    "full": ("full_n", FULL_N.parse),
+    "sign": ("sign", lambda _name, value: _SIGNS[one_of(value, _SIGNS)]),
+}

@@ -23,6 +23,7 @@ from hapticplayer.devices.falcon.link import WRITE_S, Link, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Lights, Reply, encode_command
 from hapticplayer.devices.falcon.tracker import Tracker
 from hapticplayer.devices.falcon.transport import OpenTransport, Transport, open_falcon
+from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.errors import DeviceError, Message
 from hapticplayer.model.device import DeviceReading, Vector
 
@@ -256,6 +257,6 @@ def opening(line: int, serial: str = "") -> OpenTransport:
     return open_and_share
 
 
-def make(line: int, serial: str = "") -> FalconDriver:
-    """Return the driver of the Falcon that is plugged in; see `opening`."""
-    return FalconDriver(opening(line, serial))
+def make(line: int, options: DeviceOptions) -> FalconDriver:
+    """The driver of the Falcon that is plugged in; see `opening`."""
+    return FalconDriver(opening(line, options.address))

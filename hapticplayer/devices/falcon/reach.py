@@ -49,7 +49,7 @@ def reach_of(name: str, line: int = NO_LINE) -> Reach:
         raise UsageError(
             "{name!r} is not a Falcon; use falcon, or falcon:SERIAL", name=name
         )
-    found: Reach = load(entry.direct)(line, find_device(name).serial)
+    found: Reach = load(entry.direct)(line, find_device(name).chosen)
     return found
 
 

@@ -91,6 +91,6 @@ class Silencer:
         return True
 
 
-def silence(line: int, _serial: str = "") -> Callable[[], bool]:
+def silence(line: int, _options: object = None) -> Callable[[], bool]:
     """Return what a guard calls; the loop hands over the one of that serial number."""
     return Silencer(line=line)

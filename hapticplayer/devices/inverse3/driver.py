@@ -17,6 +17,7 @@ from hapticplayer.devices.inverse3.protocol import (
     configuration,
     state_of,
 )
+from hapticplayer.devices.options import DeviceOptions, service_options
 from hapticplayer.devices.websocket import OPENING_S, Connection, text_frame
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.device import DeviceReading, Vector
@@ -167,13 +168,18 @@ class _Stillness:
         return is_pushed and now_s - self._since_s > DOUBT_S
 
 
-def make(line: int, where: str = "") -> Inverse3Driver:
-    """Return the driver for the service of this machine, or at HOST:PORT."""
-    url = f"ws://{where or DEFAULT}"
+def inverse3_options(text: str) -> DeviceOptions:
+    """The service of this machine, or at HOST:PORT; raises DeviceError."""
+    return service_options(text, DEFAULT, INVERSE3)
+
+
+def make(line: int, options: DeviceOptions) -> Inverse3Driver:
+    """The driver for a service."""
+    url = f"ws://{options.address}"
     return Inverse3Driver(lambda: Connection(url, TITLE), line)
 
 
-def silence(line: int, _where: str = "") -> Callable[[], bool]:
+def silence(line: int, _options: object = None) -> Callable[[], bool]:
     """Return what sends zero through the loop's own connection, for the guard."""
     held: list[tuple[int, bytes]] = []  # as long as the guard lives
 

@@ -4,7 +4,8 @@ import contextlib
 import socket
 
 from hapticplayer.devices.capabilities import RIG
-from hapticplayer.devices.rig.settings import RigSettings, rig_settings
+from hapticplayer.devices.options import host_and_port
+from hapticplayer.devices.rig.settings import RigSettings
 from hapticplayer.errors import DeviceError
 from hapticplayer.model.rig import RigMotion
 
@@ -21,10 +22,10 @@ class RigSender:
     def open(self) -> None:
         """Find the receiver's address; raises DeviceError with what to do."""
         self.close()
-        where = self.settings
+        host, port = host_and_port(self.settings.address)
         try:
             family, kind, _, _, address = socket.getaddrinfo(
-                where.host, where.port, type=socket.SOCK_DGRAM
+                host, port, type=socket.SOCK_DGRAM
             )[0]
             self._end = socket.socket(family, kind)
             self._end.connect(address)
@@ -69,6 +70,6 @@ class RigSender:
         )
 
 
-def make(_line: int, text: str = "") -> RigSender:
-    """Return the sender of what follows `rig:`."""
-    return RigSender(rig_settings(text))
+def make(_line: int, settings: RigSettings) -> RigSender:
+    """The sender with those settings."""
+    return RigSender(settings)

@@ -12,7 +12,7 @@ import sys
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.checks import Check
 from hapticplayer.devices.transducer.driver import CardStream
-from hapticplayer.devices.transducer.settings import shaker_settings
+from hapticplayer.devices.transducer.settings import ShakerSettings, shaker_settings
 from hapticplayer.errors import DeviceError, Message, from_json, message_of, to_json
 
 ANSWER_S = 5.0
@@ -29,18 +29,17 @@ def main(text: str) -> int:
     return 0
 
 
-def check_card(text: str) -> Check:
+def check_card(settings: ShakerSettings) -> Check:
     """Return whether the card of some settings has its channels."""
-    settings = shaker_settings(text)
     channels = "+".join(map(str, settings.channels))
     what = Message(
         "Sound output {card} with the channels {channels}",
-        card=repr(settings.card) if settings.card else Message("(default)"),
+        card=repr(settings.address) if settings.address else Message("(default)"),
         channels=channels,
     )
     try:
         asked = subprocess.run(
-            [sys.executable, "-P", "-m", __name__, text],
+            [sys.executable, "-P", "-m", __name__, settings.text()],
             stdin=subprocess.DEVNULL,
             capture_output=True,
             env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},

@@ -27,7 +27,7 @@ def give_coils_to_sound(
 
     `rumble` takes the coils back with its next command.
     """
-    card = settings.card.lower()
+    card = settings.address.lower()
     is_its = card in _SERVERS and not CHANNELS.isdisjoint(settings.channels)
     if not (is_its or _CARD in card):
         return

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.capabilities import SHAKER
 from hapticplayer.devices.transducer.coils import give_coils_to_sound
-from hapticplayer.devices.transducer.settings import ShakerSettings, shaker_settings
+from hapticplayer.devices.transducer.settings import ShakerSettings
 from hapticplayer.devices.transducer.signal import SAMPLE_HZ, ShakerSignal
 from hapticplayer.devices.transducer.silence import hand_over_sound, open_files
 from hapticplayer.errors import DeviceError
@@ -75,7 +75,7 @@ class CardStream:
         try:
             self._sounddevice: Any = importlib.import_module("sounddevice")
             self._sounddevice.check_output_settings(
-                device=settings.card or None,
+                device=settings.address or None,
                 channels=settings.width,
                 dtype="float32",
                 samplerate=SAMPLE_HZ,
@@ -117,7 +117,7 @@ class CardStream:
     def _start(self) -> None:
         before = open_files()
         self._stream = self._sounddevice.OutputStream(
-            device=self._settings.card or None,
+            device=self._settings.address or None,
             samplerate=SAMPLE_HZ,
             channels=self._settings.width,
             dtype="float32",
@@ -143,7 +143,7 @@ class CardStream:
         return DeviceError(
             "the sound card {card!r} cannot be opened with {count} channels: {reason}; "
             "choose another card or profile",
-            card=self._settings.address,
+            card=self._settings.address or "default",
             count=self._settings.width,
             reason=str(problem)[:200],
         )
@@ -218,7 +218,7 @@ class ShakerDriver:
         return DeviceError(
             "the sound card {card!r} takes nothing any more; connect it and choose "
             "the device again",
-            card=self.settings.address,
+            card=self.settings.address or "default",
         )
 
     def _fill(self, out: Any, at_s: float, frames: int) -> None:
@@ -239,7 +239,7 @@ def _be_an_audio_thread() -> None:
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), AUDIO_NICE)
 
 
-def make(line: int, text: str = "") -> ShakerDriver:
-    """Return the driver of a card; the line leads to the guard."""
+def make(line: int, settings: ShakerSettings) -> ShakerDriver:
+    """The driver of a card; the line leads to the guard."""
     make_stream = partial(CardStream, line=line)
-    return ShakerDriver(shaker_settings(text), make_stream=make_stream)
+    return ShakerDriver(settings, make_stream=make_stream)

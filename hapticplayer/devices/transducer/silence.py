@@ -44,7 +44,7 @@ def hand_over_sound(line: int, before: set[int]) -> None:
             return
 
 
-def silence(line: int, _text: str = "") -> Callable[[], bool]:
+def silence(line: int, _options: object = None) -> Callable[[], bool]:
     """Return what cuts the sound of a loop that has ended; False: there is none left.
 
     A loop that stands still needs none: the stream's own thread fades within 15 ms.

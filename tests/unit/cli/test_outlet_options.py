@@ -38,7 +38,7 @@ def test_the_first_device_leads_and_the_rest_play_along(words, expected):
     [
         (("chair",), "not a device"),
         (("rig:outsim,rate=5",), "rate must be between 50 and 500"),
-        (("simulated:3",), "no driver"),
+        (("simulated:3",), "nothing can follow"),
         (("rig", "rig"), "there twice"),
     ],
 )

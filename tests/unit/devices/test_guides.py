@@ -6,12 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from hapticplayer.devices import DEVICES, OUTLETS, find_device, guides
+from hapticplayer.devices import DEVICES, find_device, guides
 from hapticplayer.devices.checks import Check, receiver, service, until_unmet, usable
 from hapticplayer.devices.evdev.ports import InputDevice
 from hapticplayer.devices.falcon.transport import FalconAddress, FalconForbiddenError
 from hapticplayer.devices.guides import checks_of, guide_of, hold_text
 from hapticplayer.devices.transducer import cards
+from hapticplayer.devices.transducer.settings import shaker_settings
 from hapticplayer.errors import Message
 
 REMEDY = Message("do it")
@@ -26,9 +27,9 @@ def port_of(end):
     return f"127.0.0.1:{end.getsockname()[1]}"
 
 
-def test_every_device_and_outlet_has_a_guide_of_its_own():
+def test_every_device_has_a_guide_of_its_own():
     real = [one for one in DEVICES.values() if not one.is_for_developers]
-    for entry in (*real, *OUTLETS.values()):
+    for entry in real:
         guide = guide_of(entry)
         assert entry.guide, entry.name
         assert len(guide.what) > 20, entry.name
@@ -113,12 +114,12 @@ def test_a_falcon_needs_cable_rule_and_firmware(monkeypatch, tmp_path):
 
 
 def test_a_sound_card_is_looked_for_in_a_process_of_its_own(monkeypatch):
-    check = cards.check_card("there is no such card,channels=3+4")
+    check = cards.check_card(shaker_settings("there is no such card,channels=3+4"))
     assert check.what == "Sound output 'there is no such card' with the channels 3+4"
     assert check.is_met is False
     assert "cannot be opened with 4 channels" in check.remedy
     monkeypatch.setattr(cards, "ANSWER_S", 0.0)
-    assert "restart it" in cards.check_card("").remedy
+    assert "restart it" in cards.check_card(shaker_settings("")).remedy
 
 
 def test_a_card_that_opens_is_found(monkeypatch, capsys):
@@ -133,9 +134,9 @@ def test_checks_after_an_unmet_one_are_left_out():
 
 
 def test_a_shaker_is_tested_channel_by_channel():
-    parts = guides.SHAKER.parts("pulse,channels=3+4,gain=2")
+    parts = guides.SHAKER.parts(shaker_settings("pulse,channels=3+4,gain=2"))
     assert [label for label, _ in parts] == ["3", "4"]
-    assert find_device(parts[1][1]).serial.startswith("pulse,channels=4,")
+    assert find_device(parts[1][1]).chosen.startswith("pulse,channels=4,")
 
 
 def test_guides_are_not_loaded_with_the_registry():

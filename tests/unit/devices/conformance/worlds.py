@@ -20,13 +20,11 @@ from inverse_rig import VirtualLink
 
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices import DEVICES, buttplug, find_device, tcode
-from hapticplayer.devices.evdev import driver as evdev
 from hapticplayer.devices.falcon.silence import Silencer
 from hapticplayer.devices.inverse3.driver import Inverse3Driver
 from hapticplayer.devices.inverse3.protocol import command
 from hapticplayer.devices.transducer.driver import ALIVE_S, ShakerDriver
 from hapticplayer.devices.transducer.silence import silence as silence_shaker
-from hapticplayer.extension import load
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
 from hapticplayer.simulation.inverse3.service import Service, simulation_of
@@ -139,7 +137,7 @@ class EventDevice(World):
         return self.kernel.felt == (0, 0)
 
     def guard(self):
-        return getattr(evdev, f"silence_{self.name}")(-1)
+        return DEVICES[self.name].silence(-1)
 
     def kill(self):
         """Nothing: the effect goes on until it ends by itself."""
@@ -207,7 +205,7 @@ class Shaker(World):
         super().__init__()
         self.card = FakeCard(self.clock)
         settings = DEVICES["shaker"].settings
-        self.device = ShakerDriver(load(settings)(""), self.clock, self.card.stream)
+        self.device = ShakerDriver(settings, self.clock, self.card.stream)
 
     def wait(self):
         super().wait()
@@ -287,7 +285,8 @@ class Board(World):
         self.strength, self.sender, self.is_stuck = 0, None, False
         self.babbles = False
         self.device = DEVICES["tcode"].make(-1)
-        self.device.open_port = lambda: tcode.open_board(self.where)
+        self.options = tcode.tcode_options(self.where)
+        self.device.open_port = lambda: tcode.open_board(self.options)
         self.device.make_writer = lambda port: Stuckable(port, self)
 
     def wait(self):
@@ -315,7 +314,7 @@ class Board(World):
         return self.strength == 0
 
     def guard(self):
-        return tcode.silence(-1, self.where)
+        return tcode.silence(-1, self.options)
 
     def kill(self):
         """Nothing: the board keeps its last target."""

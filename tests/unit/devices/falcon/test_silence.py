@@ -1,6 +1,6 @@
 """The guard's last word: zero, as soon as nobody holds the device any more."""
 
-from hapticplayer.devices.falcon.driver import make
+from hapticplayer.devices import find_device
 from hapticplayer.devices.falcon.ftdi import RUN_BAUD
 from hapticplayer.devices.falcon.silence import Silencer
 from hapticplayer.simulation.usb.board import Stage, synthetic_image
@@ -61,7 +61,7 @@ def test_trouble_on_the_bus_is_met_by_beginning_again(running):
 
 
 def test_a_real_falcon_is_made_by_name_alone():
-    assert make(-1).name == "falcon"
+    assert find_device("falcon").make(-1).name == "falcon"
 
 
 def test_a_whole_simulated_falcon_is_loaded_and_pushes_its_hand(manual_clock):

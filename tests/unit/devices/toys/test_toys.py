@@ -43,7 +43,7 @@ def intiface(request):
 
 @pytest.fixture
 def toy(intiface):
-    made = buttplug.make(-1, intiface.where)
+    made = buttplug.make(-1, buttplug.buttplug_options(intiface.where))
     made.open()
     yield made
     made.close()
@@ -64,7 +64,7 @@ def test_both_versions_shake_all_motors_and_nothing_else(intiface, toy):
 
 def test_a_toy_is_told_no_faster_than_it_can_take(intiface, monkeypatch):
     monkeypatch.setitem(NEW_TOY, "DeviceMessageTimingGap", 80)
-    device = buttplug.make(-1, intiface.where)
+    device = buttplug.make(-1, buttplug.buttplug_options(intiface.where))
     device.open()
     count = len(intiface.heard)
     forces = iter(range(10**9))
@@ -101,7 +101,7 @@ def test_a_server_without_answers_grows_old(intiface, toy):
 @pytest.mark.parametrize("intiface", [{"toys": 0}], indirect=True)
 def test_without_a_toy_it_says_what_to_do(intiface):
     with pytest.raises(DeviceError, match="connect one in Intiface"):
-        buttplug.make(-1, intiface.where).open()
+        buttplug.make(-1, buttplug.buttplug_options(intiface.where)).open()
 
 
 def test_without_a_server_it_says_what_to_do():
@@ -109,7 +109,7 @@ def test_without_a_server_it_says_what_to_do():
         unused.bind(("127.0.0.1", 0))
         where = f"127.0.0.1:{unused.getsockname()[1]}"
     with pytest.raises(DeviceError, match=r"Intiface does not answer at .*; start it"):
-        buttplug.make(-1, where).open()
+        buttplug.make(-1, buttplug.buttplug_options(where)).open()
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_a_line_of_tcode_is_what_the_specification_says(force_n):
 
 def board_of(port, channel=""):
     def open_port():
-        return tcode.open_board(f"127.0.0.1:{port}{channel}")
+        return tcode.open_board(tcode.tcode_options(f"127.0.0.1:{port}{channel}"))
 
     return PacedDriver("tcode", TCODE, open_port, tcode.REFRESH_S, DirectWriter)
 
@@ -172,15 +172,15 @@ def test_by_udp_every_datagram_is_whole_lines_and_the_last_stops(receiver):
 @pytest.mark.parametrize("text", ["127.0.0.1", "a:b", "127.0.0.1:8000,channel=Z9"])
 def test_a_board_that_cannot_be_is_named(text):
     with pytest.raises(HapticPlayerError):
-        tcode.open_board(text)
+        tcode.open_board(tcode.tcode_options(text))
     with pytest.raises(DeviceError, match=r"cannot be opened: .*; see whether"):
-        tcode.open_board("/dev/not-there")
+        tcode.open_board(tcode.tcode_options("/dev/not-there"))
 
 
 def test_a_serial_board_gets_bytes_as_they_are():
     ours, theirs = pty.openpty()
     tty.setraw(ours)
-    board = tcode.open_board(os.ttyname(theirs))
+    board = tcode.open_board(tcode.tcode_options(os.ttyname(theirs)))
     heard = bytearray()
     reader = threading.Thread(target=lambda: heard.extend(os.read(ours, 100)))
     board.write(b"V05000I20\n")

@@ -218,7 +218,7 @@ def test_settings_that_cannot_be_are_told(text):
 
 def test_settings_are_what_was_written():
     found = shaker_settings("pulse,channels=3+4,band=15-80+20-60-30,axis=x,gain=0.5")
-    assert (found.card, found.channels, found.width) == ("pulse", (3, 4), 4)
+    assert (found.address, found.channels, found.width) == ("pulse", (3, 4), 4)
     assert [(b.low_hz, b.high_hz) for b in found.bands] == [(15, 80), (20, 60)]
     assert found.bands[1].carrier_hz == 30.0
     assert (found.axis, found.gain, found.latency_s) == (0, 0.5, 0.080)
@@ -229,5 +229,5 @@ def test_a_channel_alone_keeps_its_band_and_all_else():
     both = shaker_settings(text)
     alone = shaker_settings(both.alone(4).removeprefix("shaker:"))
     assert (alone.channels, alone.bands) == ((4,), both.bands[1:])
-    assert (alone.card, alone.axis, alone.gain) == ("pulse", 0, 0.5)
+    assert (alone.address, alone.axis, alone.gain) == ("pulse", 0, 0.5)
     assert alone.latency_s == pytest.approx(0.060)

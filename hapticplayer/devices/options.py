@@ -1,0 +1,113 @@
+"""What a person chooses with a device: the text after its name and a colon.
+
+Parts are divided by commas, such as `outsim,127.0.0.1:4123,rate=200`: those without a
+`=` say which one, where or what kind, the others are named.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from hapticplayer.errors import DeviceError, HapticPlayerError, joined
+from hapticplayer.model.device import DeviceCapabilities
+from hapticplayer.model.ranges import Range
+
+PORT = Range(1, 65535, is_whole=True)
+Fields = dict[str, Any]
+Parse = Callable[[str, str], Any]
+"""Called with the name and the value; raises ValueError or HapticPlayerError."""
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceOptions:
+    """What was chosen; devices with more than a place have a class of their own.
+
+    Attributes:
+        capabilities: of the device with these options.
+        address: which one, or where it is, for people.
+        latency_s: from a command to what is felt, 0 for what is typical.
+        gain: of everything that is sent.
+        sole_use: what two outputs cannot use at once; "" for nothing.
+    """
+
+    capabilities: DeviceCapabilities
+    address: str = ""
+    latency_s: float = 0.0
+    gain: float = 1.0
+
+    @property
+    def sole_use(self) -> str:
+        """See above."""
+        return ""
+
+
+def fields_of(
+    device: str,
+    text: str,
+    place: Callable[[str], Fields],
+    named: Mapping[str, tuple[str, Parse]],
+) -> Fields:
+    """The fields that a text sets.
+
+    Args:
+        device: its name, for messages.
+        text: what follows it and a colon.
+        place: returns the fields of a part without a name.
+        named: field and parser of each option by its name.
+
+    Raises:
+        DeviceError: for what is not allowed, with what is.
+    """
+    found: Fields = {}
+    for part in filter(None, text.split(",")):
+        name, equals, value = part.partition("=")
+        try:
+            if not equals:
+                more = place(part)
+            else:
+                field, parse = named[one_of(name, named)]
+                more = {field: parse(name, value)}
+            if more.keys() & found.keys():
+                raise DeviceError("say it once")
+        except (HapticPlayerError, ValueError) as problem:
+            raise DeviceError(
+                "{device} option {part!r}: {reason}",
+                device=device,
+                part=part,
+                reason=problem,
+            ) from problem
+        found |= more
+    return found
+
+
+def one_of(word: str, known: Iterable[str]) -> str:
+    """The word, if it is one of those; raises DeviceError."""
+    known = tuple(known)
+    if word not in known:
+        raise DeviceError(
+            "{word!r} is unknown; use {known}", word=word, known=joined(", ", known)
+        )
+    return word
+
+
+def milliseconds(allowed: Range) -> Parse:
+    """A parser of milliseconds within a range, which returns seconds."""
+    return lambda name, value: 1e-3 * allowed.parse(name, value)
+
+
+def host_and_port(text: str) -> tuple[str, int]:
+    """Both parts of HOST:PORT or [HOST]:PORT; raises DeviceError."""
+    host, colon, port = text.rpartition(":")
+    host = host.removeprefix("[").removesuffix("]")
+    if not (colon and host):
+        raise DeviceError("{text!r} is not HOST:PORT", text=text)
+    return host, int(PORT.parse("port", port))
+
+
+def service_options(
+    text: str, default: str, capabilities: DeviceCapabilities
+) -> DeviceOptions:
+    """The options of a device whose one option is HOST:PORT; raises DeviceError."""
+    address = text or default
+    host_and_port(address)
+    return DeviceOptions(capabilities, address)
