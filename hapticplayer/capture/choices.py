@@ -85,9 +85,6 @@ class LogChoices:
         return SAMPLE_RATE_HZ.parse("rate-hz", self.rate_hz)
 
 
-_OLD_KEYS = {"force-unit": "accel-unit", "force-sign": "accel-sign"}
-"""Of earlier versions, in scripts and templates."""
-
 KEYS = tuple(field.name.replace("_", "-") for field in dataclasses.fields(LogChoices))
 
 
@@ -118,10 +115,6 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
     return value
 
 
-def _current(key: str) -> str:
-    return _OLD_KEYS.get(key, key)
-
-
 def parse_choices(words: Sequence[str]) -> LogChoices:
     """Return the answers in `KEY=VALUE` words; `template=FILE` adds those of a file.
 
@@ -132,7 +125,7 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
     values: dict[str, str] = {}
     for word in words:
         key, equals, value = word.partition("=")
-        key = _current(key.strip().lower())
+        key = key.strip().lower()
         if key == "template" and value:
             values = {**read_template(Path(value)), **values}
         elif not equals or key not in KEYS:
@@ -167,13 +160,12 @@ def read_template(path: Path) -> dict[str, str]:
             remedy=remedy,
             known=", ".join(KEYS),
         )
-    return {_current(key).replace("-", "_"): value for key, value in content.items()}
+    return {key.replace("-", "_"): value for key, value in content.items()}
 
 
 def _are_answers(content: Any) -> bool:
     return isinstance(content, dict) and all(
-        _current(key) in KEYS and isinstance(value, str)
-        for key, value in content.items()
+        key in KEYS and isinstance(value, str) for key, value in content.items()
     )
 
 

@@ -286,7 +286,7 @@ def quality_text(report: dict[str, Any]) -> str:
         ),
         _line("uncertainty", _sigma_text(found)),
         _line("motion", _motion_text(report["motion"])),
-        *(_line(*entry) for entry in _excursion_texts(report.get("excursion"))),
+        *(_line(*entry) for entry in _excursion_texts(report["excursion"])),
     ]
     return "\n".join(lines + [f"note: {note}" for note in report.get("notes", ())])
 
@@ -365,10 +365,8 @@ def _motion_text(motion: dict[str, Any]) -> str:
     )
 
 
-def _excursion_texts(found: dict[str, Any] | None) -> list[tuple[str, str]]:
-    """Return how far hands would go; reports of older versions do not say."""
-    if found is None:
-        return []
+def _excursion_texts(found: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return how far hands would go."""
     hands = found["hands"]
     reached = ", ".join(
         f"{name} {100.0 * one['reach']:.0f} %" for name, one in hands.items()

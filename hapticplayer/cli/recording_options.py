@@ -142,11 +142,6 @@ def add_processing(command: argparse.ArgumentParser) -> None:
         help="what another recording of this sensor tells of its errors, written by "
         "`process --save-calibration`: a prior of the smoother, for short recordings",
     )
-    group.add_argument(
-        "--no-cache",
-        action="store_true",
-        help="without effect: results are no longer cached (kept for scripts)",
-    )
 
 
 def chosen_mounting(options: argparse.Namespace) -> str:

@@ -33,7 +33,6 @@ _WIRELESS = (
 
 SETTINGS_NAME = "window.json"
 SETTINGS_VERSION = 1
-"""Of the file; files without one are older and read the same."""
 
 VERSION, LATENCIES = "version", "latencies"
 DISPLAY, SOUND, DEVICE = "display", "sound", "device"
@@ -182,5 +181,5 @@ def read_settings(path: Path) -> dict[str, Any]:
 
 def version_of(values: Mapping[str, Any]) -> float:
     """Return the version of settings that were read."""
-    version = values.get(VERSION, 0)
+    version = values.get(VERSION, SETTINGS_VERSION)
     return version if isinstance(version, int) else math.inf

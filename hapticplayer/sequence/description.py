@@ -5,7 +5,7 @@ from typing import Any
 from msgspec import Struct
 
 from hapticplayer.errors import Message, SequenceError
-from hapticplayer.model.mapping import AxisGains, Mapping
+from hapticplayer.model.mapping import AxisGains
 from hapticplayer.structures import check_version, convert
 
 SCHEMA, VERSION = "hapticplayer.sequence", 1
@@ -32,9 +32,8 @@ class MappingEntry(Struct):
     axes: list[list[float]]
     gain_n_per_mps2: float | AxisGains
     force_limit_n: float
-    # earlier versions had neither knee nor lever arm
-    soft_knee_n: float | None = None
-    lever_arm_m: tuple[float, float, float] = Mapping().lever_arm_m
+    soft_knee_n: float | None
+    lever_arm_m: tuple[float, float, float]
 
 
 class HandEntry(Struct):

@@ -170,7 +170,7 @@ def stored_texts(description: Mapping[str, Any], feedback: str) -> list[str]:
     """Return the warnings about a track that were predicted at import.
 
     Args:
-        description: of a sequence; earlier versions and other clips give [].
+        description: of a sequence; a plain clip gives [].
         feedback: name of the track.
     """
     try:

@@ -76,10 +76,7 @@ def force_figures(
 
 
 def sequence_figures(sequence: Sequence) -> ForceFigures:
-    """Return the figures of a sequence's realistic track.
-
-    The prediction that it holds is used; earlier versions have none.
-    """
+    """Return the figures of a sequence's rendered track, with its own prediction."""
     feedbacks = sequence.description["feedbacks"]
     entry = feedbacks[rendered_feedback(feedbacks)]
     return force_figures(

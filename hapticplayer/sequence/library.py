@@ -15,6 +15,7 @@ from hapticplayer.sequence.description import (
     TrackEntry,
     checked_description,
 )
+from hapticplayer.sequence.presets import DEFAULT_PRESET
 from hapticplayer.sequence.report import Finding, quality_report
 from hapticplayer.sequence.store import DESCRIPTION
 from hapticplayer.untrusted import without_controls
@@ -136,9 +137,9 @@ def _track(name: str, entry: TrackEntry) -> Track:
 
 
 def _preset(feedbacks: Mapping[str, TrackEntry]) -> str:
-    """Return the preset of the rendered track; earlier versions had one."""
+    """Return the preset of the rendered track."""
     rendered = feedbacks.get(rendered_feedback(feedbacks), TrackEntry())
-    return without_controls(str(rendered.provenance.get("preset", PresetName.FAITHFUL)))
+    return without_controls(str(rendered.provenance.get("preset", DEFAULT_PRESET)))
 
 
 def name_from(title: str) -> str:

@@ -164,8 +164,8 @@ def preset_named(name: str) -> Preset:
 
 
 def preset_of(track: ForceTrack) -> str:
-    """Return the name of the preset of a track; earlier versions had one."""
-    return str(track.provenance.get("preset", PresetName.FAITHFUL))
+    """Return the name of the preset of a rendered track."""
+    return str(track.provenance.get("preset", DEFAULT_PRESET))
 
 
 def washout_of(preset: Preset, force_limit_n: float) -> Washout:

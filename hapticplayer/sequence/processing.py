@@ -256,7 +256,6 @@ def describe_quality(
             "gravity_removal": processed.summary,
             "motion": describe_motion(processed.track),
             "excursion": _predicted(processed.track, progress),
-            "from_cache": False,  # of earlier versions, for programs that read it
         }
     )
 

@@ -75,8 +75,7 @@ def quality_report(description: Mapping[str, Any]) -> list[Finding]:
     """Return the findings on a sequence, the most important first.
 
     Args:
-        description: of `Sequence`; figures that older versions did not store are
-            left out.
+        description: of `Sequence`.
     """
     made_of = _table(description, "provenance")
     motion = _table(made_of, "motion_summary")
@@ -305,8 +304,8 @@ def describe_notes(notes: Sequence[str]) -> dict[str, Any]:
 
 
 def stored_notes(provenance: Mapping[str, Any]) -> list[str]:
-    """Return the notes of a sequence; older ones are in English only."""
-    return [from_json(n) for n in provenance.get("note_messages", provenance["notes"])]
+    """Return the notes of a sequence, to be translated."""
+    return [from_json(note) for note in provenance["note_messages"]]
 
 
 def _notes_on_rate(imu: ImuLog) -> list[str]:

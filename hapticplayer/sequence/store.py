@@ -424,7 +424,6 @@ def _motion_fields(arrays: dict[str, NDArray[Any]]) -> dict[str, Any]:
         "quaternion_wxyz": arrays["quaternion_wxyz"],
         "gravity_sigma_mps2": sigma,
         "valid": arrays["valid"],
-        # earlier versions wrote none and rendered lines: the same again
-        "sampling": Sampling(str(arrays.get("sampling", Sampling.INSTANT))),
-        "is_estimated": bool(arrays.get("is_estimated", False)),
+        "sampling": Sampling(str(arrays["sampling"])),
+        "is_estimated": bool(arrays["is_estimated"]),
     }

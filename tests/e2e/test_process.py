@@ -282,12 +282,6 @@ def test_interrupting_leaves_nothing(log, tmp_path):
     assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
 
 
-def test_no_cache_is_still_accepted(log):
-    report = report_of(hapticplayer("process", log, "--json", "--no-cache"))
-    assert report == report_of(hapticplayer("process", log, "--json"))
-    assert report["from_cache"] is False
-
-
 # --- importing --------------------------------------------------------------
 
 

@@ -64,13 +64,6 @@ def test_a_word_beside_a_template_wins(tmp_path):
     assert choices == LogChoices(accel_unit="m/s2", axes="x,y,z")
 
 
-def test_keys_of_earlier_versions_are_understood(tmp_path):
-    template = tmp_path / "mine.json"
-    template.write_text('{"force-unit": "g"}')
-    choices = parse_choices([f"template={template}", "force-sign=-"])
-    assert choices == LogChoices(accel_unit="g", accel_sign="-")
-
-
 @pytest.mark.parametrize(
     "content",
     ["", "[]", "{", '{"accel-unit": 3}', '{"colour": "red"}', "[" * 60_000,

@@ -21,7 +21,7 @@ def hanging(tmp_path, still_log):
 
 
 def run(tiny_clip, log, target, *more):
-    rest = ("--offset", "0", "--no-cache", "-o", str(target), *more)
+    rest = ("--offset", "0", "-o", str(target), *more)
     return main(["import", str(tiny_clip.path), "--imu", str(log), *rest])
 
 
@@ -73,7 +73,7 @@ def test_the_mounting_that_frames_show_is_stored_and_printed(
 
 def test_process_rotates_too_or_adds_a_note(hanging, capsys):
     def notes(*more):
-        assert main(["process", str(hanging), "--no-cache", "--json", *more]) == 0
+        assert main(["process", str(hanging), "--json", *more]) == 0
         return " ".join(json.loads(capsys.readouterr().out)["notes"])
 
     assert "-z of the recorder was up" in notes()

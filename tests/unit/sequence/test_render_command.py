@@ -129,20 +129,6 @@ def test_an_import_takes_the_same_mapping(folder, ride, tiny_clip, tmp_path):
         assert np.array_equal(again.tracks[name].force_n, track.force_n)
 
 
-def test_a_sequence_with_one_gain_of_before_opens(folder):
-    path = folder / "sequence.json"
-    content = json.loads(path.read_text())
-    axes = [[1, 0, 0], [0, 0, 1], [0, -1, 0]]
-    content["mapping"] = {"axes": axes, "gain_n_per_mps2": 0.4, "force_limit_n": 4.5}
-    del content["provenance"]
-    path.write_text(json.dumps(content))
-    track = open_sequence(folder).tracks["realistic"]
-    assert cli.main(["render", str(folder), "--in-place"]) == 0
-    assert np.array_equal(
-        open_sequence(folder).tracks["realistic"].force_n, track.force_n
-    )
-
-
 def test_a_preset_is_rendered_kept_and_taken_back(folder, tmp_path, capsys):
     before = open_sequence(folder).tracks["realistic"]
     target = tmp_path / "equal"

@@ -9,7 +9,7 @@ import pytest
 
 from hapticplayer import motion, rendering
 from hapticplayer.errors import SequenceError
-from hapticplayer.model import Mapping, Sampling
+from hapticplayer.model import Sampling
 from hapticplayer.motion.conditioning import average
 from hapticplayer.sequence import editing, files, open_sequence, verify_sequence
 from hapticplayer.sequence.build import write_sequence
@@ -103,12 +103,12 @@ def averaged_folder(tmp_path, tiny_clip, recording):
     return write_sequence(tiny_clip, averaged, tmp_path / "averaged")
 
 
-def with_sampling(folder, *sampling):
-    """Write the motion again with other kinds of samples, or as earlier versions did."""
+def with_sampling(folder, sampling):
+    """Write the motion again with another kind of samples."""
     path = folder / "motion.npz"
     with np.load(path) as arrays:
         kept = {name: arrays[name] for name in arrays.files if name != "sampling"}
-    np.savez(path, **kept, **dict(zip(["sampling"], sampling, strict=False)))
+    np.savez(path, **kept, sampling=sampling)
     entry = {"sha256": files.sha256_of(path), "size_bytes": path.stat().st_size}
     edit(folder, lambda content: content["files"].update({"motion.npz": entry}))
 
@@ -122,15 +122,6 @@ def test_averaged_motion_keeps_its_kind_and_its_dense_track(averaged_folder):
     editing.set_mapping(averaged_folder, sequence.mapping)
     again = open_sequence(averaged_folder).tracks["realistic"]
     assert np.array_equal(again.force_n, stored.force_n)
-
-
-def test_a_sequence_made_before_keeps_its_lines(averaged_folder):
-    with_sampling(averaged_folder)
-    before = open_sequence(averaged_folder)
-    editing.set_mapping(averaged_folder, Mapping(gain_n_per_mps2=0.2))
-    track = open_sequence(averaged_folder).tracks["realistic"]
-    assert np.array_equal(track.time_s, before.motion.time_s)
-    assert track.provenance["reconstruction"] == "linear"
 
 
 def test_an_unknown_kind_of_samples_is_refused(averaged_folder):
