@@ -91,7 +91,7 @@ class Playing(QObject):
         self._escape.remove()
         session, self.session = self.session, None
         if session is not None:
-            session.stop()
+            session.player.pause()
             if self._pump is not None:
                 self._pump.stop()
             session.close()

@@ -27,6 +27,7 @@ from app.widgets import theme
 from app.widgets.buttons import Button, text_button
 from app.widgets.layout import ask_text, framed, resize_within_screen
 from app.widgets.messages import MessageBar
+from hapticplayer.errors import UsageError, message_of
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.runner import SessionRunner
 
@@ -242,7 +243,10 @@ class SessionControl(QMainWindow):
 
     def _do(self, action: Callable[[SessionRunner], None]) -> None:
         if self._runner is not None:
-            action(self._runner)
+            try:
+                action(self._runner)
+            except UsageError as problem:
+                self.show_message(message_of(problem))
             self._changed()
             self.refresh()
 

@@ -62,6 +62,7 @@ def reason_text(reason: str) -> str:
         "repeated": translate("SessionWords", "to be repeated"),
         "skipped": translate("SessionWords", "skipped"),
         "stopped": translate("SessionWords", "session ended"),
+        "force_stopped": translate("SessionWords", "the force was stopped"),
         "operator": translate("SessionWords", "stopped by the operator"),
         "escape": translate("SessionWords", "the participant pressed Esc"),
         "space": translate("SessionWords", "the participant pressed the space bar"),

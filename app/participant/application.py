@@ -83,6 +83,7 @@ class StudySession:
         )
         self.participant = ParticipantWindow(self.surface)
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
+        self.participant.refused.connect(self.gateway.report)
         self.undisturbed = IdleInhibitor(services=EVERYTHING)
         self._watch_cadence, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
         self._reported_s = clock.now_s()

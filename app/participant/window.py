@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
@@ -12,7 +12,7 @@ from app.participant.pages import QuestionsPage, TextPage
 from app.player.fullscreen import EscapeFilter
 from app.player.video_surface import VideoSurface
 from app.widgets.layout import column_of
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.study.pages import Page, PageKind
 from hapticplayer.study.runner import SessionRunner
 
@@ -21,7 +21,12 @@ _MEDIA_KEYS = range(Qt.Key.Key_VolumeDown, Qt.Key.Key_Launch0 + 1)
 
 
 class ParticipantWindow(QWidget):
-    """Shows the runner's page; whatever a person does goes to the runner."""
+    """Shows the runner's page; whatever a person does goes to the runner.
+
+    `refused` has why something could not be done.
+    """
+
+    refused = Signal(object)
 
     def __init__(self, surface: VideoSurface) -> None:
         super().__init__()
@@ -150,7 +155,10 @@ class ParticipantWindow(QWidget):
 
     def _do(self, action: Callable[[], None]) -> None:
         if not self.guard.isActive():
-            action()
+            try:
+                action()
+            except UsageError as problem:
+                self.refused.emit(problem)
             self.refresh()
 
     def halt(self, reason: str) -> None:

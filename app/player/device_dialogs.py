@@ -67,6 +67,7 @@ class DeviceDialogs(QObject):
         page = SetupPage(
             *(clock, outlet or before, self.plugged, self._settings, self._window),
             is_free=self._are_lent_free,
+            latch=self._session.player.latch,
         )
         wanted, shown, others = list[str](), list[str](), list[bool]()
         page.wanted.connect(wanted.append)
@@ -118,7 +119,8 @@ class DeviceDialogs(QObject):
 
         self._release()
         self._lend()
-        dialog = DevicePage(clock, device, self._window)
+        latch = self._session.player.latch
+        dialog = DevicePage(clock, device, self._window, latch)
         dialog.finished.connect(lambda _: self._take_back())
         dialog.finished.connect(lambda _: self._session.choose_device(before))
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
@@ -161,8 +163,9 @@ class DeviceDialogs(QObject):
 
         device = self._session.player.snapshot().device
         self._release()
+        latch = self._session.player.latch
         page = LatencyPage(
-            clock, device, self._settings, self._own_player, self._window
+            *(clock, device, self._settings, self._own_player), latch, self._window
         )
         page.measured.connect(self.settings_taken)
         page.finished.connect(lambda _: self._session.choose_device(device))
@@ -171,11 +174,12 @@ class DeviceDialogs(QObject):
 
     def _own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:
         sound = partial(SoundProcess, device=self._settings.text(OUTPUT))
-        return Player(clock, sink, device=device, audio=sound)
+        latch = self._session.player.latch
+        return Player(clock, sink, device=device, audio=sound, latch=latch)
 
     def _release(self) -> None:
         """Let go of the device, so that a dialog can have it."""
-        self._session.stop()
+        self._session.player.pause()
         self._session.choose_device(NO_DEVICE)
         self._session.player.wait_released()
 

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
 from app.bridge.languages import translated
 from app.player.force_words import homing_text, step_text
 from app.player.health import device_name, stop_reason
+from app.player.transport import offer_stop
 from app.plots.device_picture import DevicePicture
 from app.widgets.buttons import text_button
 from app.widgets.layout import STRETCH, fill_page, paragraph, row_of
@@ -15,6 +16,7 @@ from hapticplayer.devices.guides import guide_of, hold_text
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.playback.forces import ForcePlayer
+from hapticplayer.playback.latch import STOPPED, StopLatch
 from hapticplayer.rendering import demonstration
 
 POLL_MS = 30
@@ -25,16 +27,22 @@ WIDTH_PX = 460
 class DevicePage(QDialog):
     """Plays the demonstration on a device of its own; STOP and Escape end it at once.
 
-    The window has to let go of the device before. `homing_wanted` means that the Falcon
+    The window has to let go of the device before. While the latch is set nothing begins,
+    and the button re-arms. `homing_wanted` means that the Falcon
     does not know where its grip is; the page has closed.
     """
 
     homing_wanted = Signal()
 
     def __init__(
-        self, clock: Clock, device: str, parent: QWidget | None = None
+        self,
+        clock: Clock,
+        device: str,
+        parent: QWidget | None = None,
+        latch: StopLatch | None = None,
     ) -> None:
         super().__init__(parent)
+        self._latch = latch or StopLatch()
         self._clock, self._device = clock, device
         self.force_player: ForcePlayer | None = None
         self._unhomed_polls = 0
@@ -55,14 +63,15 @@ class DevicePage(QDialog):
         self._timer.setInterval(POLL_MS)
         self._timer.timeout.connect(self._poll)
         self.start_button.clicked.connect(self.begin)
-        self.stop_button.clicked.connect(self.stop)
+        self.stop_button.clicked.connect(self.stop_or_rearm)
         self._lay_out()
         how = self.tr(
             "You will feel each force three times, starting gently. Esc, STOP or a button "
             "on the device stops it immediately."
         )
         hold = translated(hold_text(guide_of(entry), self._record))
-        self._show_end(f"{hold} {how}")
+        self._how = f"{hold} {how}"
+        self._show_end(translated(STOPPED) if self._latch.is_set else self._how)
 
     @property
     def is_running(self) -> bool:
@@ -74,7 +83,9 @@ class DevicePage(QDialog):
         if self.force_player is not None:
             return
         try:
-            self.force_player = ForcePlayer(self._clock, self._device, self._track)
+            self.force_player = ForcePlayer(
+                self._clock, self._device, self._track, self._latch
+            )
         except HapticPlayerError as problem:
             self._show_end(translated(message_of(problem)))
             return
@@ -82,8 +93,16 @@ class DevicePage(QDialog):
         self.stop_button.setEnabled(True)
         self._timer.start()
 
+    def stop_or_rearm(self) -> None:
+        """Press the button."""
+        if self.is_running:
+            self.stop()
+        else:
+            self._latch.rearm(self._clock.now_s())
+            self._show_end(self._how)
+
     def stop(self) -> None:
-        """Take the force away and let go of the device."""
+        """Take the force away until a person re-arms, and let go of the device."""
         if self.force_player is not None:
             self.force_player.stop()
             self._end(self.tr("Stopped."))
@@ -154,5 +173,7 @@ class DevicePage(QDialog):
         self.picture.set_record(self._record)
         self.text.setText(text)
         self.progress.setValue(0)
-        self.start_button.setEnabled(True)
-        self.stop_button.setEnabled(False)
+        is_held = self._latch.is_set
+        self.start_button.setEnabled(not is_held)
+        offer_stop(self.stop_button, is_stopped=is_held)
+        self.stop_button.setEnabled(is_held)

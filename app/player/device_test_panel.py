@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QProgressBar, QWidget
 from app.bridge.languages import translated
 from app.player.device_test_words import question_text, state_text, verdict_text
 from app.player.question import Question, ask
+from app.player.transport import offer_stop
 from app.plots.device_picture import DevicePicture
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -16,6 +17,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.playback.device_test import DeviceTest
+from hapticplayer.playback.latch import StopLatch
 
 POLL_MS = 33
 _WHOLE = 1000
@@ -31,6 +33,7 @@ class DeviceTestPanel(QWidget):
     Args:
         clock: of the machine.
         is_free: whether nobody else holds the device; a test waits until then.
+        latch: of the stop; while it is set nothing is tested.
 
     Signals:
         began: a person has agreed; the window has to let go of the device now.
@@ -42,8 +45,14 @@ class DeviceTestPanel(QWidget):
     ended = Signal()
     measured = Signal(float)
 
-    def __init__(self, clock: Clock, is_free: Callable[[], bool] = _always) -> None:
+    def __init__(
+        self,
+        clock: Clock,
+        is_free: Callable[[], bool] = _always,
+        latch: StopLatch | None = None,
+    ) -> None:
         super().__init__()
+        self._latch = latch or StopLatch()
         self._clock, self.is_free = clock, is_free
         self._name, self._is_waiting, self._had_focus = "", False, False
         self.test: DeviceTest | None = None
@@ -56,17 +65,17 @@ class DeviceTestPanel(QWidget):
         self.stop_button = text_button(
             self.tr("STOP"), self.tr("Stop the force immediately (Esc)"), "stop"
         )
-        self.stop_button.setEnabled(False)
         self.progress.setRange(0, _WHOLE)
         self.progress.setTextVisible(False)
         self.progress.setAccessibleName(self.tr("Progress of the test"))
         self.test_button.clicked.connect(self.ask)
-        self.stop_button.clicked.connect(self.stop)
+        self.stop_button.clicked.connect(self.stop_or_rearm)
         buttons = row_of(self.test_button, self.stop_button, (self.progress, 1))
         column_of((self.picture, 1), self.state, buttons, spacing=8, of=self)
         self._timer = QTimer(self)
         self._timer.setInterval(POLL_MS)
         self._timer.timeout.connect(self.poll)
+        self._show_buttons()
 
     @property
     def is_running(self) -> bool:
@@ -91,9 +100,11 @@ class DeviceTestPanel(QWidget):
         if self.is_running:
             return
         try:
+            self._latch.refuse()
             text = question_text(self._name)
         except HapticPlayerError as problem:
             self.state.setText(translated(message_of(problem)))
+            self._show_buttons()
             return
         title, yes = self.tr("Test the device"), self.tr("Start the test")
         self.question = ask(self, title, text, yes, self.begin)
@@ -108,9 +119,19 @@ class DeviceTestPanel(QWidget):
         self.began.emit()
         self._timer.start()
 
+    def stop_or_rearm(self) -> None:
+        """Press the button: end what is acting, or re-arm the force."""
+        if self.is_acting:
+            self.stop()
+        else:
+            self._latch.rearm(self._clock.now_s())
+            self.state.setText("")
+            self._show_buttons()
+
     def stop(self) -> None:
         """Take the force away at once; the device is let go of."""
         if self._is_waiting:
+            self._latch.stop()
             self._is_waiting = False
             self._end(self.tr("Stopped."))
         elif self.test is not None:
@@ -147,7 +168,7 @@ class DeviceTestPanel(QWidget):
     def _start(self) -> None:
         self._is_waiting = False
         try:
-            self.test = DeviceTest(self._clock, self._name)
+            self.test = DeviceTest(self._clock, self._name, latch=self._latch)
         except HapticPlayerError as problem:
             self._end(translated(message_of(problem)), theme.WARN)
 
@@ -176,4 +197,6 @@ class DeviceTestPanel(QWidget):
         is_there = self.window().focusWidget() is self.stop_button
         self._had_focus = self._had_focus or is_there
         self.test_button.setEnabled(not self.is_running)
-        self.stop_button.setEnabled(self.is_acting)
+        is_held = self._latch.is_set and not self.is_acting
+        offer_stop(self.stop_button, is_stopped=is_held)
+        self.stop_button.setEnabled(self.is_acting or is_held)

@@ -188,9 +188,8 @@ class FaultPanel(QDialog):
         self.hint.setText(self._hint(now))
         for button in self.buttons.values():
             button.setEnabled(now.takes_faults)
-        is_stopped = now.mode is Mode.TRIPPED and now.device_health not in _DEAD
-        self.rearm.setEnabled(is_stopped)
-        set_role(self.rearm, "rearm" if is_stopped else "")
+        self.rearm.setEnabled(now.is_stopped)
+        set_role(self.rearm, "rearm" if now.is_stopped else "")
         self._show_outcome()
 
     def _hint(self, now: Snapshot) -> str:

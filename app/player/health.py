@@ -60,16 +60,16 @@ def device(snapshot: Snapshot) -> Reading:
     if snapshot.device == NO_DEVICE:
         return Reading(Level.NEUTRAL, translate("Health", "none"))
     name = device_name(snapshot.device)
-    if snapshot.device_health is Health.STARTING:
-        return Reading(Level.WATCH, _with(name, translate("Health", "starting")))
     ends: dict[str, str] = {
         Health.FAILED: translate("Health", "failed"),
         Health.GONE: translate("Health", "gone"),
     }
     if snapshot.device_health in ends:
         return Reading(Level.BAD, _with(name, ends[snapshot.device_health]))
-    if snapshot.mode is Mode.TRIPPED:
+    if snapshot.is_stopped:
         return Reading(Level.BAD, f"{name}, {stop_reason(snapshot.cause)}")
+    if snapshot.device_health is Health.STARTING:
+        return Reading(Level.WATCH, _with(name, translate("Health", "starting")))
     if snapshot.cause is Cause.NOT_HOMED:
         return Reading(Level.WATCH, _not_homed(name, snapshot.device))
     return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.mode)}")

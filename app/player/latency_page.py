@@ -29,6 +29,7 @@ from app.bridge.settings import (
     screen_name,
 )
 from app.player.health import device_name, stop_reason
+from app.player.transport import offer_stop
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -44,7 +45,6 @@ from app.widgets.layout import (
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, Progress, message_of
-from hapticplayer.haptics.contract import Mode
 from hapticplayer.model import Feedback
 from hapticplayer.playback.beats import (
     COUNT,
@@ -54,6 +54,7 @@ from hapticplayer.playback.beats import (
     beat_source,
     relative_latencies_s,
 )
+from hapticplayer.playback.latch import STOPPED, StopLatch
 from hapticplayer.playback.latency import MOST_S, Latencies
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Snapshot
@@ -81,7 +82,8 @@ class LatencyPage(QDialog):
     """Plays beats on a player of its own; Escape and STOP take the force away at once.
 
     The window has to let go of the device before. What is found is put into the
-    settings only by "Use". The device "none" is left out.
+    settings only by "Use". The device "none" is left out. While the latch is set nothing
+    begins, and the button re-arms.
     """
 
     measured = Signal()
@@ -92,11 +94,12 @@ class LatencyPage(QDialog):
         device: str,
         settings: Settings,
         make_player: MakePlayer,
+        latch: StopLatch,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._clock, self._device, self._settings = clock, device, settings
-        self._make_player = make_player
+        self._make_player, self._latch = make_player, latch
         self.player: Player | None = None
         self.mode = TOGETHER
         self.rows: dict[str, Row] = {}
@@ -122,18 +125,33 @@ class LatencyPage(QDialog):
 
     def begin(self) -> None:
         """Make the beats, take the device, and play."""
-        if self.player is None and not self._jobs.is_busy:
+        if self._latch.is_set:
+            self._show_stopped()
+        elif self.player is None and not self._jobs.is_busy:
             self.start_button.setEnabled(False)
             self.status.setText(self.tr("Preparing"))
             self._poll_timer.start()
             self._jobs.run("", self._make_beats, self._play)
 
+    def stop_or_rearm(self) -> None:
+        """Press the button."""
+        if self.player is not None:
+            self.stop()
+        else:
+            self._latch.rearm(self._clock.now_s())
+            self._offer_stop()
+            self._show_instructions()
+
     def stop(self) -> None:
-        """Take the force away and let go of device and sound."""
+        """Take the force away until a person re-arms; let go of device and sound."""
+        if self.player is not None:
+            self.player.stop_force()
+            self._let_go()
+
+    def _let_go(self) -> None:
         player, self.player = self.player, None
         if player is None:
             return
-        player.stop_force()
         self._poll_timer.stop()
         if self.pump is not None:
             self.pump.stop()
@@ -141,7 +159,16 @@ class LatencyPage(QDialog):
         player.close()
         self.surface.clear()
         self.start_button.setEnabled(True)
-        self.stop_button.setEnabled(False)
+        self._offer_stop()
+
+    def _offer_stop(self) -> None:
+        is_held = self._latch.is_set and self.player is None
+        offer_stop(self.stop_button, is_stopped=is_held)
+        self.stop_button.setEnabled(is_held or self.player is not None)
+
+    def _show_stopped(self) -> None:
+        self.status.setText(translated(STOPPED))
+        self._offer_stop()
 
     def choose(self, mode: str) -> None:
         """Play all together, or one of the three alone to be tapped to."""
@@ -176,6 +203,7 @@ class LatencyPage(QDialog):
 
     def reject(self) -> None:
         """Stop before anything else; Escape comes here too."""
+        self.stop()
         self._end()
         super().reject()
 
@@ -209,11 +237,11 @@ class LatencyPage(QDialog):
             return
         self._name_rows()
         now = player.snapshot()
-        if now.mode is Mode.TRIPPED:
-            self.stop()
+        if now.is_stopped:
+            self._let_go()
             self.status.setText(stop_reason(now.cause))
         elif problem := now.problem or now.device_problem:
-            self.stop()
+            self._let_go()
             self.status.setText(translated(problem))
 
     @staticmethod
@@ -234,7 +262,7 @@ class LatencyPage(QDialog):
         self._apply()
         player.play()
         self.pump.start()
-        self.stop_button.setEnabled(True)
+        self._offer_stop()
         self._show_instructions()
 
     def _apply(self) -> None:
@@ -290,7 +318,7 @@ class LatencyPage(QDialog):
         self.status.setText(translated(message_of(problem)))
 
     def _end(self) -> None:
-        self.stop()
+        self._let_go()
         self._jobs.close()
 
     # --- what is shown -------------------------------------------------------
@@ -318,7 +346,6 @@ class LatencyPage(QDialog):
         self.stop_button = text_button(
             self.tr("STOP"), self.tr("Stop the force immediately (Esc)"), "stop"
         )
-        self.stop_button.setEnabled(False)
         self.tap_button = text_button(
             self.tr("Tap"), self.tr("Tap on each beat (space bar)")
         )
@@ -326,7 +353,8 @@ class LatencyPage(QDialog):
             self.tr("Apply"), self.tr("Save these latencies for these outputs")
         )
         self.start_button.clicked.connect(self.begin)
-        self.stop_button.clicked.connect(self.stop)
+        self.stop_button.clicked.connect(self.stop_or_rearm)
+        self._offer_stop()
         self.tap_button.pressed.connect(self.tap)
         self.use_button.clicked.connect(self.accept)
 

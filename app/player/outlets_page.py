@@ -26,6 +26,7 @@ from app.player.device_test_panel import DeviceTestPanel
 from app.player.health import mode_text
 from app.player.latency_field import source_text
 from app.player.session import Session
+from app.player.transport import offer_stop
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import (
@@ -94,7 +95,7 @@ class OutletsPage(QDialog):
         self._clock, self._session, self._player = clock, session, session.player
         session.stopped.connect(self.end_test)
         self._tested = ""
-        self.panel = DeviceTestPanel(clock, self._is_free)
+        self.panel = DeviceTestPanel(clock, self._is_free, session.player.latch)
         self._shown: list[str] = []
         self.states: dict[str, QLabel] = {}
         self.figures: dict[str, QLabel] = {}
@@ -148,6 +149,7 @@ class OutletsPage(QDialog):
             self._tested = name
             self.panel.set_device(name)
             self.panel.ask()
+            self._say(self.panel.state.text())
 
     def end_test(self) -> None:
         """Let what is tested come to rest."""
@@ -210,6 +212,7 @@ class OutletsPage(QDialog):
         is_playing = now.is_playing and self.panel.is_acting
         if is_playing or (self.panel.is_running and self._tested not in names):
             self.end_test()
+        offer_stop(self.stop_button, is_stopped=now.is_stopped)
         for outlet in now.outlets:
             self.states[outlet.name].setText(state_text(outlet))
             self.figures[outlet.name].setText(figures_text(outlet))
@@ -278,7 +281,7 @@ class OutletsPage(QDialog):
         self.stop_button = text_button(
             self.tr("STOP"), self.tr("Stop all of them (Esc)"), "stop"
         )
-        self.stop_button.clicked.connect(self._session.stop)
+        self.stop_button.clicked.connect(self._session.stop_or_rearm)
         close = text_button(self.tr("Close"), self.tr("The devices keep playing"))
         close.clicked.connect(self.accept)
         where = captioned(self.tr("Address or settings"), self.address)

@@ -8,10 +8,14 @@ from PySide6.QtCore import QObject, Signal
 
 from app.bridge.errors import ErrorGateway
 from app.bridge.jobs import Jobs, in_child
-from hapticplayer.devices import NO_DEVICE, find_device
-from hapticplayer.errors import DeviceError, HapticPlayerError, HapticsError, Progress
-from hapticplayer.haptics.contract import Mode
-from hapticplayer.haptics.limiter import is_near_middle, limits_of
+from hapticplayer.devices import NO_DEVICE
+from hapticplayer.errors import (
+    DeviceError,
+    HapticPlayerError,
+    HapticsError,
+    Progress,
+    UsageError,
+)
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.phases import Phase
@@ -156,14 +160,10 @@ class Session(QObject):
         """Let the force come back after a stop; the grip has to be near the middle."""
         if not self.is_stopped:
             return
-        now = self.player.snapshot()
-        if now.mode is Mode.TRIPPED and not _is_near_middle(now):
-            self.gateway.report(
-                HapticPlayerError(
-                    self.tr("Move the grip to the centre first, then re-arm again")
-                )
-            )
-        self.player.rearm()
+        try:
+            self.player.rearm()
+        except UsageError as problem:
+            self.gateway.report(problem)
 
     def skip(self, by_s: float) -> None:
         """Go some seconds forwards or backwards."""
@@ -253,8 +253,3 @@ class Session(QObject):
         """Stop what runs, bring the hand to rest and finish the log."""
         self.jobs.close()
         self.player.close()
-
-
-def _is_near_middle(now: Snapshot) -> bool:
-    limits = limits_of(find_device(now.device).capabilities)
-    return is_near_middle(now.tick["position_m"].tolist(), limits)

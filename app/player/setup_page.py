@@ -37,6 +37,7 @@ from hapticplayer.devices.falcon.setting_up import Progress, Step, set_up
 from hapticplayer.devices.guides import guide_of
 from hapticplayer.errors import Progress as Report
 from hapticplayer.errors import message_of
+from hapticplayer.playback.latch import StopLatch
 
 POLL_MS = 33
 LOOK_MS = 1000
@@ -75,6 +76,7 @@ class SetupPage(QDialog):
         find_reach: Callable[[str], Reach] = reach_of,
         *,
         is_free: Callable[[], bool] = _always,
+        latch: StopLatch | None = None,
     ) -> None:
         super().__init__(parent)
         self._is_lent_free = is_free
@@ -85,7 +87,7 @@ class SetupPage(QDialog):
         self._ways, self._result = TravelEstimate(), 0
         self._is_ending = False
         self.drawing, self.form = HomingDrawing(), DeviceForm(self)
-        self.panel = DeviceTestPanel(clock, self._is_free)
+        self.panel = DeviceTestPanel(clock, self._is_free, latch)
         self.device = self.form.kind
         self.title = paragraph()
         self.what, self.text = paragraph(lines=2), paragraph(lines=4)

@@ -1,7 +1,7 @@
 """The player's window: its parts, and what they do with the session."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QSplitter, QStackedWidget, QWidget
 
 from app.bridge.desktop import Desktop
@@ -175,9 +175,14 @@ class PlayerWindow(QMainWindow):
     # --- what a person does --------------------------------------------------
 
     def stop(self) -> None:
-        """Take the force away, pause, and leave fullscreen."""
+        """Take the force away, pause, and leave fullscreen; say how it comes back."""
         self.session.stop()
         self.fullscreen.leave()
+        keys = self.commands.rearm.shortcut().toString(
+            QKeySequence.SequenceFormat.NativeText
+        )
+        text = self.tr("Force stopped. {keys} re-arms it.")
+        self.extras.toast.show_text(text.format(keys=keys))
 
     def toggle_fullscreen(self) -> None:
         """Show the clip and nothing else, or everything again."""
@@ -235,7 +240,12 @@ class PlayerWindow(QMainWindow):
         self.settings.keep(DEVICE, self.player.snapshot().device)
 
     def _release_device(self) -> str:
-        """Leave sound and device to a session; return which device it was."""
+        """Leave sound and device to a session; return which device it was.
+
+        Raises:
+            UsageError: when the force is stopped: a session has no part in the latch.
+        """
+        self.player.latch.refuse()
         name = self.player.snapshot().device
         self.player.pause()
         self.session.choose_device(NO_DEVICE)

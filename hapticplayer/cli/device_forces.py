@@ -19,6 +19,7 @@ from hapticplayer.model import ForceTrack
 from hapticplayer.model.device import Signal
 from hapticplayer.model.rig_track import RigTrack
 from hapticplayer.playback.forces import ForcePlayer, moved_along
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.rendering import circle, rig_demonstration
 from hapticplayer.rendering.demonstration import CIRCLE_N
 
@@ -84,9 +85,10 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
         "Ready?",
     )
     played: list[dict[str, Any]] = []
+    latch = StopLatch()
     problem: Message | str = ""
     for channel in chosen.channels:
-        player, _ = _played(chosen.alone(channel), track, has_grip=False)
+        player, _ = _played(chosen.alone(channel), track, latch, has_grip=False)
         if player.problem:
             problem = player.problem
             break
@@ -102,11 +104,15 @@ def _test_shaker(options: argparse.Namespace, chosen: ShakerSettings) -> int:
 
 
 def _played(
-    device: str, track: ForceTrack | RigTrack, *, has_grip: bool = True
+    device: str,
+    track: ForceTrack | RigTrack,
+    latch: StopLatch | None = None,
+    *,
+    has_grip: bool = True,
 ) -> tuple[ForcePlayer, NDArray[Any]]:
     """Play a track to its end; return the player, closed, and its ticks."""
     clock = SystemClock()
-    player = ForcePlayer(clock, device, track)
+    player = ForcePlayer(clock, device, track, latch)
     try:
         with interruptible():
             player.wait_ready()

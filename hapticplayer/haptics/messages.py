@@ -62,15 +62,19 @@ class MessageSocket:
         self.is_alarmed = False
 
     def send(self, word: MessageKind, text: str = "", descriptor: int = -1) -> bool:
-        """Send one message; False when the other end is gone."""
+        """Send one message; False when the other end is gone.
+
+        `is_open` stays for `receive` to clear: the last words of the other end, as why
+        a device could not be opened, may still be waiting there.
+        """
         if word in _SENTENCES:
             text = json.dumps(to_json(text))
         descriptors = [descriptor] if descriptor >= 0 else []
         try:
             socket.send_fds(self._end, [word.value + text.encode()], descriptors)
         except OSError:
-            self.is_open = False
-        return self.is_open
+            return False
+        return True
 
     def receive(self, timeout_ms: int = 0) -> ReceivedMessage | None:
         """Return the next message, or None; clears `is_open` at the end."""

@@ -21,6 +21,7 @@ from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import ForceTrack, RigTrack
 from hapticplayer.model.device import ChannelLevel, Signal
 from hapticplayer.playback.forces import ForcePlayer
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.rendering import demonstration, rig_demonstration
 from hapticplayer.rendering.demonstration import DemonstrationStep
 from hapticplayer.rendering.rig import RigStep
@@ -31,7 +32,7 @@ HOMING_S = 20.0
 """A device that does not know where its grip is by then has to be set up first."""
 _LEAST_TICKS = 100
 Step = DemonstrationStep | RigStep
-MakePlayer = Callable[[Clock, str, ForceTrack | RigTrack], ForcePlayer]
+MakePlayer = Callable[[Clock, str, ForceTrack | RigTrack, StopLatch], ForcePlayer]
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,9 +85,17 @@ class DeviceTest:
     Raises:
         DeviceError: for a name or settings that are not allowed.
         HapticsError: when the processes cannot be started.
+        UsageError: when the latch is set.
     """
 
-    def __init__(self, clock: Clock, name: str, make: MakePlayer = ForcePlayer) -> None:
+    def __init__(
+        self,
+        clock: Clock,
+        name: str,
+        make: MakePlayer = ForcePlayer,
+        latch: StopLatch | None = None,
+    ) -> None:
+        self._latch = latch or StopLatch()
         entry = find_device(name)
         self._tells_latency = guide_of(entry).tells_latency
         self._clock, self._make = clock, make
@@ -160,7 +169,8 @@ class DeviceTest:
         return ticks
 
     def stop(self) -> None:
-        """Take the force away at once, and let go of the device."""
+        """Take the force away at once until a person re-arms; let go of the device."""
+        self._latch.stop()
         self.was_stopped = self.was_stopped or self.is_acting
         self._next.clear()
         if self.player is not None:
@@ -173,7 +183,7 @@ class DeviceTest:
             self._releaser.join()
 
     def _begin(self, part: DevicePart) -> None:
-        self.player = self._make(self._clock, part.device, part.track)
+        self.player = self._make(self._clock, part.device, part.track, self._latch)
         self._limit_s = self._clock.now_s() + self._patience_s
 
     def _go_on(self) -> None:

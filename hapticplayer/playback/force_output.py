@@ -15,9 +15,12 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import Message
 from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.haptics.limiter import is_near_middle, limits_of
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.scheduling import Scheduling
-from hapticplayer.model import ForceTrack, SyncStats
+from hapticplayer.model import DeviceCapabilities, ForceTrack, SyncStats
+from hapticplayer.model.device import Signal
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.meters import Loudest, SyncAlarm, SyncMeter, TickHistory
 from hapticplayer.playback.snapshot import Measurements, SyncTraces
@@ -27,6 +30,8 @@ SYNC_LOG_PERIOD_S = 1.0
 TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
 COMPARE_PERIOD_S = 0.2  # an alarm looks at half a second
 READ_PERIOD_S = 0.05  # plots draw at 30 Hz; more often costs more than it shows
+REARM_S = 0.06  # until a loop has followed: it may be at rest, with ticks of 20 ms
+_DEAD = (Health.GONE, Health.FAILED)
 
 MakeProcesses = Callable[..., HapticsProcesses]
 
@@ -45,22 +50,26 @@ class ForceOutput:
         device: str,
         scheduling: Scheduling | None,
         make: MakeProcesses = HapticsProcesses,
+        latch: StopLatch | None = None,
     ) -> None:
         self._clock, self._reporter = clock, reporter
         self._scheduling, self._make = scheduling, make
         self._tracks: Mapping[str, ForceTrack] = {}
+        self._latch = latch or StopLatch()
         self._releasing: list[tuple[str, threading.Thread]] = []
         self._begin(device)
 
     def _begin(self, device: str, **options: Any) -> None:
         make, scheduling = self._make, self._scheduling
         self.processes = make(self._clock, device, scheduling=scheduling, **options)
+        if self._latch.is_set:
+            self.processes.stop_force()  # the first message that the loop reads
         self.history = TickHistory()
         self.restart_meters()
         self._alarms = {"video": SyncAlarm("video"), "sound": SyncAlarm("sound")}
         self._next_read_s = self._next_compare_s = self._next_sync_s = 0.0
-        self._mode = Mode.IDLE
-        self._is_closed = False
+        self._mode, self._mode_s = Mode.IDLE, float("-inf")
+        self._is_closed = self._was_ready = False
 
     def use(
         self, device: str, record: Path | None = None, *, takes_faults: bool = False
@@ -122,7 +131,7 @@ class ForceOutput:
     def poll(self) -> None:
         """Read what the loop has done since."""
         before, health = self.processes.health, self.processes.poll()
-        is_dead = health in (Health.GONE, Health.FAILED)
+        is_dead = health in _DEAD
         now_s = self._clock.now_s()
         if health is not Health.NONE and (now_s >= self._next_read_s or is_dead):
             self._read()
@@ -130,6 +139,59 @@ class ForceOutput:
         if is_dead and before is not health and not self._is_closed:
             self._reporter.event("device_lost", problem=self.problem)
             self._reporter.notify(self.problem)
+        is_lost = is_dead and self._was_ready and self.grip is not None
+        self._was_ready = health is Health.READY
+        if is_lost or self._has_tripped():
+            self._latch.stop()
+
+    @property
+    def grip(self) -> DeviceCapabilities | None:
+        """The device where a hand holds it."""
+        device = self.processes.device
+        found = find_device(device).capabilities if device != NO_DEVICE else None
+        has_grip = found and found.axes and found.signal is Signal.FORCE
+        return found if has_grip else None
+
+    def _has_tripped(self) -> bool:
+        """Whether the loop has stopped by itself, or does not follow a re-arm.
+
+        A device that is gone has nothing to be re-armed; the others play on.
+        """
+        mode, cause = self._last()
+        if self.processes.health is not Health.READY or mode is not Mode.TRIPPED:
+            return False
+        rearmed_s = self._latch.rearmed_s
+        if cause not in (Cause.STOPPED, Cause.UNPLUGGED) and self._mode_s > rearmed_s:
+            return True
+        at_s = float(self.history.latest()["monotonic_s"])
+        is_stuck = at_s - max(self._mode_s, rearmed_s) > REARM_S
+        return is_stuck and cause is not Cause.UNPLUGGED
+
+    def _last(self) -> tuple[Mode, Cause]:
+        tick = self.history.latest()
+        if tick is None:
+            return Mode.IDLE, Cause.NONE
+        return Mode(int(tick["mode"])), Cause(int(tick["cause"]))
+
+    def activity(self) -> tuple[Mode, Cause]:
+        """What the loop does, and why.
+
+        A stop and a re-arm count from the moment they are asked for; ticks come later.
+        """
+        mode, cause = self._last()
+        is_stopped = self._latch.is_set
+        if self.processes.health in (*_DEAD, Health.NONE):
+            return mode, cause
+        if is_stopped is (mode is Mode.TRIPPED):
+            return mode, cause
+        return (Mode.TRIPPED, Cause.STOPPED) if is_stopped else (Mode.IDLE, Cause.NONE)
+
+    def is_near_middle(self) -> bool:
+        """Whether the grip is where force may come back; True where there is none."""
+        tick, grip = self.history.latest(), self.grip
+        if grip is None or tick is None or self.processes.health is not Health.READY:
+            return True
+        return is_near_middle(tick["position_m"].tolist(), limits_of(grip))
 
     def close(self) -> None:
         """Ramp the force to zero, end all processes and read the last ticks."""
@@ -236,8 +298,9 @@ class ForceOutput:
                     mode, f"force_{mode.name.lower()}"
                 ),
                 cause=Cause(int(records["cause"][row])).name.lower(),
-                monotonic_s=float(records["monotonic_s"][row]),
+                monotonic_s=(at_s := float(records["monotonic_s"][row])),
             )
+            self._mode_s = at_s
         self._mode = Mode(int(modes[-1]))
 
 

@@ -11,6 +11,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
 from hapticplayer.model.device import ChannelLevel
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.meters import Loudest
 from hapticplayer.rendering import adapted
 
@@ -22,14 +23,24 @@ class ForcePlayer:
     """Opens a device and plays one track on it; poll it at 10 Hz or more.
 
     The media clock is paused until the device is ready and homed; from then on it runs
-    to the end of the track, which must have one.
+    to the end of the track, which must have one. A stop sets the latch, and a latch that
+    is set stops it.
 
     Raises:
+        UsageError: when the latch is set: the force waits for a person.
         DeviceError: when this version has no driver for the device.
         HapticsError: when the haptics process cannot be started.
     """
 
-    def __init__(self, clock: Clock, device: str, track: ForceTrack | RigTrack) -> None:
+    def __init__(
+        self,
+        clock: Clock,
+        device: str,
+        track: ForceTrack | RigTrack,
+        latch: StopLatch | None = None,
+    ) -> None:
+        self._latch = latch or StopLatch()
+        self._latch.refuse()
         capabilities = find_device(device).capabilities
         self._track = (
             adapted(track, capabilities) if isinstance(track, ForceTrack) else track
@@ -78,6 +89,8 @@ class ForcePlayer:
         """Beat, advance, and return the ticks since the last call (see TICK)."""
         processes, now_s = self._processes, self._clock.now_s()
         processes.beat()
+        if self._latch.is_set:
+            processes.stop_force()
         if processes.poll() is Health.READY:
             if not self._is_loaded:
                 self._is_loaded = True
@@ -88,10 +101,13 @@ class ForcePlayer:
         if len(ticks):
             self.mode = Mode(int(ticks["mode"][-1]))
             self.cause = Cause(int(ticks["cause"][-1]))
+        if self.mode is Mode.TRIPPED and self.cause is not Cause.UNPLUGGED:
+            self._latch.stop()
         return ticks
 
     def stop(self) -> None:
-        """Set the force to zero at once."""
+        """Set the force to zero at once, and keep it off until a person re-arms."""
+        self._latch.stop()
         self._processes.stop_force()
 
     def close(self) -> None:

@@ -10,7 +10,6 @@ from typing import Any
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import Message, UsageError
-from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.rig.loop import REFUSED
 from hapticplayer.haptics.scheduling import Scheduling
@@ -23,6 +22,7 @@ from hapticplayer.model import (
 )
 from hapticplayer.model.device import Signal
 from hapticplayer.playback.force_output import ForceOutput
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.snapshot import OutletState
@@ -72,7 +72,7 @@ class Outlet:
         self.address = chosen.address
         self.latency_s, self.latency_source = Latencies().of_device(name)
         self.is_muted, self.feedback = False, ""
-        self.is_lent = self._is_stopped = False
+        self.is_lent = False
         self._names: set[str] = set()
 
     def lend(self) -> None:
@@ -86,18 +86,6 @@ class Outlet:
         if self.is_lent:
             self.is_lent = False
             self.output.use(self.name)
-            if self._is_stopped:
-                self.stop()
-
-    def stop(self) -> None:
-        """Come to rest, until `rearm`."""
-        self._is_stopped = True
-        self.output.processes.stop_force()
-
-    def rearm(self) -> None:
-        """Fade in again after a stop."""
-        self._is_stopped = False
-        self.output.processes.rearm()
 
     def set_latencies(self, latencies: Latencies) -> None:
         """Take what is known of this outlet."""
@@ -129,6 +117,7 @@ class Outlet:
     def state(self, feedback: str) -> OutletState:
         """Return what a front end shows; `feedback` is the player's."""
         tick, processes = self.output.history.latest(), self.output.processes
+        mode, cause = self.output.activity()
         return OutletState(
             self.name,
             processes.health,
@@ -139,8 +128,8 @@ class Outlet:
             self.gain,
             self.latency_s,
             self.latency_source,
-            Mode(int(tick["mode"])) if tick is not None else Mode.IDLE,
-            Cause(int(tick["cause"])) if tick is not None else Cause.NONE,
+            mode,
+            cause,
             processes.pids.get("loop"),
             processes.levels,
         )
@@ -165,8 +154,9 @@ class Outlets:
         reporter: Reporter,
         scheduling: Scheduling | None,
         make: Callable[..., HapticsProcesses],
+        latch: StopLatch | None = None,
     ) -> None:
-        self._clock, self._reporter = clock, reporter
+        self._clock, self._reporter, self._latch = clock, reporter, latch
         self._scheduling, self._make = scheduling, make
         self._all: dict[str, Outlet] = {}
         self._released: list[ForceOutput] = []
@@ -206,7 +196,8 @@ class Outlets:
         for name in new:
             reporter = _Tagged(self._clock, self._reporter, name)
             output = ForceOutput(
-                self._clock, reporter, name, self._scheduling, self._make
+                *(self._clock, reporter, name, self._scheduling, self._make),
+                latch=self._latch,
             )
             self._all[name] = Outlet(name, output, tuple(self._released))
             self._all[name].set_latencies(self._latencies)
@@ -246,12 +237,12 @@ class Outlets:
     def stop(self) -> None:
         """Bring all of them to rest, until `rearm`."""
         for one in self:
-            one.stop()
+            one.output.processes.stop_force()
 
     def rearm(self) -> None:
         """Let all of them fade in again after a stop."""
         for one in self:
-            one.rearm()
+            one.output.processes.rearm()
 
     def lend(self, name: str) -> None:
         """Let go of a device, for a test or a set-up, until `take_back`.
@@ -281,10 +272,14 @@ class Outlets:
             one.take_back()
             self._hand_over([one])
 
-    def poll(self, clock: PlaybackClock, feedback: str) -> None:
-        """Read what they have done since, beat, and publish the clock."""
+    def read(self) -> None:
+        """Read what they have done since."""
         for one in self:
             one.output.poll()
+
+    def publish(self, clock: PlaybackClock, feedback: str) -> None:
+        """Beat, and publish the clock."""
+        for one in self:
             one.output.processes.beat()
             one.publish(clock, feedback)
 

@@ -15,13 +15,14 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
-from hapticplayer.haptics.contract import Cause, Mode
+from hapticplayer.errors import UsageError
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.clip_playback import FASTEST, SLOWEST, ClipPlayback
 from hapticplayer.playback.clock import AudioReport
 from hapticplayer.playback.force_output import ForceOutput
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import PlaybackLog, Reporter
 from hapticplayer.playback.outlets import NO_TRACK, Outlets
@@ -48,9 +49,10 @@ class Player:
         audio: makes the sound output, see `SoundKeeper`; None plays without sound.
         scheduling: of the haptic loop; None for the best there is.
         haptics: makes the owner of the haptics processes; None for the usual one.
+        latch: of the stop, where others open devices, too; None for one of its own.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - tests and benchmarks have two of them
         self,
         clock: Clock,
         sink: FrameSink | None = None,
@@ -59,19 +61,29 @@ class Player:
         audio: AudioFactory | None = SoundProcess,
         scheduling: Scheduling | None = None,
         haptics: Callable[..., HapticsProcesses] | None = None,
+        latch: StopLatch | None = None,
     ) -> None:
+        self._latch = latch or StopLatch()
+        self._is_held = self._latch.is_set
         self._clock, self._reporter = clock, Reporter(clock)
         self._feedback, self._log_problem = "", ""
         self._clip = ClipPlayback(
             clock, sink, audio, self._reporter, self._note_frame, self._note_sound
         )
         make = haptics or HapticsProcesses
-        self._force = ForceOutput(clock, self._reporter, device, scheduling, make)
-        self._outlets = Outlets(clock, self._reporter, scheduling, make)
+        self._force = ForceOutput(
+            *(clock, self._reporter, device, scheduling, make), latch=self._latch
+        )
+        self._outlets = Outlets(clock, self._reporter, scheduling, make, self._latch)
         self._clip.set_device(device)
         self._logged_audio_s = float("-inf")
         self._was_stalled = False
         self._verdict: Verdict | None = None
+
+    @property
+    def latch(self) -> StopLatch:
+        """The stop, for others that open devices."""
+        return self._latch
 
     # --- commands: the clip ---------------------------------------------------
 
@@ -229,20 +241,42 @@ class Player:
         self._force.wait_released(hardware_only=True)
 
     def stop_force(self) -> None:
-        """Set the force to zero at once and pause; `rearm` brings it back."""
+        """Set the force to zero at once and pause; only `rearm` brings it back."""
+        self._latch.stop()
         self._stop_all()
         self._reporter.event("stop")
         self.pause()
 
     def _stop_all(self) -> None:
+        self._is_held = True
         self._force.processes.stop_force()
         self._outlets.stop()
 
     def rearm(self) -> None:
-        """Let the force fade in again after a stop."""
+        """Let the force fade in again after a stop: a person asks for it.
+
+        Raises:
+            UsageError: when a grip is not near the middle; the force stays off.
+        """
+        if not all(one.is_near_middle() for one in self._force_outputs()):
+            raise UsageError("move the grip to the centre first, then re-arm again")
+        self._latch.rearm(self._clock.now_s())
         self._force.processes.rearm()
         self._outlets.rearm()
+        self._is_held = False
         self._reporter.event("rearm")
+
+    def _force_outputs(self) -> list[ForceOutput]:
+        return [self._force, *(one.output for one in self._outlets)]
+
+    def _follow_latch(self) -> None:
+        """Stop, or let the force come back, where another owner of the latch did."""
+        if self._latch.is_set and not self._is_held:
+            self._stop_all()
+        elif self._is_held and not self._latch.is_set:
+            self._force.processes.rearm()
+            self._outlets.rearm()
+        self._is_held = self._latch.is_set
 
     def inject(self, fault: str) -> float:
         """Make a fault happen; see `HapticsProcesses.inject`."""
@@ -279,6 +313,7 @@ class Player:
         """Return the state of clip and device."""
         clip, processes = self._clip, self._force.processes
         tick = self._force.history.latest()
+        mode, cause = self._force.activity()
         return Snapshot(
             phase=clip.phase,
             source=clip.source,
@@ -301,8 +336,9 @@ class Player:
             loop_pid=processes.pids.get("loop"),
             scheduling=processes.scheduling,
             record_problem=processes.record_problem,
-            mode=Mode(int(tick["mode"])) if tick is not None else Mode.IDLE,
-            cause=Cause(int(tick["cause"])) if tick is not None else Cause.NONE,
+            is_stopped=self._latch.is_set,
+            mode=mode,
+            cause=cause,
             tick=tick,
             frames_shown=clip.video.shown,
             frames_dropped=clip.video.dropped,
@@ -346,12 +382,15 @@ class Player:
         """Do what is due and return the monotonic time of the next call, s."""
         now_s = self._clock.now_s()
         self._force.poll()
+        self._outlets.read()
+        self._follow_latch()
         next_s = self._clip.advance(now_s)
         has_no_force = self._has_stalled(now_s) or self._is_withheld()
+        has_no_force = has_no_force or self._latch.is_set
         track = NO_TRACK if has_no_force else self._feedback
         self._force.processes.beat()
         self._force.processes.publish(self._clip.force_clock(), track)
-        self._outlets.poll(self._clip.clock(), track)
+        self._outlets.publish(self._clip.clock(), track)
         return min(next_s, now_s + POLL_S)
 
     def _has_stalled(self, now_s: float) -> bool:

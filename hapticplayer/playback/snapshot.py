@@ -78,6 +78,7 @@ class Snapshot:
     loop_pid: int | None = None
     scheduling: str = ""  # class of the haptic loop, "" without a device
     record_problem: str = ""  # why the recording of the ticks is incomplete
+    is_stopped: bool = False  # the latch: no force until a person re-arms
     mode: Mode = Mode.IDLE
     cause: Cause = Cause.NONE
     tick: Any = None  # the newest tick, see `TICK`; None before the first
@@ -93,12 +94,6 @@ class Snapshot:
     def duration_s(self) -> float:
         """Length of the clip."""
         return self.source.clip.duration_s if self.source else 0.0
-
-    @property
-    def is_stopped(self) -> bool:
-        """Whether device or an outlet was stopped and waits for a person."""
-        modes = (self.mode, *(outlet.mode for outlet in self.outlets))
-        return Mode.TRIPPED in modes
 
     @property
     def is_playing(self) -> bool:

@@ -230,18 +230,24 @@ class SessionRunner:
             self._pass_step()
         else:
             self._expect(PageKind.READY)
+            if self._is_held():
+                return
             self._attempts[self.step] += 1
             self._store("trial-begin", self._play, **self._trial_name())
 
     def demonstrate(self) -> None:
         """Play the demonstration of the device."""
         self._expect(PageKind.DEMONSTRATION)
+        if self._is_held():
+            return
         self.stage.prepare_demonstration()
         self._store("demonstration", self._show)
 
     def replay(self, token: str) -> None:
         """Play a clip with one of the feedbacks again; see `Page.replays`."""
         self._expect(PageKind.QUESTIONS)
+        if self._is_held():
+            return
         number, _, place = token.partition(".")
         feedback = self.plan.labels[int(number) - 1]
         sequence = self.definition.sequences[int(place) - 1].key
@@ -249,8 +255,14 @@ class SessionRunner:
         self._store("replay", self._show, sequence=sequence, feedback=feedback)
 
     def halt(self, reason: str) -> None:
-        """Stop the force at once; an interrupted trial has to be started again."""
+        """Stop the force at once, until `resume`.
+
+        An interrupted trial has to be started again.
+        """
         self.stage.halt()
+        self._leave_clip(reason)
+
+    def _leave_clip(self, reason: str) -> None:
         if self.is_over or self._mode in (StepMode.PAUSED, StepMode.PROBLEM):
             return
         if self._mode is StepMode.PLAYING:
@@ -269,7 +281,11 @@ class SessionRunner:
         self.halt("paused")
 
     def resume(self, by: str = "operator") -> None:
-        """Continue after a pause."""
+        """Continue after a pause: a person re-arms the force.
+
+        Raises:
+            UsageError: when the grip is not near the middle; the pause goes on.
+        """
         if self._mode is StepMode.PAUSED:
             self.stage.rearm()
             self._store("go-on", self._after_pause, by=by)
@@ -282,14 +298,17 @@ class SessionRunner:
         if not step:
             return
         if self._mode is StepMode.PLAYING:
-            self.halt("repeated")
-        self.stage.rearm()
+            self._interrupt("repeated")
 
         def again() -> None:
             self._again = step
             self._enter()
 
         self._store("repeat", again, step=step)
+
+    def _interrupt(self, reason: str) -> None:
+        self.stage.interrupt()
+        self._leave_clip(reason)
 
     def _trial_to_repeat(self) -> str:
         if self._mode in (StepMode.PLAYING, StepMode.ASKING):
@@ -304,8 +323,7 @@ class SessionRunner:
         if not reason.strip():
             raise StudyError("skipping a step needs a reason")
         if self._mode in (StepMode.PLAYING, StepMode.SHOWING):
-            self.halt("skipped")
-        self.stage.rearm()
+            self._interrupt("skipped")
         self._store("skip", self._complete_step, step=self.step, reason=reason.strip())
 
     def stop(self, reason: str, by: str = "operator") -> None:
@@ -332,7 +350,6 @@ class SessionRunner:
         if self._pending is not None:
             pending, self._pending = self._pending, None
             self.problem, self._mode = "", self._before_problem
-            self.stage.rearm()
             pending()
 
     def close(self) -> None:
@@ -343,7 +360,10 @@ class SessionRunner:
 
     def poll(self) -> None:
         """Check whether a clip has ended."""
-        if self._mode is StepMode.PLAYING and self.stage.is_over():
+        is_playing = self._mode in (StepMode.PLAYING, StepMode.SHOWING)
+        if is_playing and self.stage.is_stopped:
+            self.halt("force_stopped")
+        elif self._mode is StepMode.PLAYING and self.stage.is_over():
             self._finish_trial(self._ask)
         elif self._mode is StepMode.SHOWING and self.stage.is_over():
             self._enter()
@@ -368,8 +388,8 @@ class SessionRunner:
             then()
 
     def _fail(self, problem: StudyError, again: Callable[[], None]) -> None:
-        """Show the problem until the operator has retried."""
-        self.stage.halt()
+        """Show the problem until the operator has retried; nothing plays meanwhile."""
+        self.stage.interrupt()
         self.problem = message_of(problem)
         if self._mode is StepMode.PROBLEM and self._pending is not None:
             self._pending = _both(self._pending, again)
@@ -388,6 +408,12 @@ class SessionRunner:
             self.stage.prepare(self.condition)
         self._mark(f"{self.step} page")
         self._next_page()
+
+    def _is_held(self) -> bool:
+        """Pause before a clip while the force is stopped; True if so."""
+        if self.stage.is_stopped:
+            self._pause("force_stopped")
+        return self.stage.is_stopped
 
     def _next_page(self) -> None:
         self._number += 1

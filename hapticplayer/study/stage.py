@@ -62,12 +62,21 @@ class TrialStage(Protocol):
         """Return the result since `begin`; `reasons` are added."""
         ...
 
+    @property
+    def is_stopped(self) -> bool:
+        """Whether the force is stopped until a person re-arms it."""
+        ...
+
     def halt(self) -> None:
-        """Stop force and playback at once."""
+        """Stop force and playback at once, until `rearm`."""
+        ...
+
+    def interrupt(self) -> None:
+        """Pause; the force fades out, and may come back with the next clip."""
         ...
 
     def rearm(self) -> None:
-        """Re-arm the force after `halt`."""
+        """Allow force again: a person asks for it; as `Player.rearm`."""
         ...
 
 
@@ -130,13 +139,23 @@ class PlayerStage:
         self._monitor.update()
         return self.player.snapshot().phase in (Phase.ENDED, Phase.EMPTY)
 
+    @property
+    def is_stopped(self) -> bool:
+        """Whether the force is stopped until a person re-arms it."""
+        return self.player.latch.is_set
+
     def halt(self) -> None:
-        """Stop force and playback at once."""
+        """Stop force and playback at once, until `rearm`."""
         self._monitor.update()
         self.player.stop_force()
 
+    def interrupt(self) -> None:
+        """Pause; the force fades out, and may come back with the next clip."""
+        self._monitor.update()
+        self.player.pause()
+
     def rearm(self) -> None:
-        """Re-arm the force after `halt`."""
+        """Allow force again: a person asks for it; as `Player.rearm`."""
         self.player.rearm()
 
     def played(self, *reasons: str) -> PlaybackResult:

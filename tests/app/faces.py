@@ -131,7 +131,8 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "rig": lambda: RigPanel(window.clock, window, (0,)),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "latencies": lambda: LatencyPage(
-            window.clock, "simulated", window.settings, _no_player, window
+            *(window.clock, "simulated", window.settings, _no_player),
+            *(window.player.latch, window),
         ),
         "study": lambda: StudyEditor(study, window),
         "analysis": lambda: AnalysisPage(

@@ -59,6 +59,8 @@ def test_a_demonstration_stops_at_once_and_releases_the_device(page, wait_for, w
     if way == "stop":
         page.stop_button.click()
         assert page.text.text() == "Stopped."
+        assert not page.start_button.isEnabled()
+        page.stop_button.click()  # it re-arms by now
         assert page.start_button.isEnabled()
     elif way == "escape":
         QTest.keyClick(page, Qt.Key.Key_Escape)

@@ -34,6 +34,7 @@ from hapticplayer.playback.beats import (
     beat_track,
     relative_latencies_s,
 )
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latency
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
@@ -43,16 +44,18 @@ SCREEN_S, SPREAD_S = 0.070, 0.015
 HUMAN_S = -0.030  # people tap before the beat
 
 
-def player_of(clock, sink, device, audio=None):
-    return Player(clock, sink, device=device, audio=audio)
+def player_of(clock, sink, device, audio=None, latch=None):
+    return Player(clock, sink, device=device, audio=audio, latch=latch)
 
 
 @pytest.fixture
 def make_page(application, qtbot, settings):
-    made = []
+    made, latch = [], StopLatch()
 
     def make(clock, device="none"):
-        page = LatencyPage(clock, device, settings, partial(player_of))
+        page = LatencyPage(
+            *(clock, device, settings, partial(player_of, latch=latch)), latch
+        )
         qtbot.addWidget(page)
         made.append(page)
         page.show()
@@ -162,7 +165,9 @@ def test_on_a_device_the_force_is_gentle_and_escape_ends_it(make_page, wait_for)
 def test_a_used_latency_is_kept_for_its_output_and_played_with(
     window, qtbot, settings, wait_for
 ):
-    page = LatencyPage(SystemClock(), "none", settings, partial(player_of))
+    page = LatencyPage(
+        *(SystemClock(), "none", settings, partial(player_of)), StopLatch()
+    )
     qtbot.addWidget(page)
     page.measured.connect(window.dialogs.settings_taken)
     page.rows[DISPLAY].number.setValue(45.0)

@@ -10,7 +10,6 @@ from sitting import KEYS, Person
 
 from app.participant.pages import QuestionsPage, TextPage
 from app.participant.questions import ButtonsRow, NumberRow
-from hapticplayer.haptics.contract import Cause
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.journal import read_journal
@@ -250,7 +249,7 @@ def test_a_missing_disk_stops_the_participant_until_it_is_back(
         person.key(digit)
     person.key(Qt.Key.Key_Enter)
     person.wait_page(PageKind.PROBLEM)
-    wait_for(lambda: session.player.snapshot().cause is Cause.STOPPED)
+    assert not session.player.snapshot().is_playing
     wait_for(session.control.buttons["retry"].isVisible)
     assert "could not be saved" in session.control.messages.text()
     folder.with_name("unplugged").rename(folder)
@@ -258,7 +257,7 @@ def test_a_missing_disk_stops_the_participant_until_it_is_back(
     person.wait_page(PageKind.READY, "trial-02")
     ratings = read_answers(folder).ratings
     assert sum(r.value is not None for r in ratings) == 4
-    wait_for(lambda: session.player.snapshot().cause is not Cause.STOPPED)
+    assert not session.player.snapshot().is_stopped
 
 
 def test_a_page_has_its_height_before_it_is_painted_again(make_study, sit):

@@ -275,7 +275,7 @@ def test_stop_trips_and_rearm_lets_the_force_back(
     wait_for(lambda: window.session.is_stopped)
     wait_for(lambda: window.transport.stop.text() == "Re-arm")
     assert window.player.snapshot().phase is Phase.PAUSED
-    assert not window.player.snapshot().tick["force_n"].any()
+    wait_for(lambda: not window.player.snapshot().tick["force_n"].any())
     wait_for(lambda: "STOPPED" in window.health.entries[0].text())
     window.transport.stop.click()
     wait_for(lambda: not window.session.is_stopped)

@@ -22,6 +22,7 @@ from hapticplayer.devices.falcon.transport import (
     Transport,
 )
 from hapticplayer.errors import DeviceError
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.player import Player
 from tools.pages.stage import Pictures, Stage
 
@@ -110,7 +111,9 @@ def _forces(stage: Stage) -> Pictures:
 
 
 def _latencies(stage: Stage) -> Pictures:
-    page = LatencyPage(SystemClock(), "simulated", stage.settings, _player)
+    page = LatencyPage(
+        *(SystemClock(), "simulated", stage.settings, _player), StopLatch()
+    )
     with stage.shown(page):
         yield "latencies", page.grab()
         page.begin()

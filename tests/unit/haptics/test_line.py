@@ -41,3 +41,13 @@ def test_a_hung_up_line_is_noticed_at_the_next_call(ends):
     assert loop.receive() is None
     assert not loop.is_open
     assert not loop.send(MessageKind.READY, "fifo")
+
+
+def test_last_words_are_read_after_a_send_that_failed(ends):
+    player, loop = ends
+    loop.send(MessageKind.FAILED, Message("no Falcon is plugged in"))
+    loop.close()
+    assert not player.send(MessageKind.TRACK, "1")
+    assert player.receive().text == "no Falcon is plugged in"
+    assert player.receive() is None
+    assert not player.is_open

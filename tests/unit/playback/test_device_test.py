@@ -9,6 +9,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import RigTrack
 from hapticplayer.playback.device_test import HOMING_S, DeviceTest, parts_of
+from hapticplayer.playback.latch import StopLatch
 
 
 class Player:
@@ -16,7 +17,8 @@ class Player:
 
     made: list["Player"]
 
-    def __init__(self, clock, device, track):
+    def __init__(self, clock, device, track, latch):
+        latch.refuse()
         self.device, self.end_s, self._clock = device, float(track.time_s[-1]), clock
         self.mode, self.cause, self.problem, self.levels = Mode.IDLE, Cause.NONE, "", ()
         self.media_s, self.is_homed, self.age_s = 0.0, True, 0.0015
@@ -50,7 +52,8 @@ class Player:
 @pytest.fixture
 def begin(manual_clock):
     Player.made = []
-    return lambda name: DeviceTest(manual_clock, name, Player)
+    latch = StopLatch()
+    return lambda name: DeviceTest(manual_clock, name, Player, latch)
 
 
 def finish(test, clock=None, most=2000):

@@ -26,7 +26,7 @@ class FakeStage:
         self.playing = False
         self.ended = False
         self.halts = 0
-        self.is_armed = True
+        self.is_stopped = False
         self.reasons = ()
 
     def prepare(self, condition: Condition):
@@ -36,7 +36,7 @@ class FakeStage:
         self.prepared.append("demonstration")
 
     def begin(self):
-        assert self.is_armed
+        assert not self.is_stopped
         self.playing, self.ended = True, False
 
     def is_over(self):
@@ -48,10 +48,13 @@ class FakeStage:
 
     def halt(self):
         self.halts += 1
-        self.playing = self.is_armed = False
+        self.playing, self.is_stopped = False, True
+
+    def interrupt(self):
+        self.playing = False
 
     def rearm(self):
-        self.is_armed = True
+        self.is_stopped = False
 
 
 class RunningSession:
@@ -205,8 +208,9 @@ def test_pausing_a_clip_makes_it_begin_again(running):
     running.runner.proceed()
     running.runner.pause()
     assert running.kind is PageKind.PAUSED
-    assert not running.stage.is_armed
+    assert running.stage.is_stopped
     running.runner.resume()
+    assert not running.stage.is_stopped
     assert running.kind is PageKind.READY
     assert running.runner.page.position == 1
     running.trial()
@@ -257,6 +261,61 @@ def test_skipping_needs_a_reason_and_leaves_the_rating_missing(running):
     running.runner.skip("device too hot")
     assert running.runner.page.position == 2
     assert "skip" in kinds(running)
+
+
+ACTIONS = {
+    "repeat": lambda runner: runner.repeat(),
+    "skip": lambda runner: runner.skip("too hot"),
+    "retry": lambda runner: runner.retry(),
+    "note": lambda runner: runner.note("a stop"),
+    "pause": lambda runner: runner.pause(),
+    "poll": lambda runner: runner.poll(),
+    "stop": lambda runner: runner.halt("operator"),
+}
+
+
+@pytest.mark.parametrize("action", ACTIONS)
+@pytest.mark.parametrize("when", ["ready", "playing", "asking"])
+def test_after_a_stop_only_resuming_lets_a_trial_play(running, when, action):
+    running.to_trials()
+    running.trial()
+    if when != "ready":
+        running.play() if when == "asking" else running.runner.proceed()
+    running.runner.halt("escape")
+    ACTIONS[action](running.runner)
+    if running.kind is PageKind.READY:
+        running.runner.proceed()
+    assert running.kind is PageKind.PAUSED
+    assert running.stage.is_stopped
+    assert not running.stage.playing
+    running.runner.resume("participant")
+    assert not running.stage.is_stopped
+    if running.kind is PageKind.QUESTIONS:
+        running.runner.answer(VALUES)
+    running.trial()
+
+
+def test_a_grip_button_in_a_trial_pauses_the_session(running):
+    running.to_trials()
+    running.runner.proceed()
+    running.stage.is_stopped = True
+    running.runner.poll()
+    assert running.kind is PageKind.PAUSED
+    trial = next(r for r in running.records().intact if r.kind == "trial")
+    assert "force_stopped" in trial.content["reasons"]
+
+
+def test_a_replay_or_demonstration_waits_for_the_re_arming(running):
+    running.runner.consent(given=True)
+    running.runner.answer(SHEET)
+    running.runner.halt("escape")
+    running.runner.resume()
+    running.stage.is_stopped = True
+    running.runner.demonstrate()
+    assert running.kind is PageKind.PAUSED
+    running.runner.resume()
+    running.runner.demonstrate()
+    assert running.kind is PageKind.PLAYING
 
 
 def test_stopping_keeps_what_was_answered(running):
@@ -335,9 +394,9 @@ def test_once_the_disk_has_room_again_the_force_is_back(running, monkeypatch, at
         else:
             running.runner.proceed()
         assert running.kind is PageKind.PROBLEM
-        assert not running.stage.is_armed
+        assert not running.stage.playing
     running.runner.retry()
-    assert running.stage.is_armed
+    assert not running.stage.is_stopped
     assert (
         running.kind
         is {

@@ -80,7 +80,8 @@ def test_a_stop_is_a_fault_and_rearming_restores_the_force(source):
         stage.begin()
         run(stage, clock, lambda _s: player.snapshot().mode is Mode.FOLLOWING)
         stage.halt()
-        run(stage, clock, lambda _s: player.snapshot().mode is Mode.TRIPPED)
+        assert player.snapshot().mode is Mode.TRIPPED
+        run(stage, clock, lambda _s: player.snapshot().tick["mode"] == Mode.TRIPPED)
         played = stage.played("paused")
         assert not played.is_valid
         assert played.reasons[0] == "paused"
