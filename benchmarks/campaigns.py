@@ -398,8 +398,8 @@ def _write_clip(path: Path, length_s: float, size_mb: float) -> None:
 
 def _payloads(length_s: float) -> Any:
     """Return what a camera at 200 Hz writes each second."""
-    from hapticplayer.simulation.rides.gpmf_writer import write_payloads
-    from hapticplayer.simulation.rides.motion_scenes import simulate_motion
+    from hapticplayer.extras.rides.gpmf_writer import write_payloads
+    from hapticplayer.extras.rides.motion_scenes import simulate_motion
 
     ride = simulate_motion("handheld-brisk", 1, duration_s=length_s)
     return write_payloads(ride.imu)

@@ -19,8 +19,8 @@ from app.player.window import PlayerWindow
 from hapticplayer.errors import Progress
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.sequence.build import Choices, build_sequence
+from hapticplayer.sequence.demo import demo_folder
 from hapticplayer.sequence.synchronizing import SyncChoices
-from hapticplayer.simulation.recordings import demo_folder
 
 Steps = Iterator[float]
 KEY, NO_KEY, LEFT = Qt.Key, Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton

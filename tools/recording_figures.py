@@ -9,7 +9,7 @@ from pathlib import Path
 from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync.result import ClipSound
 from hapticplayer.cli.plots import draw_sync
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
+from tests.material.sync_clips import simulate_pats
 
 DOCS = Path(__file__).parents[1] / "docs"
 PICTURES = {

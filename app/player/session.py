@@ -91,7 +91,7 @@ class Session(QObject):
 
     def open_demo(self) -> None:
         """Open the built-in demo; it is made on first use."""
-        from hapticplayer.simulation.recordings import demo_folder
+        from hapticplayer.sequence.demo import demo_folder
 
         def work(progress: Progress) -> Source:
             return open_source(in_child(demo_folder, progress=progress))

@@ -17,12 +17,12 @@ import numpy as np
 
 from benchmarks.common import Report, interleaved, on_one_thread, ratio
 from hapticplayer.clock import SystemClock
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence.presets import PRESETS, Rendering, render_preset
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 LENGTH_S = 75.0
 SCENES = ("car-hard", "car-brisk", "bicycle", "walk", "run", "mountain-bike")

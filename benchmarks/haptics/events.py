@@ -16,14 +16,17 @@ from typing import Any
 import numpy as np
 
 from benchmarks.common import Report, on_one_thread
+from hapticplayer.extras.rides.catalogue import RIDES, SCENES
+from hapticplayer.extras.rides.motion_scenes import MOTION_SCENES, simulate_motion
+from hapticplayer.extras.rides.recording import simulate
+from hapticplayer.extras.rides.sensors import CAMERA, SensorErrors
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering.event import Event
 from hapticplayer.rendering.events import DETECTORS, find_events
 from hapticplayer.rendering.low_sound import LowSound, low_sound
 from hapticplayer.sequence.store import in_media_time
-from hapticplayer.simulation.rides.catalogue import RIDES, SCENES
-from hapticplayer.simulation.rides.known_events import (
+from tests.material.known_events import (
     KnownEvent,
     Score,
     known_events,
@@ -31,9 +34,6 @@ from hapticplayer.simulation.rides.known_events import (
     score,
     spans_of,
 )
-from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
-from hapticplayer.simulation.rides.recording import simulate
-from hapticplayer.simulation.rides.sensors import CAMERA, SensorErrors
 
 LEAST_PRECISION = {"camera": 0.95, "board": 0.9}
 LEAST_RECALL = {"camera": 0.95, "board": 0.85}

@@ -20,6 +20,9 @@ from scipy.ndimage import uniform_filter1d
 from scipy.signal import butter, sosfiltfilt
 
 from benchmarks.common import Report, on_one_thread
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
+from hapticplayer.extras.rides.recording import simulate
+from hapticplayer.extras.rides.trajectory import Trajectory
 from hapticplayer.model import MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import remove_gravity
@@ -28,10 +31,7 @@ from hapticplayer.rendering.event import EventInputs
 from hapticplayer.rendering.low_sound import LOW_HZ, LowSound, low_sound
 from hapticplayer.rendering.shocks import KNOCK_DECAY_S, KNOCK_HZ, Shock, find_shocks
 from hapticplayer.sequence.store import in_media_time
-from hapticplayer.simulation.rides.contact_sound import COVERS, contact_sound, covered
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
-from hapticplayer.simulation.rides.recording import simulate
-from hapticplayer.simulation.rides.trajectory import Trajectory
+from tests.material.contact_sound import COVERS, contact_sound, covered
 
 BAND_HZ, MOST_N, N_PER_MPS2 = (20.0, 120.0), 0.5, 0.1
 BEFORE_S, RISE_S, AFTER_S, FALL_S = 0.05, 0.02, 0.10, 0.05

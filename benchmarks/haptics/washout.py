@@ -25,6 +25,9 @@ from benchmarks.common import DATA, Report, on_one_thread
 from benchmarks.haptics.washout_hands import false_share, hold, judged, overview
 from benchmarks.motion.recordings import COMMA, comma
 from hapticplayer.capture import read_recording
+from hapticplayer.extras.rides.catalogue import SCENES
+from hapticplayer.extras.rides.motion_scenes import MOTION_SCENES, simulate_motion
+from hapticplayer.extras.rides.recording import simulate
 from hapticplayer.model import ForceTrack, Mapping, MotionTrack, PresetName
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
@@ -35,9 +38,6 @@ from hapticplayer.rendering.washout import Washout, washed_out
 from hapticplayer.rendering.weighting import weighted
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import PRESETS, washout_of
-from hapticplayer.simulation.rides.catalogue import SCENES
-from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
-from hapticplayer.simulation.rides.recording import simulate
 
 RATE_HZ, PAD_S = 200.0, 10.0
 STANDARD_GRAVITY_MPS2 = 9.80665

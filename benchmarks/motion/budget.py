@@ -29,6 +29,20 @@ from scipy.signal import butter, sosfiltfilt
 
 from benchmarks.common import Report, on_one_thread
 from hapticplayer.devices.falcon import kinematics
+from hapticplayer.extras.rides.board import PAPER, LoggerBoard, record
+from hapticplayer.extras.rides.catalogue import RIDES
+from hapticplayer.extras.rides.motion_scenes import (
+    MOTION_SCENES,
+    SimulatedMotion,
+    simulate_motion,
+)
+from hapticplayer.extras.rides.scenes import Scene
+from hapticplayer.extras.rides.sensors import (
+    CAMERA,
+    PAPER_BOARD,
+    SensorErrors,
+    SensorModel,
+)
 from hapticplayer.model import (
     STANDARD_GRAVITY_MPS2,
     ImuLog,
@@ -39,20 +53,6 @@ from hapticplayer.model import (
 from hapticplayer.motion import METHODS, remove_gravity
 from hapticplayer.rendering import render_force
 from hapticplayer.rendering.window_means import dense_motion
-from hapticplayer.simulation.rides.board import PAPER, LoggerBoard, record
-from hapticplayer.simulation.rides.catalogue import RIDES
-from hapticplayer.simulation.rides.motion_scenes import (
-    MOTION_SCENES,
-    SimulatedMotion,
-    simulate_motion,
-)
-from hapticplayer.simulation.rides.scenes import Scene
-from hapticplayer.simulation.rides.sensors import (
-    CAMERA,
-    PAPER_BOARD,
-    SensorErrors,
-    SensorModel,
-)
 
 Floats = NDArray[np.float64]
 SCENARIOS = ("bike", "horse", "car-turning", "car-braking")

@@ -21,6 +21,7 @@ from scipy.spatial.transform import Rotation
 from benchmarks.common import Report, on_one_thread, rms
 from benchmarks.motion.recordings import Family, add_options, chosen
 from benchmarks.motion.run_time import head
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.motion import SmootherParameters, remove_gravity
 from hapticplayer.motion.smoother import state
@@ -29,7 +30,6 @@ from hapticplayer.motion.smoother.least_squares import (
     horizontal_band,
     minimise,
 )
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 Floats = NDArray[np.float64]
 LENGTHS_S = (60.0, 600.0, 3600.0, 36000.0)

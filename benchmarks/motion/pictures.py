@@ -22,12 +22,12 @@ from benchmarks.common import DATA, Report, on_one_thread, rms
 from benchmarks.sync.picture_clips import SCENES, film_of
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.vision.estimate import RATE_HZ, TOP_HZ, suggest_motion
+from hapticplayer.extras.rides.catalogue import RIDES
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering import random_feedback
-from hapticplayer.simulation.rides.catalogue import RIDES
 
 BUILT_ON = (11, 12)
 SEEDS = range(11, 16)

@@ -17,8 +17,8 @@ from scipy.signal import butter, sosfiltfilt
 from scipy.spatial.transform import Rotation, Slerp
 
 from benchmarks.common import DATA
+from hapticplayer.extras.rides.motion_scenes import MOTION_SCENES, simulate_motion
 from hapticplayer.model import ImuLog
-from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
 from tools.optical import GAP, OPTICAL, read_optical
 
 Floats = NDArray[np.float64]

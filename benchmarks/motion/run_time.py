@@ -18,6 +18,7 @@ import numpy as np
 
 from benchmarks.common import Ratio, Report, interleaved, on_one_thread, ratio
 from benchmarks.motion.recordings import AVERAGED, NATIVE, Family, add_options, chosen
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.motion import (
     DEFAULT_METHOD,
@@ -25,7 +26,6 @@ from hapticplayer.motion import (
     estimate_orientation,
     remove_gravity,
 )
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 REFERENCE = "offlineVQF"
 # of a minute, and from ten minutes on

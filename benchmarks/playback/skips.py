@@ -50,7 +50,7 @@ from hapticplayer.playback.meters import TickHistory
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.sound_ring import AudioRing
 from hapticplayer.playback.source import open_source
-from hapticplayer.simulation.sound_output import SilentOutput
+from tests.material.sound_output import SilentOutput
 
 CLIP_S, RUN_S, SHAKEN_S = 8.0, 5.0, 4.0
 FRAMES, TICKS, SEEKS = 60, 20_000, 20

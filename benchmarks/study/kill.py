@@ -29,13 +29,13 @@ from benchmarks.common import ROOT, Report
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError
 from hapticplayer.media.encode import write_clip
-from hapticplayer.simulation.rides.shaken import write_shaken_sequence
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.definition import QuestionKind
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.session_setup import load_study_sources
 from hapticplayer.study.study_folder import Study, open_study
+from tests.material.shaken import write_shaken_sequence
 
 LATEST_S = 1.5  # after the session is about to be made or opened
 NEVER_S = 600.0

@@ -18,7 +18,7 @@ import numpy as np
 from benchmarks.common import Report, on_one_thread, rms
 from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync.variance import FIRST_10_S, WHOLE, variance_shift
-from hapticplayer.simulation.rides.sync_clips import PatClip, simulate_pats
+from tests.material.sync_clips import PatClip, simulate_pats
 
 HALF_FRAME_S, GROSS_S = 0.0167, 0.1
 # kind, rate in Hz -> share within half a frame, share of right ones flagged

@@ -19,17 +19,17 @@ from scipy.signal import butter, sosfiltfilt
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.capture.mounting import all_mountings, axes_matrix
+from hapticplayer.extras.rides.board import PAPER, record
+from hapticplayer.extras.rides.catalogue import RIDES
+from hapticplayer.extras.rides.film.film import Film
+from hapticplayer.extras.rides.film.sound import RATE_HZ, ride_sound
+from hapticplayer.extras.rides.film.view import CameraRays
+from hapticplayer.extras.rides.scenes import Scene
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.frames import FrameConverter
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.film.film import Film
-from hapticplayer.simulation.film.sound import RATE_HZ, ride_sound
-from hapticplayer.simulation.film.view import CameraRays
-from hapticplayer.simulation.rides.board import PAPER, record
-from hapticplayer.simulation.rides.catalogue import RIDES
-from hapticplayer.simulation.rides.scenes import Scene
 
 SCENES = ("bike", "horse", "car-turning", "car-braking", "stairs", "stroll")
 RATES_HZ = (200, 30)

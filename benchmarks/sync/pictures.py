@@ -47,10 +47,10 @@ from hapticplayer.capture.sync.rotation_match import Gyro, fit_at
 from hapticplayer.capture.sync.synchronize import by_pats, joined_findings
 from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import InputError
+from hapticplayer.extras.rides.film.sound import RATE_HZ as SOUND_RATE_HZ
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
-from hapticplayer.simulation.film.sound import RATE_HZ as SOUND_RATE_HZ
 
 Follow = Callable[[Path], FrameRotation]
 

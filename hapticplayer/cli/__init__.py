@@ -73,7 +73,6 @@ COMMANDS = (
         "report how good a recording's motion is; compare methods",
         ".process",
     ),
-    Command("simulate", "make a simulated ride with known truth", ".simulate"),
     Command("pack", "write a sequence as one video file, to send to someone", ".pack"),
     Command("unpack", "make a sequence of a file that was packed", ".unpack"),
     Command("export", "write a sequence's force for other programs", ".export"),

@@ -131,7 +131,7 @@ def run(options: argparse.Namespace, open_window: OpenWindow | None) -> int:
     if open_window is not None and not options.headless:
         return open_window(options)
     if not options.source:
-        from hapticplayer.simulation.recordings import demo_folder
+        from hapticplayer.sequence.demo import demo_folder
 
         with shown_progress() as progress:
             options.source = demo_folder(progress)

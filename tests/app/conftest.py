@@ -27,7 +27,7 @@ from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.simulation.rides.shaken import write_shaken_sequence
+from tests.material.shaken import write_shaken_sequence
 
 sys.path.insert(0, str(Path(__file__).parent))  # helpers beside these tests
 from children import real_children, threads_for_children  # noqa: F401 - fixtures

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from hapticplayer.extras.rides import recordings as demos
+from hapticplayer.extras.rides.recording import SimulatedRecording, simulate
 from hapticplayer.media.encode import write_clip
-from hapticplayer.simulation import recordings as demos
-from hapticplayer.simulation.rides.recording import SimulatedRecording, simulate
 from tests.e2e.command import hapticplayer
 from tests.once import made_once
 

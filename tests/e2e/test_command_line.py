@@ -13,10 +13,10 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.clock import SystemClock
 from hapticplayer.doctor import ROOT
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import ImuLog
 from hapticplayer.playback.log import PlaybackLog
-from hapticplayer.simulation import recordings as demos
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
+from hapticplayer.sequence import demo as demos
 from tests.e2e.command import (
     followed,
     forces_of,

@@ -13,8 +13,8 @@ import pytest
 from hapticplayer import motion
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.sequence.store import read_recorded
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.e2e.command import command_line, hapticplayer, refused, report_of, started
 
 

@@ -13,11 +13,11 @@ import pyxdf
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.record_reader import read_record
 from hapticplayer.playback.source import open_source
-from hapticplayer.simulation.rides.shaken import write_shaken_sequence
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.study_folder import open_study
 from tests.bids import errors_in
 from tests.e2e.command import ROOT, hapticplayer, report_of
+from tests.material.shaken import write_shaken_sequence
 
 CLIP_S = 2.0
 SHAKES_HZ = {"bike": 2.0, "horse": 3.0}

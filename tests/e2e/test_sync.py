@@ -9,8 +9,8 @@ from scipy.signal import resample_poly
 
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
 from tests.e2e.command import hapticplayer, refused, report_of
+from tests.material.sync_clips import simulate_pats
 
 SECONDS = 20
 

@@ -4,12 +4,12 @@ import functools
 
 import numpy as np
 
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
+from hapticplayer.extras.rides.recording import simulate
 from hapticplayer.model import Feedback, ForceTrack, Mapping, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.force import Reconstruction
 from hapticplayer.rendering import random_feedback, render_force
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
-from hapticplayer.simulation.rides.recording import simulate
 
 GRAVITY_MPS2 = 9.80665
 RATE_HZ = 200.0

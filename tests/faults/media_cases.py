@@ -26,7 +26,7 @@ from hapticplayer.media.remux import video_payload
 from hapticplayer.media.video import VideoDecoder
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import read_packed
-from hapticplayer.simulation.rides.shaken import write_shaken_sequence
+from tests.material.shaken import write_shaken_sequence
 
 EXTREMES = (b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\0\0\0")
 LONGEST_S = 5.0

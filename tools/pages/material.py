@@ -9,11 +9,11 @@ import numpy as np
 
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.extras.rides.recording import simulate, write_simulated_clip
 from hapticplayer.sequence.build import build_sequence
+from hapticplayer.sequence.demo import demo_folder
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.import_preview import ImportPreview, preview_import
-from hapticplayer.simulation.recordings import demo_folder
-from hapticplayer.simulation.rides.recording import simulate, write_simulated_clip
 
 WIDE, HIGH = 384, 216
 SEED = 2012

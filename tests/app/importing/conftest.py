@@ -11,12 +11,12 @@ from scipy.signal import resample_poly
 from app.experimenter import import_wizard
 from app.experimenter.import_wizard import ImportWizard
 from hapticplayer.capture.si_csv import write_imu_csv
+from hapticplayer.extras.rides.gpmf_writer import write_payloads
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 from hapticplayer.sequence import import_preview
 from hapticplayer.sequence.import_preview import preview_import
-from hapticplayer.simulation.rides.gpmf_writer import write_payloads
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
+from tests.material.sync_clips import simulate_pats
 
 SECONDS = 20
 

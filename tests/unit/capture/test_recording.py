@@ -6,10 +6,10 @@ import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.errors import InputError, MediaError, TelemetryError
+from hapticplayer.extras.rides.gpmf_writer import write_payloads
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 from hapticplayer.model import ClockMap, ImuLog
-from hapticplayer.simulation.rides.gpmf_writer import write_payloads
 from tests.unit.capture.conftest import device, recorded, sensor
 
 

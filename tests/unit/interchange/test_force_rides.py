@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.capture import read_recording
+from hapticplayer.extras.rides.motion_scenes import MOTION_SCENES, simulate_motion
 from hapticplayer.interchange.force_files import WriteChoices
 from hapticplayer.interchange.force_formats import (
     READ,
@@ -14,7 +15,6 @@ from hapticplayer.interchange.force_formats import (
 from hapticplayer.model import Mapping, MotionTrack
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering import render_force
-from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
 
 BOTH_WAYS = [name for name in WRITTEN if name in READ and name != "funscript"]
 

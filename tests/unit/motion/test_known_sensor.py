@@ -6,10 +6,10 @@ import functools
 import numpy as np
 import pytest
 
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 # as of the phones in the recordings with optical truth
 GYRO_BIAS_RADPS = np.array([0.05, -0.03, 0.06])

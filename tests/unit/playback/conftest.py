@@ -12,8 +12,8 @@ from hapticplayer.playback.feeders import QUEUE_FRAMES
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_ring import AudioRing
 from hapticplayer.playback.source import Source
-from hapticplayer.simulation.sound_output import SilentOutput
 from tests.conftest import clip_of
+from tests.material.sound_output import SilentOutput
 
 RATE_HZ = 25
 SECONDS = 3.0

@@ -11,7 +11,7 @@ from hapticplayer.model import PlaybackClock
 from hapticplayer.playback.latency import MOST_S, Latencies, Latency, is_wireless
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.sound_ring import AudioRing
-from hapticplayer.simulation.sound_output import SilentOutput
+from tests.material.sound_output import SilentOutput
 
 STEP_S = 0.004  # of the virtual time
 OUTPUT, DEVICE = SilentOutput.name, "none"

@@ -19,7 +19,7 @@ from hapticplayer.playback.sound import (
 )
 from hapticplayer.playback.sound_process import OutputState, SoundProcess
 from hapticplayer.playback.sound_ring import AudioRing
-from hapticplayer.simulation.sound_output import SilentOutput
+from tests.material.sound_output import SilentOutput
 
 PATIENCE_S = 20.0
 BLOCK_S = 0.01

@@ -6,7 +6,7 @@ import pytest
 from hapticplayer.clock import ManualClock
 from hapticplayer.playback.sound_memory import CHANNELS, SoundBlock, SoundReader
 from hapticplayer.playback.sound_ring import AHEAD_S, PAUSED_AHEAD_S, AudioRing
-from hapticplayer.simulation.sound_output import SilentOutput
+from tests.material.sound_output import SilentOutput
 
 RATE = 1000  # one sample is one millisecond: easy to read
 

@@ -8,8 +8,8 @@ from hapticplayer.media.audio import AudioBlock
 from hapticplayer.media.tempo import TempoFilter
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.sound_ring import AudioRing
-from hapticplayer.simulation.sound_output import SilentOutput
 from tests.conftest import clip_of
+from tests.material.sound_output import SilentOutput
 
 FRAME_S, RATE_HZ = 1 / 25, 48_000
 

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import InputError, UsageError
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
+from hapticplayer.extras.rides.trajectory import smooth_step
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.motion import remove_gravity
@@ -15,9 +17,7 @@ from hapticplayer.rendering.event import EventInputs, over
 from hapticplayer.rendering.events import DETECTORS, find_events
 from hapticplayer.rendering.low_sound import LowSound, low_sound
 from hapticplayer.rendering.shocks import find_shocks
-from hapticplayer.simulation.rides.known_events import known_events, score
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
-from hapticplayer.simulation.rides.trajectory import smooth_step
+from tests.material.known_events import known_events, score
 
 RATE_HZ, LENGTH_S = 200.0, 20.0
 TIME_S = np.arange(round(LENGTH_S * RATE_HZ)) / RATE_HZ

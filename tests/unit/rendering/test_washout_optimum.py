@@ -5,8 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.rendering.washout import DesignHand, Washout, solve
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 
 HAND = DesignHand((0.45, 0.45, 0.69), (8.6, 8.6, 9.2), 150.0)
 YIELDING = dataclasses.replace(HAND, yield_s=0.3, return_s=2.0)

@@ -10,7 +10,7 @@ from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import set_effects
 from hapticplayer.sequence.events import events_of
 from hapticplayer.sequence.time_line import time_line_of
-from hapticplayer.simulation.rides.shaken import write_shaken_sequence
+from tests.material.shaken import write_shaken_sequence
 
 
 @pytest.fixture(scope="module")

@@ -4,8 +4,8 @@ import pytest
 
 from hapticplayer.capture.sync.check import check_log, check_sound
 from hapticplayer.capture.sync.result import ClipSound
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
+from tests.material.sync_clips import simulate_pats
 
 SCENES = ("car-hard", "car-motorway", "walk", "run", "bicycle")
 

@@ -8,7 +8,7 @@ from hapticplayer.capture import synchronize
 from hapticplayer.capture.sync import events, fit
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
-from hapticplayer.simulation.rides.sync_clips import simulate_pats
+from tests.material.sync_clips import simulate_pats
 
 
 def error_s(clip, clock, media_s=30.0):

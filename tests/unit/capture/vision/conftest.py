@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from hapticplayer.extras.rides.catalogue import SCENES
+from hapticplayer.extras.rides.film.film import Film
+from hapticplayer.extras.rides.film.view import CameraPose
 from hapticplayer.media.encode import write_clip
-from hapticplayer.simulation.film.film import Film
-from hapticplayer.simulation.film.view import CameraPose
-from hapticplayer.simulation.rides.catalogue import SCENES
 from tests.once import made_once
 
 FRAME_RATE_HZ = 30

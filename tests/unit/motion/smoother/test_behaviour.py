@@ -7,12 +7,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.errors import UsageError
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import SmootherParameters, analyse, remove_gravity
 from hapticplayer.motion.lowpass import lowpass_vertical
 from hapticplayer.motion.smoother import block, state
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.unit.motion.smoother.conftest import (
     TIME_S,
     UP_1_G,

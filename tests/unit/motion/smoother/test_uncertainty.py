@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from hapticplayer.extras.rides.motion_scenes import MOTION_SCENES, simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.motion import remove_gravity
 from hapticplayer.motion.smoother.least_squares import ACCEL_BIAS, Problem, minimise
@@ -16,7 +17,6 @@ from hapticplayer.motion.smoother.uncertainty import (
     noise_variance,
     tilt_variance,
 )
-from hapticplayer.simulation.rides.motion_scenes import MOTION_SCENES, simulate_motion
 from tests.unit.motion.smoother.test_least_squares import Dense, covariance
 
 STEP_S = 0.5

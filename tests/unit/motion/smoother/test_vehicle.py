@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import analyse, remove_gravity
@@ -16,7 +17,6 @@ from hapticplayer.motion.smoother.parameters import SmootherParameters
 from hapticplayer.motion.smoother.problem import Knowledge, linearised
 from hapticplayer.motion.smoother.strapdown import integrate
 from hapticplayer.motion.smoother.vehicle import Locomotion, locomotion_of
-from hapticplayer.simulation.rides.motion_scenes import simulate_motion
 from tests.unit.motion.smoother.conftest import Motion, miss, rms, samples_of
 
 RATE_HZ = 100.0
