@@ -8,6 +8,8 @@ from hapticplayer.haptics.processes import Health
 
 pytestmark = pytest.mark.realtime
 
+PENDING = "\u2026"
+
 
 @pytest.fixture
 def window(make_window, source, wait_for):
@@ -36,6 +38,21 @@ def cells(panel, row=0):
     return [panel.table.item(row, column).text() for column in range(4)]
 
 
+def press_until_met(panel, window, wait_for, fault, rule):
+    """Press a fault until its rule answers: a busy machine may take the force first."""
+
+    def is_met():
+        met = cells(panel)[1]
+        if panel.rearm.isEnabled() and met != rule:
+            panel.rearm.click()
+        elif is_acting(window) and met not in (rule, PENDING):
+            panel.buttons[fault].click()
+        return met == rule
+
+    panel.buttons[fault].click()
+    wait_for(is_met)
+
+
 @pytest.mark.parametrize(
     ("fault", "rule"),
     [
@@ -47,8 +64,7 @@ def cells(panel, row=0):
     ],
 )
 def test_a_fault_is_answered_by_its_rule_and_told(panel, window, wait_for, fault, rule):
-    panel.buttons[fault].click()
-    wait_for(lambda: cells(panel)[1] == rule)
+    press_until_met(panel, window, wait_for, fault, rule)
     wait_for(lambda: cells(panel)[3] != "\u2013")
     assert cells(panel)[0] == fault_text(fault)
     assert rule in expected(fault)
@@ -59,14 +75,14 @@ def test_a_fault_is_answered_by_its_rule_and_told(panel, window, wait_for, fault
 
 
 def test_the_force_comes_back_after_re_arming(panel, window, wait_for):
-    panel.buttons["position-nan"].click()
+    press_until_met(panel, window, wait_for, "position-nan", "NOT_FINITE (TRIP)")
     wait_for(panel.rearm.isEnabled)
     window.player.play()
     panel.rearm.click()
     wait_for(lambda: is_acting(window))
-    panel.buttons["short-stall"].click()
-    wait_for(lambda: cells(panel)[1] == "REPLY_LATE (RAMP)")
-    assert cells(panel, 1)[1] == "NOT_FINITE (TRIP)"  # the one before is kept
+    press_until_met(panel, window, wait_for, "short-stall", "REPLY_LATE (RAMP)")
+    rules = [cells(panel, row)[1] for row in range(1, panel.table.rowCount())]
+    assert "NOT_FINITE (TRIP)" in rules  # the one before is kept
 
 
 def test_an_unplugged_device_is_restarted(panel, window, wait_for):
