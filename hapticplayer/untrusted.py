@@ -24,6 +24,25 @@ MAX_ATTACHED_BYTES = 256 << 20
 
 MAX_ATTACHED_FILES = 64
 
+MAX_CONNECTIONS, MAX_CONNECTIONS_OF_ONE = 64, 16
+"""Of a server, and of one address."""
+
+CONNECTION_S = 30.0
+"""How long a connection may wait for its next request, or take for one piece of an answer."""
+
+ANSWER_S = 5.0
+"""How long a web server may say nothing before it is asked again."""
+
+PATIENCE_S = 20.0
+"""How long opening a clip waits for its server; a clip that plays waits for ever."""
+
+MAX_REDIRECTS = 5
+MAX_BYTES_AT_ONCE = 1 << 20
+"""Of a clip in one answer: a seek does not wait for more."""
+
+MAX_BYTES_KEPT = 64 << 20
+"""Of a clip in memory."""
+
 _CONTROLS = (*range(0x20), *range(0x7F, 0xA0))
 
 ANOTHER = Message("choose another file")

@@ -37,6 +37,7 @@ from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict
 from hapticplayer.rendering import FEEDBACKS
 
+ADDRESSES = ("http://", "https://")
 ACCEPT_IT = "--accept-changed-video plays the force with it"
 
 
@@ -46,7 +47,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "source",
         metavar="SEQUENCE_OR_VIDEO",
-        help="folder of a sequence, a file that was packed, or any video",
+        help="folder of a sequence, a file that was packed, any video, or the URL of "
+        "a file that was packed",
+    )
+    parser.add_argument(
+        "--allow-network",
+        action="store_true",
+        help="fetch the file of a URL; nothing else ever uses a network",
     )
     parser.add_argument(
         "--feedback",
@@ -192,10 +199,29 @@ def play(options: argparse.Namespace) -> int:
 
 def opened(options: argparse.Namespace) -> Source:
     """Return the source that the command line names."""
-    source = open_source(options.source, options.force)
+    if str(options.source).lower().startswith(ADDRESSES):
+        source = _opened_remotely(options)
+    else:
+        source = open_source(options.source, options.force)
     if source.check and options.accept_changed_video:
         source.check.accept()
     return source
+
+
+def _opened_remotely(options: argparse.Namespace) -> Source:
+    if not options.allow_network:
+        raise UsageError(
+            "nothing is fetched from a network without --allow-network; play a file, "
+            "or give that option if you trust who offers this"
+        )
+    from hapticplayer.media.http_clip import HttpClip
+
+    clip = HttpClip(options.source, SystemClock())
+    try:
+        return open_source(clip, options.force)
+    except BaseException:
+        clip.close()
+        raise
 
 
 def advise_of_video(source: Source) -> None:

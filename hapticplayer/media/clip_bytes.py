@@ -2,10 +2,11 @@
 
 import abc
 import os
-from typing import BinaryIO
+from pathlib import Path
+from typing import BinaryIO, Self
 
-from hapticplayer.errors import MediaError
-from hapticplayer.untrusted import open_regular
+from hapticplayer.errors import MediaError, Message
+from hapticplayer.untrusted import PATIENCE_S, open_regular
 
 
 class ClipBytes(abc.ABC):
@@ -14,7 +15,12 @@ class ClipBytes(abc.ABC):
     Args:
         name: of the clip, for people.
         size_bytes: of all of it.
+
+    Attributes:
+        patience_s: how long a reader waits for its bytes.
     """
+
+    patience_s = PATIENCE_S
 
     def __init__(self, name: str, size_bytes: int) -> None:
         self.name, self.size_bytes = name, size_bytes
@@ -27,12 +33,26 @@ class ClipBytes(abc.ABC):
         """Return a reader from the beginning, for one thread; it raises MediaError."""
 
     @abc.abstractmethod
+    def beside(self, name: str) -> Self | None:
+        """Return the file of a name in the same folder, None without one."""
+
+    @property
+    @abc.abstractmethod
+    def waiting(self) -> Message | None:
+        """Why the next bytes do not come, None while they do."""
+
+    @abc.abstractmethod
     def is_ahead(self, share: float) -> bool:
         """Whether such a share of the clip can be read next without waiting."""
 
     @abc.abstractmethod
     def close(self) -> None:
         """Let go of where it is; its readers fail from now on."""
+
+
+def path_of(clip: Path | ClipBytes) -> Path:
+    """The path of a clip; of a remote one its name alone."""
+    return Path(clip.name) if isinstance(clip, ClipBytes) else clip
 
 
 AnyClip = str | os.PathLike[str] | ClipBytes

@@ -6,11 +6,11 @@ and refuses a file without any. Here sizes are compared with a limit before anyt
 Source: RFC 8794 (EBML), RFC 9559 (Matroska) 5.1.6 Attachments.
 """
 
-import os
 from collections.abc import Iterator
 from typing import BinaryIO, NamedTuple
 
 from hapticplayer.errors import MediaError
+from hapticplayer.media.clip_bytes import AnyClip, ClipBytes
 from hapticplayer.untrusted import (
     MAX_ATTACHED_BYTES,
     MAX_ATTACHED_FILES,
@@ -19,6 +19,7 @@ from hapticplayer.untrusted import (
 
 EBML = b"\x1a\x45\xdf\xa3"
 _SEGMENT, _ATTACHMENTS, _ATTACHED_FILE = 0x18538067, 0x1941A469, 0x61A7
+_CLUSTER = 0x1F43B675
 _NAME, _MEDIA_TYPE, _DATA = 0x466E, 0x4660, 0x465C
 _MAX_ELEMENTS = 500_000
 """Clusters of 48 h are 35,000; of a live stream without sizes, each block is counted."""
@@ -48,43 +49,59 @@ class _Element(NamedTuple):
     end: int | None
 
 
-def read_attachments(path: str | os.PathLike[str], marker: str) -> list[Attachment]:
+def read_attachments(clip: AnyClip, marker: str) -> list[Attachment]:
     """Return the attached files in the order in which they are stored.
 
     Args:
-        path: of a file of any kind.
+        clip: a file of any kind; of a remote one only what lies before its frames is read.
         marker: the name of one of them; without it, [] is returned and nothing is read.
 
     Raises:
         MediaError: when the file cannot be read, or they are larger than the limits.
     """
-    with HeldFile(path, MediaError) as file:
-        reader, size_bytes = file.reader, file.size_bytes
-        if reader.read(len(EBML)) != EBML:
-            return []
-        found = [
-            _parts(reader, one, size_bytes) for one in _attached(reader, size_bytes)
-        ]
-        names = [_text(reader, parts.get(_NAME)) for parts in found]
-        if marker not in names:
-            return []
-        _check_size(found, path)
-        made = [
-            Attachment(
-                name,
-                _text(reader, parts.get(_MEDIA_TYPE)),
-                _content(reader, parts.get(_DATA)),
-            )
-            for name, parts in zip(names, found, strict=True)
-        ]
-        file.refuse_changed()
-        return made
+    if isinstance(clip, ClipBytes):
+        with clip.open() as reader:
+            before = {_CLUSTER}
+            return _attachments(reader, clip.size_bytes, marker, str(clip), before)
+    with HeldFile(clip, MediaError) as file:
+        found = _attachments(file.reader, file.size_bytes, marker, str(clip), set())
+        if found:
+            file.refuse_changed()
+        return found
 
 
-def _attached(reader: BinaryIO, size_bytes: int) -> Iterator[_Element]:
-    """Step over the file and yield each attached file, at most one more than the limit."""
+def _attachments(
+    reader: BinaryIO, size_bytes: int, marker: str, where: str, before: set[int]
+) -> list[Attachment]:
+    if reader.read(len(EBML)) != EBML:
+        return []
+    attached = _attached(reader, size_bytes, before)
+    found = [_parts(reader, one, size_bytes) for one in attached]
+    names = [_text(reader, parts.get(_NAME)) for parts in found]
+    if marker not in names:
+        return []
+    _check_size(found, where)
+    return [
+        Attachment(
+            name,
+            _text(reader, parts.get(_MEDIA_TYPE)),
+            _content(reader, parts.get(_DATA)),
+        )
+        for name, parts in zip(names, found, strict=True)
+    ]
+
+
+def _attached(
+    reader: BinaryIO, size_bytes: int, before: set[int]
+) -> Iterator[_Element]:
+    """Step over the file and yield each attached file, at most one more than the limit.
+
+    Elements `before` which they have to stand end the walk.
+    """
     count = 0
     for element in _elements(reader, 0, size_bytes, {_SEGMENT}):
+        if element.number in before:
+            return
         if element.number != _ATTACHMENTS:
             continue
         end = min(element.end or size_bytes, size_bytes)
@@ -143,13 +160,13 @@ def _parts(reader: BinaryIO, one: _Element, size_bytes: int) -> dict[int, _Eleme
     return {part.number: part for part in inside if part.end and part.end <= end}
 
 
-def _check_size(found: list[dict[int, _Element]], path: str | os.PathLike[str]) -> None:
+def _check_size(found: list[dict[int, _Element]], where: str) -> None:
     """Refuse more than the limits before any of it is read."""
     total = sum(_length(parts.get(_DATA)) for parts in found)
     if len(found) > MAX_ATTACHED_FILES or total > MAX_ATTACHED_BYTES:
         raise MediaError(
             "its attachments are too large (limit: {most_mb} MB in {files} files)",
-            where=str(path),
+            where=where,
             remedy="choose another file",
             most_mb=MAX_ATTACHED_BYTES >> 20,
             files=MAX_ATTACHED_FILES,

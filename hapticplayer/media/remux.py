@@ -6,6 +6,7 @@ computes it too.
 """
 
 import hashlib
+import itertools
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
@@ -17,6 +18,7 @@ from av.container import InputContainer, OutputContainer
 from av.stream import DataStream, Stream
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.clip_bytes import AnyClip
 from hapticplayer.media.clip_info import require_video
 from hapticplayer.media.matroska import Attachment
 from hapticplayer.media.opening import context_of, media_errors, open_media, read_only
@@ -28,6 +30,7 @@ _OPTIONS = {
     MATROSKA: {"cluster_time_limit": "2000"},
     MP4: {"movflags": "+faststart+use_metadata_tags"},
 }
+HEAD_PACKETS = 32
 REPORT_BYTES = 4 << 20
 """Between two reports."""
 
@@ -42,11 +45,13 @@ class VideoDigest(NamedTuple):
         sha256: of the payloads of its packets, one after the other.
         packets: their number.
         size_bytes: of all of them.
+        head_sha256: of the first 32 packets, which tell where not all can be read.
     """
 
     sha256: str
     packets: int
     size_bytes: int
+    head_sha256: str
 
 
 class Additions(NamedTuple):
@@ -70,18 +75,25 @@ class _Counter:
     """Takes the checksum of the packets of one stream."""
 
     def __init__(self) -> None:
-        self._digest = hashlib.sha256()
+        self._digest, self._head = hashlib.sha256(), hashlib.sha256()
         self._packets = self._size_bytes = 0
 
     def add(self, packet: AnyPacket) -> None:
         """Add the payload of the next packet."""
         self._digest.update(packet)
+        if self._packets < HEAD_PACKETS:
+            self._head.update(packet)
         self._packets += 1
         self._size_bytes += packet.size
 
     def payload(self) -> VideoDigest:
         """Return what it has come to."""
-        return VideoDigest(self._digest.hexdigest(), self._packets, self._size_bytes)
+        return VideoDigest(
+            self._digest.hexdigest(),
+            self._packets,
+            self._size_bytes,
+            self._head.hexdigest(),
+        )
 
 
 def video_payload(
@@ -108,6 +120,26 @@ def video_payload(
                 if done % REPORT_BYTES < packet.size:
                     report(min(1.0, done / whole))
     return counter.payload()
+
+
+def has_head(clip: AnyClip, expected: VideoDigest) -> bool:
+    """Whether a video begins like the expected one, and is as long if its index says so.
+
+    Raises:
+        MediaError: when it cannot be read.
+    """
+    counter = _Counter()
+    with (
+        open_media(clip) as container,
+        media_errors(clip, Message("its video cannot be read")),
+    ):
+        video = require_video(container, clip)
+        read_only(container, video)
+        packets = (packet for packet in container.demux(video) if packet.size)
+        for packet in itertools.islice(packets, HEAD_PACKETS):
+            counter.add(packet)
+        is_as_long = video.frames in (0, expected.packets)
+    return is_as_long and counter.payload().head_sha256 == expected.head_sha256
 
 
 def remux(

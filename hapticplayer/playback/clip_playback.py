@@ -162,6 +162,14 @@ class ClipPlayback:
             self.fetched_s = FETCHED_AGAIN_S
             self.seek(self.video.frame_s)
 
+    @property
+    def waiting(self) -> str:
+        """Why a remote clip does not play on, "" while it does or is paused by a person."""
+        remote = self.source.clip.remote if self.source else None
+        if remote is None or self.phase is not Phase.BUFFERING:
+            return ""
+        return remote.waiting or ""
+
     # --- actions --------------------------------------------------------------
 
     def _go_to(self, media_s: float) -> None:

@@ -66,7 +66,7 @@ class Player:
         self._latch = latch or StopLatch()
         self._is_held = self._latch.is_set
         self._clock, self._reporter = clock, Reporter(clock)
-        self._feedback, self._log_problem = "", ""
+        self._feedback, self._log_problem, self._waiting = "", "", ""
         self._clip = ClipPlayback(
             clock, sink, audio, self._reporter, self._note_frame, self._note_sound
         )
@@ -343,7 +343,7 @@ class Player:
             frames_shown=clip.video.shown,
             frames_dropped=clip.video.dropped,
             frames_damaged=clip.video.damaged,
-            problem=clip.problem,
+            problem=clip.problem or clip.waiting,
             notices=tuple(self._reporter.notices),
             log_problem=self._log_problem,
             outlets=self._outlets.states(self._feedback),
@@ -385,6 +385,7 @@ class Player:
         self._outlets.read()
         self._follow_latch()
         next_s = self._clip.advance(now_s)
+        self._note_waiting()
         has_no_force = self._has_stalled(now_s) or self._is_withheld()
         has_no_force = has_no_force or self._latch.is_set
         track = NO_TRACK if has_no_force else self._feedback
@@ -403,6 +404,14 @@ class Player:
             if has_stalled:
                 self._clip.wait_for_bytes()
         return has_stalled
+
+    def _note_waiting(self) -> None:
+        """Report why a remote clip does not play on."""
+        if (why := self._clip.waiting) != self._waiting:
+            self._waiting = why
+            if why:
+                self._reporter.event("waiting", reason=why)
+                self._reporter.notify(why)
 
     def _is_withheld(self) -> bool:
         """Whether the video is not known to be the one that the force was made for."""

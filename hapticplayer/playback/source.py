@@ -1,5 +1,6 @@
 """What can be played: a sequence, or any video with any force track."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -9,6 +10,7 @@ import numpy as np
 
 from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.clip_bytes import ClipBytes, path_of
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import Feedback, ForceTrack, MotionTrack, rendered_feedback
 from hapticplayer.playback.video_check import VideoCheck
@@ -45,18 +47,25 @@ class Source:
         return coverage_notice(self.tracks[feedback], self.clip.duration_s)
 
 
-def open_source(path: str | Path, force: str | Path | None = None) -> Source:
-    """Return what is at a path: the folder of a sequence, or a video.
+def open_source(
+    place: str | Path | ClipBytes, force: str | Path | None = None
+) -> Source:
+    """Return what is at a path: the folder of a sequence, or a video; or a remote video.
 
     The description in a sequence's folder means the folder. The force is a CSV file
-    with rows `time_s,fx_n,fy_n,fz_n`, held between rows.
+    with rows `time_s,fx_n,fy_n,fz_n`, held between rows. A remote video waits for its
+    server from here on, and is closed by the player.
 
     Raises:
         InputError: what is wrong, where, and what to do.
     """
-    path = Path(path)
-    path = path.parent if path.name == DESCRIPTION else path
-    source = _from_sequence(path) if path.is_dir() else _from_video(path)
+    if isinstance(place, ClipBytes):
+        source = _from_video(place)
+        place.patience_s = math.inf
+    else:
+        path = Path(place)
+        path = path.parent if path.name == DESCRIPTION else path
+        source = _from_sequence(path) if path.is_dir() else _from_video(path)
     if force is None:
         return source
     track = read_force_csv(Path(force), source.clip.duration_s)
@@ -66,16 +75,17 @@ def open_source(path: str | Path, force: str | Path | None = None) -> Source:
 
 
 def _from_sequence(folder: Path) -> Source:
-    return _source_of(open_sequence(folder), folder)
+    sequence = open_sequence(folder)
+    return _source_of(sequence, folder, probe(sequence.clip))
 
 
 def _source_of(
-    sequence: Sequence, path: Path, check: VideoCheck | None = None
+    sequence: Sequence, path: Path, clip: ClipInfo, check: VideoCheck | None = None
 ) -> Source:
     return Source(
         sequence.title,
         path,
-        probe(sequence.clip),
+        clip,
         dict(sequence.tracks),
         sequence.motion,
         rendered_feedback(sequence.tracks).value,
@@ -84,16 +94,18 @@ def _source_of(
     )
 
 
-def _from_video(path: Path) -> Source:
+def _from_video(video: Path | ClipBytes) -> Source:
     """Return a video with the force in it or beside it, or without any."""
+    path = path_of(video)
     if path.suffix == ".json":
         raise MediaError(
             "is not a video", where=str(path), remedy="give the folder of the sequence"
         )
-    if (packed := read_packed(path)) is not None:
-        check = VideoCheck(path.resolve(), packed.payload)  # while the rest is opened
-        return _source_of(packed.sequence, path, check)
-    clip = probe(path)
+    if (packed := read_packed(video)) is not None:
+        whole = path.resolve() if isinstance(video, Path) else video
+        check = VideoCheck(whole, packed.payload)  # while the rest is opened
+        return _source_of(packed.sequence, path, probe(video), check)
+    clip = probe(video)
     tracks = {Feedback.NONE.value: no_feedback_for(clip)}
     notice = _missing_force(path) if clip.names_force else None
     return Source(

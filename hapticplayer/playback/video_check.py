@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import Cancelled, InputError, Message
-from hapticplayer.media.remux import VideoDigest, video_payload
+from hapticplayer.media.clip_bytes import ClipBytes
+from hapticplayer.media.remux import VideoDigest, has_head, video_payload
 from hapticplayer.sequence.files import cache_home, read_json, replace_json
 from hapticplayer.untrusted import FileState
 
@@ -34,14 +35,19 @@ class Verdict(enum.Enum):
 
 
 class VideoCheck:
-    """Takes the checksum of a video in a thread, unless it is known from before."""
+    """Takes the checksum of a video in a thread, unless it is known from before.
 
-    def __init__(self, path: Path, expected: VideoDigest) -> None:
-        self._path, self._expected = path, expected
+    Of a remote clip only its beginning is read, see `has_head`.
+    """
+
+    def __init__(self, clip: Path | ClipBytes, expected: VideoDigest) -> None:
+        self._clip, self._expected = clip, expected
         self._is_accepted, self._is_unwanted = False, threading.Event()
-        self._entry = _entry(path, expected)  # of the file before it is read
-        is_known = _known().get(str(path)) == self._entry
-        self._is_same: bool | None = True if is_known else None
+        self._entry: list[int | str] = []  # of the file before it is read
+        self._is_same: bool | None = None
+        if isinstance(clip, Path):
+            self._entry = _entry(clip, expected)
+            self._is_same = _known().get(str(clip)) == self._entry or None
         self._thread = threading.Thread(
             target=self._run, name="video-check", daemon=True
         )
@@ -78,13 +84,18 @@ class VideoCheck:
 
     def _run(self) -> None:
         try:
-            self._is_same = video_payload(self._path, self._report) == self._expected
+            self._is_same = self._matches()
         except Cancelled:
             return
         except InputError:  # the decoder says what is wrong with the file
             self._is_same = False
-        if self._is_same:
-            _note_known(self._path, self._entry)
+        if self._is_same and isinstance(self._clip, Path):
+            _note_known(self._clip, self._entry)
+
+    def _matches(self) -> bool:
+        if isinstance(self._clip, ClipBytes):
+            return has_head(self._clip, self._expected)
+        return video_payload(self._clip, self._report) == self._expected
 
     def _report(self, _share: float) -> None:
         if self._is_unwanted.is_set():

@@ -16,6 +16,7 @@ from msgspec import Struct, structs
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError, Message, SequenceError
+from hapticplayer.media.clip_bytes import ClipBytes, path_of
 from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import files, store
@@ -34,7 +35,7 @@ class Packed:
     """A sequence within a video, or beside it.
 
     Attributes:
-        carrier: the file that holds the force.
+        carrier: the file that holds the force; of a remote one its name.
         sequence: with the video as its clip.
         payload: of the video that the force was made for.
         attached: the files by name, those for other programs too.
@@ -52,6 +53,7 @@ class _Video(Struct):
     sha256: str
     packets: int
     size_bytes: int
+    head_sha256: str
 
 
 class _Manifest(Struct):
@@ -62,8 +64,8 @@ class _Manifest(Struct):
 class _AttachedFiles:
     """The small files of a sequence, attached to a video; see `store.SmallFiles`."""
 
-    def __init__(self, carrier: Path, attached: Mapping[str, Attachment]) -> None:
-        self.where, self._attached = str(carrier), attached
+    def __init__(self, where: str, attached: Mapping[str, Attachment]) -> None:
+        self.where, self._attached = where, attached
 
     def arrays(self, name: str, listed: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
         content = self.content(name, listed)
@@ -92,8 +94,10 @@ def side_car_of(video: Path) -> Path:
     return video.with_suffix(SIDE_CAR)
 
 
-def read_packed(video: Path) -> Packed | None:
+def read_packed(video: Path | ClipBytes) -> Packed | None:
     """Return the sequence in a video, or in the side-car beside it; None without one.
+
+    Of a remote video everything but the video itself is fetched and held.
 
     Raises:
         InputError: when there is one that is damaged or larger than the limits.
@@ -104,13 +108,25 @@ def read_packed(video: Path) -> Packed | None:
             where=str(video),
             remedy="open the video of that name, which lies beside it",
         )
-    carrier = video
+    carrier = path = path_of(video)
     attached = read_attachments(video, MANIFEST)
-    if not attached and _is_there(beside := side_car_of(video)):
-        carrier, attached = beside, read_attachments(beside, MANIFEST)
+    if not attached:
+        carrier = side_car_of(path)
+        attached = _attached_beside(video, carrier)
     if not attached:
         return None
-    return _packed(video, carrier, _by_name(carrier, attached))
+    return _packed(path, carrier, _by_name(carrier, attached))
+
+
+def _attached_beside(video: Path | ClipBytes, side_car: Path) -> list[Attachment]:
+    if isinstance(video, Path):
+        return read_attachments(side_car, MANIFEST) if _is_there(side_car) else []
+    if (remote := video.beside(side_car.name)) is None:
+        return []
+    try:
+        return read_attachments(remote, MANIFEST)
+    finally:
+        remote.close()
 
 
 def _is_there(path: Path) -> bool:
@@ -130,7 +146,7 @@ def _by_name(carrier: Path, attached: list[Attachment]) -> dict[str, Attachment]
 
 
 def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Packed:
-    small = _AttachedFiles(carrier, attached)
+    small = _AttachedFiles(str(carrier), attached)
     manifest = _object(attached[MANIFEST].content, f"{carrier}: {MANIFEST}")
     where = f"{carrier}: {MANIFEST}"
     check_version(manifest, SCHEMA, VERSION, where, SequenceError)

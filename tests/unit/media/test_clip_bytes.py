@@ -22,6 +22,13 @@ class InMemory(ClipBytes):
     def open(self):
         return io.BytesIO(self._content)
 
+    def beside(self, name):
+        return None
+
+    @property
+    def waiting(self):
+        return None
+
     def is_ahead(self, share):
         return True
 

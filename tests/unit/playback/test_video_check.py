@@ -81,7 +81,7 @@ def test_a_file_is_read_once_until_it_changes(packed_file, monkeypatch):
 
 def test_a_video_that_cannot_be_read_is_another_one(tmp_path):
     (tmp_path / "bad.mkv").write_bytes(b"\x1a\x45\xdf\xa3" + bytes(500))
-    expected = video_check.VideoDigest("0" * 64, 1, 1)
+    expected = video_check.VideoDigest("0" * 64, 1, 1, "")
     assert VideoCheck(tmp_path / "bad.mkv", expected).wait() is Verdict.ANOTHER
 
 

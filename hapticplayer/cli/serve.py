@@ -1,0 +1,360 @@
+"""The command `serve`: a packed file for others on this machine or a local network.
+
+Whoever has the URL may watch: it holds a token of 128 bits, and nothing is encrypted.
+Only the file can be read, whole or in parts. A connection that asks for nothing, or takes
+nothing, is closed; so are those beyond the limits in `untrusted`.
+"""
+
+import argparse
+import contextlib
+import hmac
+import ipaddress
+import json
+import os
+import re
+import secrets
+import socket
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Mapping
+from http import HTTPStatus
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any, BinaryIO
+from urllib.parse import quote, unquote
+
+from hapticplayer.cli.common import (
+    add_accept_changed,
+    add_number,
+    interruptible,
+    say,
+    say_aside,
+    shown_progress,
+)
+from hapticplayer.clock import Clock, SystemClock
+from hapticplayer.errors import InputError, NetworkError, UsageError
+from hapticplayer.media.remux import video_payload
+from hapticplayer.model import ranges
+from hapticplayer.sequence.pack import pack
+from hapticplayer.sequence.store import DESCRIPTION, open_sequence
+from hapticplayer.sequence.unpack import require_packed
+from hapticplayer.untrusted import (
+    CONNECTION_S,
+    MAX_CONNECTIONS,
+    MAX_CONNECTIONS_OF_ONE,
+    open_regular,
+)
+
+LOOPBACK = "127.0.0.1"
+_ANY_ADDRESS = ("192.0.2.1", 9)  # of documentation (RFC 5737): nothing is sent there
+_RANGE = re.compile(r"bytes=(\d{0,18})-(\d{0,18})")
+_MEDIA_TYPES = {".mkv": "video/x-matroska", ".mp4": "video/mp4"}
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    command.set_defaults(run=run)
+    command.add_argument(
+        "source",
+        metavar="FILE_OR_SEQUENCE",
+        help="a file that was packed; a sequence is packed first",
+    )
+    command.add_argument(
+        "--bind",
+        metavar="ADDRESS",
+        default=LOOPBACK,
+        help="address of this machine to listen on, 0.0.0.0 for all of them: then "
+        "whoever has the URL can watch from the network, and nothing is encrypted "
+        f"(default: {LOOPBACK}, only this machine)",
+    )
+    add_number(
+        command,
+        "--port",
+        ranges.PORT,
+        default=0,
+        metavar="N",
+        help="port to listen on (default: any that is free)",
+    )
+    add_accept_changed(command)
+    command.add_argument("--json", action="store_true", help="print the URL as JSON")
+
+
+def run(options: argparse.Namespace, _open_window: object) -> int:
+    """Serve until Ctrl-C."""
+    address = _address(options.bind)
+    with tempfile.TemporaryDirectory(prefix="hapticplayer-serve-") as place:
+        title, files = _offered(Path(options.source), Path(place), options)
+        with (
+            FileServer(files, SystemClock(), address, int(options.port)) as server,
+            interruptible(),
+        ):
+            try:
+                _announce(server, title, options)
+                server.serve_forever(poll_interval=0.2)
+            except KeyboardInterrupt:
+                say_aside("stopped")
+    return 0
+
+
+def _address(text: str) -> str:
+    """Return an address to listen on; "" and other short forms would mean all of them."""
+    with contextlib.suppress(ValueError):
+        return str(ipaddress.ip_address("127.0.0.1" if text == "localhost" else text))
+    raise UsageError(
+        "--bind {text!r} is not an address of this machine; give one in full, such as "
+        "{loopback} or 192.168.1.5",
+        text=text,
+        loopback=LOOPBACK,
+    )
+
+
+def _offered(
+    source: Path, place: Path, options: argparse.Namespace
+) -> tuple[str, list[Path]]:
+    """Return the title of what is served, and its files."""
+    source = source.parent if source.name == DESCRIPTION else source
+    if source.is_dir():
+        title, target = open_sequence(source).title, place / "ride.mkv"
+        with shown_progress() as progress:
+            pack(source, target, progress=progress)
+        return title, [target]
+    packed = require_packed(source)
+    is_its_own = options.accept_changed_video or video_payload(source) == packed.payload
+    if not is_its_own:
+        raise NetworkError(
+            "is not the video that its force was made for (its checksum differs)",
+            where=str(source),
+            remedy="ask for the file again, or agree with --accept-changed-video",
+        )
+    return packed.sequence.title, list({source: None, packed.carrier: None})
+
+
+def _announce(server: "FileServer", title: str, options: argparse.Namespace) -> None:
+    if not ipaddress.ip_address(str(server.server_address[0])).is_loopback:
+        say_aside(
+            "whoever on the network has this URL can watch and feel the clip; nothing "
+            "is encrypted"
+        )
+    if options.json:
+        say(json.dumps({"title": title, "url": server.url}))
+    else:
+        say(f"{title} is served until Ctrl-C; to play it:")
+        say(f"  hapticplayer play --allow-network {server.url}")
+    sys.stdout.flush()  # it may be a pipe, and nothing follows
+
+
+class FileServer(ThreadingHTTPServer):
+    """Serves files by name; a thread for each connection.
+
+    Args:
+        files: the first is the one to play.
+        clock: of the machine.
+        address: to listen on; only this machine reaches the default.
+        port: 0 for any that is free.
+
+    Raises:
+        NetworkError: when it cannot listen there.
+    """
+
+    daemon_threads = True
+    request_queue_size = MAX_CONNECTIONS
+
+    def __init__(
+        self, files: list[Path], clock: Clock, address: str = LOOPBACK, port: int = 0
+    ) -> None:
+        self.files: Mapping[str, Path] = {file.name: file for file in files}
+        self._clock, self.token = clock, secrets.token_urlsafe(16)
+        self._open: dict[socket.socket, tuple[str, float | None]] = {}
+        self.address_family = socket.AF_INET6 if ":" in address else socket.AF_INET
+        try:
+            super().__init__((address, port), _Handler)
+        except (OSError, OverflowError) as problem:
+            raise NetworkError(
+                "cannot listen on port {port} ({reason})",
+                where=address,
+                remedy="choose an address of this machine and a free port",
+                port=port,
+                reason=problem,
+            ) from problem
+
+    @property
+    def connections(self) -> int:
+        """How many are open."""
+        return len(self._open)
+
+    @property
+    def url(self) -> str:
+        """The address that a viewer needs."""
+        address, port = self.server_address[:2]
+        host = str(address)
+        if ipaddress.ip_address(host).is_unspecified:
+            host = _own_address(self.address_family) or socket.gethostname()
+        host = f"[{host}]" if ":" in host else host
+        name = quote(os.fsencode(next(iter(self.files))))
+        return f"http://{host}:{port}/{self.token}/{name}"
+
+    def server_bind(self) -> None:
+        """Bind without asking a name server who we are."""
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        self.socket.bind(self.server_address)
+        self.server_address = self.socket.getsockname()
+
+    def verify_request(self, request: Any, client_address: Any) -> bool:
+        """Whether there is room for one more connection."""
+        host = client_address[0]
+        of_one = Counter(address for address, _ in list(self._open.values()))
+        if len(self._open) >= MAX_CONNECTIONS or of_one[host] >= MAX_CONNECTIONS_OF_ONE:
+            return False
+        self._open[request] = (host, self._clock.now_s() + CONNECTION_S)
+        return True
+
+    def note_waiting(self, connection: socket.socket, *, is_waiting: bool) -> None:
+        """Note that a connection has to send its next request soon, or has done so."""
+        if connection in self._open:
+            until_s = self._clock.now_s() + CONNECTION_S if is_waiting else None
+            self._open[connection] = (self._open[connection][0], until_s)
+
+    def service_actions(self) -> None:
+        """Hang up on those that have not sent a whole request in time."""
+        now_s = self._clock.now_s()
+        for connection, (_, until_s) in list(self._open.items()):
+            if until_s is not None and now_s > until_s:
+                _hang_up(connection)
+
+    def shutdown_request(self, request: Any) -> None:
+        """End a connection."""
+        self._open.pop(request, None)
+        super().shutdown_request(request)
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Say nothing of what clients do wrong."""
+
+    def server_close(self) -> None:
+        """Hang up on everybody and stop to listen."""
+        super().server_close()
+        for connection in list(self._open):
+            _hang_up(connection)
+
+
+class _Handler(BaseHTTPRequestHandler):
+    server: FileServer
+
+    protocol_version = "HTTP/1.1"
+    server_version, sys_version = "hapticplayer", ""
+    error_message_format, error_content_type = "%(message)s", "text/plain"
+    timeout = CONNECTION_S
+    disable_nagle_algorithm = True
+
+    def handle_one_request(self) -> None:
+        self.server.note_waiting(self.connection, is_waiting=True)
+        super().handle_one_request()
+
+    def do_GET(self) -> None:
+        self.server.note_waiting(self.connection, is_waiting=False)
+        has_body = self.headers.get("Content-Length", "0") != "0"
+        if has_body or "Transfer-Encoding" in self.headers:
+            # it would be taken for the next request
+            self._refuse(HTTPStatus.BAD_REQUEST)
+            return
+        token, _, name = self.path.partition("?")[0].removeprefix("/").partition("/")
+        ours = self.server.token.encode()
+        if not hmac.compare_digest(token.encode("utf-8", "replace"), ours):
+            self._refuse(HTTPStatus.FORBIDDEN)
+            return
+        file = self.server.files.get(unquote(name, errors="surrogateescape"))
+        try:
+            if file is None:
+                self._refuse(HTTPStatus.NOT_FOUND)
+                return
+            with open_regular(file) as reader:
+                self._send(reader, _MEDIA_TYPES.get(file.suffix.lower(), ""))
+        except InputError:
+            self._refuse(HTTPStatus.NOT_FOUND)
+        except (ConnectionError, TimeoutError):
+            self.close_connection = True
+
+    do_HEAD = do_GET  # noqa: N815 - names of http.server
+
+    def _refuse(self, status: HTTPStatus) -> None:
+        self.close_connection = True
+        self._head(status, 0, {"Connection": "close"})
+
+    def _send(self, reader: BinaryIO, media_type: str) -> None:
+        found = os.fstat(reader.fileno())
+        size, tag = found.st_size, f'"{found.st_mtime_ns:x}-{found.st_size:x}"'
+        headers = {
+            "Content-Type": media_type or "application/octet-stream",
+            "Accept-Ranges": "bytes",
+            "ETag": tag,
+            "Last-Modified": self.date_time_string(found.st_mtime),
+        }
+        wanted = self.headers.get("Range", "")
+        if self.headers.get("If-Range", tag) not in (tag, headers["Last-Modified"]):
+            wanted = ""  # of another state of the file: the whole one
+        span = wanted_bytes(wanted, size)
+        if span is None:
+            unmet = HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE
+            self._head(unmet, 0, {"Content-Range": f"bytes */{size}"})
+            return
+        first, end = span
+        status = HTTPStatus.OK
+        if is_range(wanted):
+            status = HTTPStatus.PARTIAL_CONTENT
+            headers["Content-Range"] = f"bytes {first}-{end - 1}/{size}"
+        self._head(status, end - first, headers)
+        if self.command != "HEAD" and end > first:
+            sent = self.connection.sendfile(reader, first, end - first)
+            if sent < end - first:  # the file has become shorter
+                self.close_connection = True
+
+    def _head(
+        self, status: HTTPStatus, size_bytes: int, headers: Mapping[str, str]
+    ) -> None:
+        self.send_response(status)
+        self.send_header("Content-Length", str(size_bytes))
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("Referrer-Policy", "no-referrer")  # the URL holds the token
+        self.send_header("X-Content-Type-Options", "nosniff")
+        for name, value in headers.items():
+            self.send_header(name, value)
+        self.end_headers()
+
+    def log_message(self, format: str, *args: Any) -> None:  # noqa: A002
+        """Log nothing: requests hold the token."""
+
+
+def is_range(header: str) -> bool:
+    """Whether a header asks for one range of bytes; any other is ignored."""
+    found = _RANGE.fullmatch(header)
+    return found is not None and found.groups() != ("", "")
+
+
+def wanted_bytes(header: str, size: int) -> tuple[int, int] | None:
+    """Return begin and end of a range, None where it cannot be met (RFC 9110, 14.2)."""
+    found = _RANGE.fullmatch(header)
+    if found is None or found.groups() == ("", ""):
+        return 0, size
+    first, last = found.groups()
+    if not first:
+        begin, end = max(0, size - int(last)), size
+    else:
+        begin, end = int(first), min(size, int(last) + 1) if last else size
+    return (begin, end) if begin < end else None
+
+
+def _hang_up(connection: socket.socket) -> None:
+    with contextlib.suppress(OSError):  # it has gone by itself
+        connection.shutdown(socket.SHUT_RDWR)
+
+
+def _own_address(family: int) -> str:
+    """The address under which the local network knows this machine, "" if none."""
+    if family != socket.AF_INET:
+        return ""
+    with socket.socket(family, socket.SOCK_DGRAM) as asked:
+        try:
+            asked.connect(_ANY_ADDRESS)
+        except OSError:
+            return ""
+        return str(asked.getsockname()[0])

@@ -1,0 +1,132 @@
+"""`serve`, and `play` of an address, as a user runs them."""
+
+import json
+import signal
+import subprocess
+from urllib.error import HTTPError
+from urllib.request import urlopen
+
+import numpy as np
+import pytest
+
+from hapticplayer.playback.source import open_source
+from tests.e2e.command import (
+    followed,
+    hapticplayer,
+    in_process,
+    played,
+    refused,
+    started,
+)
+
+
+@pytest.fixture(scope="module")
+def packed(demo, tmp_path_factory):
+    target = tmp_path_factory.mktemp("packed") / "ride.mkv"
+    assert hapticplayer("pack", demo, "-o", target).returncode == 0
+    return target
+
+
+def test_the_url_is_printed_and_ctrl_c_ends_it(packed):
+    with started("serve", packed, "--json", stdout=subprocess.PIPE) as process:
+        said = json.loads(process.stdout.readline())
+        url = said["url"]
+        with urlopen(url, timeout=30) as response:
+            assert response.read() == packed.read_bytes()
+        with pytest.raises(HTTPError, match="403"):
+            urlopen(url.replace(url.split("/")[3], "guessed"), timeout=30)
+        process.send_signal(signal.SIGINT)
+        _, notes = process.communicate(timeout=60)
+    assert (said["title"], process.returncode) == ("Simulated ride: demo", 0)
+    assert notes == "note: stopped\n"
+
+
+def test_a_sequence_is_packed_and_says_who_can_watch(demo):
+    words = ("serve", demo, "--bind", "0.0.0.0")
+    with started(*words, stdout=subprocess.PIPE) as process:
+        lines = [process.stdout.readline() for _ in range(2)]
+        process.send_signal(signal.SIGTERM)
+        _, said = process.communicate(timeout=60)
+    assert process.returncode == 0
+    assert lines[1].startswith("  hapticplayer play --allow-network http://")
+    assert "can watch and feel the clip; nothing is encrypted" in said
+
+
+@pytest.mark.parametrize("address", ["", "0", "1.2.3", "no such host", "1.2.3.4.5"])
+def test_an_address_that_is_not_whole_is_wrong_usage(packed, address):
+    done = hapticplayer("serve", packed, "--bind", address)
+    assert "is not an address of this machine; give one in full" in refused(done, 2)
+
+
+def test_an_address_of_elsewhere_is_refused(packed):
+    done = hapticplayer("serve", packed, "--bind", "203.0.113.7")
+    assert "203.0.113.7: cannot listen on port 0" in refused(done)
+
+
+def test_a_port_out_of_range_is_wrong_usage(packed):
+    done = hapticplayer("serve", packed, "--port", "65536")
+    assert "--port must be a whole number between 0 and 65535" in refused(done, 2)
+
+
+def test_a_video_without_force_is_refused(clip):
+    assert "holds no force" in refused(hapticplayer("serve", clip))
+
+
+@pytest.fixture(scope="module")
+def url(packed):
+    """The address of a server that runs meanwhile."""
+    with started("serve", packed, "--json", stdout=subprocess.PIPE) as process:
+        yield json.loads(process.stdout.readline())["url"]
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+
+
+@pytest.mark.realtime
+def test_the_hand_gets_the_force_of_the_file(url, packed, tmp_path):
+    words = (url, "--allow-network", "--mute", "--start", "3", "--duration", "3")
+    lines = played(tmp_path / "log", *words)
+    media_s, force_n = followed(lines)
+    expected = open_source(packed).tracks["realistic"].at(media_s)
+    assert np.median(np.linalg.norm(force_n - expected, axis=1)) < 0.01
+    assert lines[-1]["frames"]["shown"] > 0
+    assert "waiting" not in [line.get("name") for line in lines]
+
+
+@pytest.mark.parametrize("words", [(), ("--accept-changed-video",)])
+def test_a_network_is_used_only_when_it_is_allowed(url, words):
+    done = hapticplayer("play", "--headless", url, *words)
+    assert "nothing is fetched from a network without --allow-network" in refused(
+        done, 2
+    )
+
+
+def test_a_server_that_is_not_there_is_one_sentence():
+    address = "http://127.0.0.1:9/s3cret/ride.mkv?key=s3cret"
+    done = hapticplayer("play", "--headless", "--allow-network", address)
+    said = refused(done)
+    assert "http://127.0.0.1:9: ride.mkv: cannot be reached" in said
+    assert "s3cret" not in said
+
+
+WATCH = """
+import os, sys
+def watch(name, arguments):
+    is_used = name in ("socket.connect", "socket.bind", "socket.getaddrinfo",
+                       "socket.gethostbyname", "socket.sendto", "urllib.Request")
+    if is_used or (name == "socket.__new__" and arguments[1] in (2, 10)):
+        with open(os.environ["WATCHED"], "a") as log:
+            log.write(f"{name} {arguments}\\n")
+sys.addaudithook(watch)
+"""
+
+
+@pytest.mark.parametrize("way", ["file", "folder", "address"])
+def test_playing_a_file_never_opens_a_socket(way, url, packed, demo, tmp_path):
+    (tmp_path / "sitecustomize.py").write_text(WATCH)
+    env = {"PYTHONPATH": str(tmp_path), "WATCHED": str(tmp_path / "watched")}
+    words = {"file": [packed], "folder": [demo], "address": [url, "--allow-network"]}
+    words = [*words[way], "--headless", "--mute", "--duration", "0.3"]
+    done = in_process("play", *words, env=env)
+    assert done.returncode == 0, done.stderr
+    # in all of its processes; that an address is noticed shows that they are watched
+    assert (tmp_path / "watched").exists() is (way == "address")
