@@ -188,6 +188,10 @@ Progress = Callable[[float, str], None]
 """Called with the done fraction (0 to 1) and the step; raises Cancelled to stop."""
 
 
+def no_progress(_fraction: float, _step: str) -> None:
+    """Ignore the progress."""
+
+
 def entry_named(known: Mapping[str, T], name: str, what: Message) -> T:
     """Return the entry of a registry that a person has named.
 

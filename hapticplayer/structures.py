@@ -1,7 +1,6 @@
 """Typed structures from the JSON of untrusted files; errors name the field."""
 
 import re
-import sys
 from collections.abc import Iterable
 from types import UnionType
 from typing import (
@@ -19,7 +18,9 @@ import msgspec
 from msgspec import Struct
 
 from hapticplayer.errors import InputError, Message, joined
+from hapticplayer.untrusted import PathLike, parse_json, read_regular
 
+MAX_JSON_BYTES = 4 << 20
 MAX_TEXT = 20_000
 KEY = "^[a-z0-9_-]{1,40}$"
 FILLED = r"\S"
@@ -84,6 +85,32 @@ def convert(
         raise error(what, where=where, remedy=remedy or to_do) from None
 
 
+def decode(
+    content: bytes,
+    kind: type[Kind],
+    where: str,
+    error: type[InputError] = InputError,
+    remedy: str = "",
+) -> Kind:
+    """JSON as a typed structure; see `convert`."""
+    if len(content) > MAX_JSON_BYTES:
+        raise error(Message("is too large"), where=where, remedy=remedy)
+    value = parse_json(content, where, error, remedy or _CORRECT)
+    return convert(value, kind, where, error, remedy)
+
+
+def read_json(
+    path: PathLike,
+    kind: type[Kind],
+    error: type[InputError] = InputError,
+    remedy: str = "",
+    most_bytes: int = MAX_JSON_BYTES,
+) -> Kind:
+    """The content of a JSON file as a typed structure; see `convert`."""
+    content = read_regular(path, most_bytes, error, remedy)
+    return decode(content, kind, str(path), error, remedy)
+
+
 def check_version(
     content: Any,
     schema: str,
@@ -102,13 +129,6 @@ def check_version(
             found=repr(known.get("version"))[:_MAX_SHOWN],
             version=version,
         )
-
-
-def finite_number(value: object) -> float | None:
-    """Return a value that is a finite number, else None; true and false are none."""
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        return None
-    return float(value) if abs(value) <= sys.float_info.max else None
 
 
 def missing(name: str) -> Refusal:

@@ -1,8 +1,6 @@
 """What the window remembers from one start to the next."""
 
 import contextlib
-import json
-import os
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from hapticplayer.devices import find_device
 from hapticplayer.errors import DeviceError, InputError
+from hapticplayer.model.ranges import finite_number
 from hapticplayer.playback.latency import (
     DEVICE,
     DISPLAY,
@@ -27,7 +26,7 @@ from hapticplayer.playback.latency import (
     table_s,
     version_of,
 )
-from hapticplayer.structures import finite_number
+from hapticplayer.storage import StorageError, replace_json
 
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
@@ -108,22 +107,13 @@ class Settings:
     def save(self) -> None:
         """Write the file; continue where that is not permitted."""
         if self._path is not None:
-            with contextlib.suppress(OSError):
-                self._path.parent.mkdir(parents=True, exist_ok=True)
-                _write(self._path, {**self._values, VERSION: SETTINGS_VERSION})
+            with contextlib.suppress(StorageError):
+                replace_json(self._path, {**self._values, VERSION: SETTINGS_VERSION})
 
     def export(self, path: Path) -> None:
         """Write what is worth having on another machine; raises InputError."""
         kept = {k: v for k, v in self._values.items() if k not in _PRIVATE}
-        try:
-            _write(path, {**kept, VERSION: SETTINGS_VERSION})
-        except OSError as problem:
-            raise InputError(
-                "cannot be written ({reason})",
-                where=str(path),
-                remedy="choose another place",
-                reason=problem,
-            ) from problem
+        replace_json(path, {**kept, VERSION: SETTINGS_VERSION})
 
     def take(self, path: Path) -> None:
         """Take over what another machine exported; what is private here stays.
@@ -150,19 +140,6 @@ class Settings:
 def _texts(values: list[Any]) -> list[str]:
     kept = [v for v in values if isinstance(v, str) and len(v) <= _LONGEST_TEXT]
     return kept[:_MOST_TEXTS]
-
-
-def _write(path: Path, values: dict[str, Any]) -> None:
-    """Write aside and rename: a crash leaves the old file or the new one."""
-    aside = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        with aside.open("w", encoding="utf-8") as writer:
-            json.dump(values, writer, indent=1)
-            writer.flush()
-            os.fsync(writer.fileno())
-        aside.replace(path)
-    finally:
-        aside.unlink(missing_ok=True)
 
 
 LIBRARY = "library"

@@ -30,12 +30,12 @@ from app.widgets.layout import (
 from app.widgets.messages import JobRow
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import HapticPlayerError, Progress, message_of
-from hapticplayer.sequence import files
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.import_preview import ImportPreview, preview_import
 from hapticplayer.sequence.report import quality_report, stored_notes
 from hapticplayer.sequence.store import DESCRIPTION
 from hapticplayer.sequence.synchronizing import SyncChoices
+from hapticplayer.structures import read_json
 
 WIDTH_PX, HEIGHT_PX = 940, 640
 FILES, SYNC, MOUNTING, REPORT = range(4)
@@ -281,7 +281,7 @@ class ImportWizard(JobDialog):
         """Show the sequence that was made."""
         self.made = folder
         self.library_chosen.emit(self.mounting.library)
-        description: dict[str, Any] = files.read_json(folder / DESCRIPTION)
+        description: dict[str, Any] = read_json(folder / DESCRIPTION, dict[str, Any])
         notes = stored_notes(description["provenance"])
         self.report.show_findings(quality_report(description), notes)
         self.go_to(REPORT)

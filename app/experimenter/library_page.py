@@ -30,11 +30,11 @@ from app.widgets.messages import JobRow, StatusLine
 from app.widgets.texts import date_text, quoted, time_text
 from hapticplayer.errors import HapticPlayerError, InputError, Message, Progress
 from hapticplayer.media.thumbnails import Thumbnail, cover_thumbnails
-from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.library import Entry, entries
 from hapticplayer.sequence.report import Mark, worst
+from hapticplayer.storage import FOLDER, refuse_existing
 
 WIDTH_PX, HEIGHT_PX = 1080, 680
 THUMBNAIL_PX = 72

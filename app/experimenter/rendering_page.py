@@ -42,8 +42,8 @@ from hapticplayer.sequence.comparison import (
 from hapticplayer.sequence.editing import MAX_TITLE, copy_changed, set_mapping
 from hapticplayer.sequence.excursion import excursion_texts
 from hapticplayer.sequence.figures import ForceFigures
-from hapticplayer.sequence.files import cache_root
 from hapticplayer.sequence.library import free_name
+from hapticplayer.storage import cache_root
 
 WIDTH_PX, HEIGHT_PX = 1080, 680
 _SETTLE_POLLS = 8

@@ -25,7 +25,7 @@ from app.experimenter.feedback_list import FeedbackList
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.layout import fill_page, indent, paragraph, resize_within_screen
-from hapticplayer.errors import StudyError, message_of
+from hapticplayer.errors import InputError, message_of
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.definition import OrderMethod
 from hapticplayer.study.study_folder import Study
@@ -176,7 +176,7 @@ class StudyEditor(QDialog):
         """Keep what is filled in, unless something is wrong with it."""
         try:
             self.study = change_definition(self.study, self.edited())
-        except StudyError as problem:
+        except InputError as problem:
             self.problem.setText(translated(message_of(problem)))
             self.problem.show()
         else:

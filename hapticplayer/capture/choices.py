@@ -5,9 +5,7 @@ written once for a logger and used for all its logs.
 """
 
 import dataclasses
-import json
 import math
-import secrets
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,7 +15,7 @@ from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 from hapticplayer.model.ranges import SAMPLE_RATE_HZ, UNIT_FACTOR
-from hapticplayer.outputs import FILE, refuse_existing
+from hapticplayer.storage import FILE, file_written_aside, json_text, refuse_existing
 from hapticplayer.untrusted import parse_json, read_regular
 
 OPTION = "--read-as"
@@ -189,24 +187,13 @@ def write_template(path: Path, choices: LogChoices, *, overwrite: bool = False) 
         InputError: when the file exists and is not a template to be overwritten, or
             cannot be written.
     """
-    refuse_existing_template(path, overwrite)
     content = {
         key.replace("_", "-"): value
         for key, value in dataclasses.asdict(choices).items()
         if value
     }
-    part = path.with_name(f".{path.name}.{secrets.token_hex(4)}.part")
-    try:
-        part.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
-        part.replace(path)
-    except OSError as error:
-        part.unlink(missing_ok=True)
-        raise InputError(
-            "cannot be written ({reason})",
-            where=str(path),
-            remedy="choose another folder",
-            reason=error,
-        ) from error
+    with file_written_aside(path, _is_template if overwrite else None) as part:
+        part.write_bytes(json_text(content))
 
 
 class LogQuestion(UsageError):  # noqa: N818 - it asks

@@ -12,7 +12,6 @@ note (`motion.repair_samples`).
 
 import math
 import os
-import secrets
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -49,6 +48,7 @@ from hapticplayer.model import (
 )
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_FORCE_N
+from hapticplayer.storage import file_replaced
 
 FORCE_COLUMNS = (TIME, "fx_n", "fy_n", "fz_n")
 ESTIMATED_COLUMNS = ("is_estimated",)
@@ -143,9 +143,7 @@ def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
         names += FIELD_COLUMNS
     values = np.concatenate(parts, axis=1)
     formats = ["%.9f"] + ["%.9g"] * (values.shape[1] - 1)
-    target = Path(path)
-    part = target.with_name(f".{target.name}.{secrets.token_hex(4)}.part")
-    try:
+    with file_replaced(Path(path)) as part:
         np.savetxt(
             part,
             values,
@@ -155,15 +153,6 @@ def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
             comments="",
             encoding="utf-8",
         )
-        part.replace(target)
-    except OSError as error:
-        part.unlink(missing_ok=True)
-        raise InputError(
-            "cannot be written ({reason})",
-            where=str(target),
-            remedy="choose another folder",
-            reason=error,
-        ) from error
 
 
 def read_force_csv(

@@ -22,7 +22,7 @@ from hapticplayer.interchange.force_formats import (
     format_of,
     read_force,
 )
-from hapticplayer.outputs import FILE, refuse_existing
+from hapticplayer.storage import FILE, refuse_existing
 
 
 def add_options(command: argparse.ArgumentParser) -> None:

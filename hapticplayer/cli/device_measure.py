@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from hapticplayer import __version__
+from hapticplayer import __version__, storage
 from hapticplayer.cli.common import agreed, interruptible, say, shown_progress
 from hapticplayer.clock import SystemClock, utc_now_iso
 from hapticplayer.devices import find_device
@@ -21,8 +21,7 @@ from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.errors import InputError, Message
 from hapticplayer.haptics.guarded_clock import GuardedClock
 from hapticplayer.haptics.scheduling import acquire
-from hapticplayer.outputs import FILE, IsOurs, refuse_existing
-from hapticplayer.sequence import files
+from hapticplayer.storage import FILE, IsOurs, refuse_existing
 
 STOPS_S = 20.0
 HOMING_S = 120.0
@@ -136,7 +135,7 @@ def _is_report(head: bytes) -> bool:
 
 def _save(path: Path, text: str, is_ours: IsOurs | None) -> None:
     try:
-        with files.file_written_aside(path, is_ours) as part:
+        with storage.file_written_aside(path, is_ours) as part:
             part.write_text(text + "\n", encoding="utf-8")
     except InputError as problem:
         remedy = Message("choose another place; the report was printed")

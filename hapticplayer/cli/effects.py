@@ -15,10 +15,10 @@ from hapticplayer.rendering.effects import (
     EffectList,
     Target,
     kind_of,
-    written,
 )
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import set_effects
+from hapticplayer.sequence.effects_file import written
 from hapticplayer.sequence.figures import sequence_figures
 
 _KINDS = "; ".join(

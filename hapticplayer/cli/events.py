@@ -4,9 +4,9 @@ import argparse
 import json
 
 from hapticplayer.cli.common import interruptible, say
-from hapticplayer.rendering.effects import described_effect
 from hapticplayer.rendering.event import Event
 from hapticplayer.rendering.events import DETECTORS
+from hapticplayer.sequence.effects_file import described_effect
 from hapticplayer.sequence.events import events_of
 
 _LISTED = "; ".join(f"{one.name}: {one.text.lower()}" for one in DETECTORS)

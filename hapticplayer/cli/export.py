@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from hapticplayer import storage
 from hapticplayer.cli.common import (
     add_overwrite,
     interruptible,
@@ -25,9 +26,8 @@ from hapticplayer.interchange.exporters import RECORD_EXPORTERS
 from hapticplayer.interchange.force_files import NOT_MEASURED
 from hapticplayer.interchange.force_formats import WRITTEN, format_of
 from hapticplayer.interchange.force_import import export_force
-from hapticplayer.outputs import FILE, refuse_existing
-from hapticplayer.sequence import files
 from hapticplayer.sequence.pack import CONTAINERS
+from hapticplayer.storage import FILE, refuse_existing
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -114,7 +114,7 @@ def _export_record(options: argparse.Namespace) -> int:
         RecordReader(Path(options.source)) as reader,
         interruptible(),
         shown_progress() as progress,
-        files.file_written_aside(target, is_ours) as part,
+        storage.file_written_aside(target, is_ours) as part,
         part.open("xb") as out,
     ):
         report = exporter.write(reader, out, progress)

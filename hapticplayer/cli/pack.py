@@ -6,11 +6,10 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.cli.common import add_overwrite, interruptible, say, shown_progress
-from hapticplayer.errors import SequenceError
 from hapticplayer.interchange.sharing import share, shared_contents
-from hapticplayer.outputs import FILE, refuse_existing
 from hapticplayer.sequence.contents import Contents
 from hapticplayer.sequence.pack import container_of, is_packed, outputs_of
+from hapticplayer.storage import FILE, refuse_existing
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -44,7 +43,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     is_ours = is_packed if options.overwrite else None
     container_of(target)
     for path in outputs_of(target):
-        refuse_existing(path, FILE, is_ours, SequenceError)
+        refuse_existing(path, FILE, is_ours)
     what = shared_contents(folder, with_motion=options.with_motion)
     report = {"outputs": [str(path) for path in outputs_of(target)], **listing(what)}
     if not options.json:

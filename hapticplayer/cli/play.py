@@ -26,7 +26,6 @@ from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.records import is_record
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ranges
-from hapticplayer.outputs import FILE, make_way, refuse_existing
 from hapticplayer.playback import headless
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.latency import saved_latencies
@@ -36,6 +35,7 @@ from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict
 from hapticplayer.rendering import FEEDBACKS
+from hapticplayer.storage import FILE, make_way, refuse_existing
 
 ADDRESSES = ("http://", "https://")
 ACCEPT_IT = "--accept-changed-video plays the force with it"

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from hapticplayer import storage
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mounted
@@ -33,7 +34,6 @@ from hapticplayer.model import ClockMap, ranges
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.motion.gravity import MIN_SAMPLES
-from hapticplayer.sequence import files
 from hapticplayer.sequence.calibration import (
     StoredCalibration,
     refuse_existing_calibration,
@@ -127,7 +127,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
             _save(target, processed, recording, mounting, options)
         if plot:
             progress(0.9, f"drawing {plot.name}")
-            with files.file_written_aside(plot, plot_overwritten(options)) as aside:
+            with storage.file_written_aside(plot, plot_overwritten(options)) as aside:
                 draw_motion(aside, processed, report["recording"]["source"])
     _say(report, processed, options)
     return 0

@@ -20,7 +20,6 @@ from hapticplayer.cli.plots import is_plot
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ranges
 from hapticplayer.motion import DEFAULT_METHOD, METHODS
-from hapticplayer.outputs import FILE, IsOurs, refuse_existing
 from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.processing import Processing
 from hapticplayer.sequence.synchronizing import (
@@ -28,6 +27,7 @@ from hapticplayer.sequence.synchronizing import (
     coarse_notes,
     stored_skews,
 )
+from hapticplayer.storage import FILE, IsOurs, refuse_existing
 
 PLOT_FORMATS = (".png", ".svg")
 

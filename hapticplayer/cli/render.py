@@ -14,14 +14,15 @@ from hapticplayer.cli.mapping_options import (
     chosen_mapping,
     mapping_text,
 )
-from hapticplayer.errors import InputError, SequenceError
+from hapticplayer.errors import InputError
 from hapticplayer.model import rendered_feedback
-from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import copy_changed, fitted_gain, set_mapping
+from hapticplayer.sequence.effects_file import read_effects
 from hapticplayer.sequence.excursion import excursion_texts
 from hapticplayer.sequence.figures import sequence_figures
 from hapticplayer.sequence.presets import preset_of
+from hapticplayer.storage import FOLDER, refuse_existing
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -52,7 +53,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     folder = Path(options.sequence)
     target = folder if options.in_place else Path(options.output)
     if not options.in_place:
-        refuse_existing(target, FOLDER, error=SequenceError)
+        refuse_existing(target, FOLDER)
     sequence = open_sequence(folder)
     before = sequence_figures(sequence)
     mapping, fits_gain = chosen_mapping(options, sequence.mapping)
@@ -61,7 +62,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         mapping=mapping,
         fits_gain=fits_gain,
         preset=options.preset,
-        effects=store.read_effects(Path(options.effects)) if options.effects else None,
+        effects=read_effects(Path(options.effects)) if options.effects else None,
     )
     with interruptible(), shown_progress() as progress:
         if options.in_place:

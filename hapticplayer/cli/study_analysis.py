@@ -16,7 +16,6 @@ from hapticplayer.cli.common import (
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
 from hapticplayer.model import Feedback, ranges
-from hapticplayer.outputs import FOLDER, refuse_existing
 from hapticplayer.rendering import condition_named
 from hapticplayer.simulation.participants import (
     draw_effect,
@@ -26,6 +25,7 @@ from hapticplayer.simulation.participants import (
     simulated_answers,
 )
 from hapticplayer.simulation.sessions import write_answers
+from hapticplayer.storage import FOLDER, refuse_existing
 from hapticplayer.study.analysis import (
     Analysis,
     AnalysisOptions,

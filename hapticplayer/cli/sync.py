@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from hapticplayer import storage
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.check import check_log, check_sound
@@ -26,7 +27,6 @@ from hapticplayer.cli.recording_options import (
 )
 from hapticplayer.errors import MediaError, TelemetryError, UsageError
 from hapticplayer.media.clip_info import ClipInfo, probe
-from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
     find_sync,
@@ -89,7 +89,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         found = find_sync(clip, recording, choices)
         if plot:
             sound = read_sound(clip.path)
-            with files.file_written_aside(plot, plot_overwritten(options)) as part:
+            with storage.file_written_aside(plot, plot_overwritten(options)) as part:
                 draw_sync(part, sound, recording.imu, found)
     described = found.described()
     say(json.dumps(described) if options.json else sync_text(described))

@@ -11,10 +11,10 @@ from hapticplayer.cli.common import (
     shown_progress,
 )
 from hapticplayer.cli.pack import listing, text_of
-from hapticplayer.errors import SequenceError, UsageError
-from hapticplayer.outputs import FOLDER, refuse_existing
+from hapticplayer.errors import UsageError
 from hapticplayer.sequence.contents import contents_of
 from hapticplayer.sequence.unpack import require_packed, unpack
+from hapticplayer.storage import FOLDER, refuse_existing
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -38,7 +38,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     if options.output is None and not options.dry_run:
         raise UsageError("give the new folder with -o DIR, or --dry-run to look only")
     if options.output is not None:
-        refuse_existing(Path(options.output), FOLDER, error=SequenceError)
+        refuse_existing(Path(options.output), FOLDER)
     packed = require_packed(Path(options.video))
     what = contents_of(packed)
     report = {"file": options.video, "force_in": str(packed.carrier), **listing(what)}

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer import __version__
+from hapticplayer import __version__, storage
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.interchange.study_csv import (
     FELT,
@@ -25,8 +25,7 @@ from hapticplayer.interchange.study_data import (
     StudyData,
     markers_of,
 )
-from hapticplayer.sequence.files import json_text
-from hapticplayer.study import private
+from hapticplayer.storage import json_text
 from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.session_folder import StoredSession
@@ -85,7 +84,7 @@ def write_bids(data: StudyData, folder: Path) -> None:
         _subject(session, data, folder / f"sub-{session.code}")
     if any(folder.rglob("*_events.tsv")):  # a sidecar without data is an error
         _json(folder / f"task-{TASK}_events.json", _events_sidecar())
-    private.write_new(folder / "README", _readme(data, folder))
+    storage.write_private(folder / "README", _readme(data, folder))
 
 
 def _dataset(definition: Definition) -> dict[str, Any]:
@@ -183,8 +182,8 @@ def _beh_sidecar(definition: Definition) -> dict[str, Any]:
 def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     name = folder.name
     behaviour = folder / "beh"
-    folder.mkdir(mode=private.FOLDER_MODE)
-    behaviour.mkdir(mode=private.FOLDER_MODE)
+    folder.mkdir(mode=storage.PRIVATE_FOLDER)
+    behaviour.mkdir(mode=storage.PRIVATE_FOLDER)
     keys = [question.key for question in data.definition.trial_questions]
     columns = [*_BEH, *(DataColumn(key, "") for key in keys)]
     forces = data.trial_forces(session)
@@ -229,16 +228,14 @@ def _motion(
     """Write the ticks of one run; return the monotonic times of first and last."""
     begun_s: float | None = None
     count, last_s = 0, 0.0
-    base.parent.mkdir(mode=private.FOLDER_MODE, exist_ok=True)
+    base.parent.mkdir(mode=storage.PRIVATE_FOLDER, exist_ok=True)
     table = base.with_name(f"{base.name}_motion.tsv")
-    private.write_new(table, b"")
-    with table.open("ab") as out:
+    with storage.private_writer(table) as out:
         for ticks in data.ticks(session, path):
             time_s = np.asarray(ticks["monotonic_s"], np.float64)
             begun_s = float(time_s[0]) if begun_s is None else begun_s
             out.write(_motion_lines(ticks, begun_s))
             count, last_s = count + len(ticks), float(time_s[-1]) - begun_s
-        private.sync_file(out)
     if begun_s is None or count < 2:
         table.unlink()
         return None
@@ -318,11 +315,11 @@ def _utc(session: StoredSession, monotonic_s: float) -> str:
 
 
 def _json(path: Path, content: Any) -> None:
-    private.write_new(path, json_text(content))
+    storage.write_private(path, json_text(content))
 
 
 def _table(path: Path, table: DataTable) -> None:
-    private.write_new(path, separated(table, "\t", "n/a"))
+    storage.write_private(path, separated(table, "\t", "n/a"))
 
 
 def _rows(path: Path, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:

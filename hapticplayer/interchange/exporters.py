@@ -6,7 +6,7 @@ from typing import Any, BinaryIO, NamedTuple
 from hapticplayer.errors import Progress
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.interchange.record_csv import is_csv, write_csv
-from hapticplayer.outputs import IsOurs
+from hapticplayer.storage import IsOurs
 
 
 class RecordExporter(NamedTuple):

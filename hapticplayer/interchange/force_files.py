@@ -13,7 +13,7 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.model.limits import MAX_FORCE_N
 from hapticplayer.model.ranges import Range
-from hapticplayer.outputs import IsOurs
+from hapticplayer.storage import IsOurs
 
 MAX_SECONDS = 48 * 3600.0
 """Longer than any clip; times beyond it are damage."""

@@ -4,6 +4,7 @@ import zlib
 from pathlib import Path
 from typing import Any
 
+from hapticplayer import storage
 from hapticplayer.errors import InputError, Message, UsageError, to_json
 from hapticplayer.interchange import (
     ahap,
@@ -27,7 +28,6 @@ from hapticplayer.interchange.force_files import (
 )
 from hapticplayer.interchange.milliseconds import end_ms, force_loss
 from hapticplayer.model import ForceTrack
-from hapticplayer.sequence import files
 from hapticplayer.untrusted import open_regular
 
 _BYTES_PER_ENTRY = 20  # of a native track: float64 time, three float32
@@ -187,7 +187,7 @@ def export_track(
             known=", ".join(WRITTEN),
         )
     is_ours = form.is_ours if choices.overwrite else None
-    with files.file_written_aside(target, is_ours) as part:
+    with storage.file_written_aside(target, is_ours) as part:
         with part.open("xb") as out:
             form.write(track, out, choices)
         loss = form.loss(track, part, choices)

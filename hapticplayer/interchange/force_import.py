@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import Message, Progress, UsageError, entry_named
+from hapticplayer.errors import Message, Progress, UsageError, entry_named, no_progress
 from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
 from hapticplayer.interchange.force_formats import (
     FORCE_FORMATS,
@@ -14,7 +14,7 @@ from hapticplayer.interchange.force_formats import (
     read_force,
 )
 from hapticplayer.model import ForceTrack, rendered_feedback
-from hapticplayer.sequence import files, open_sequence
+from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.editing import add_track
 from hapticplayer.sequence.store import motion_of
 from hapticplayer.sequence.unpack import require_packed
@@ -27,7 +27,7 @@ def import_force(
     *,
     choices: ReadChoices | None = None,
     form: str | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> tuple[Message, ...]:
     """Add the force of a file to a sequence, as a new feedback condition.
 
@@ -66,7 +66,7 @@ def export_force(
     form: str,
     *,
     choices: WriteChoices | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> dict[str, Any]:
     """Write a force track of a sequence to a file, until the end of the clip.
 

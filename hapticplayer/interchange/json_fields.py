@@ -3,7 +3,7 @@
 from typing import Any, NamedTuple
 
 from hapticplayer.errors import InputError, Message
-from hapticplayer.structures import finite_number
+from hapticplayer.model.ranges import finite_number
 from hapticplayer.untrusted import ANOTHER, PathLike, parse_json, read_regular
 
 MAX_BYTES = 96 << 20

@@ -3,15 +3,15 @@
 import io
 from pathlib import Path
 
-from hapticplayer.errors import InputError, Message, Progress
+from hapticplayer.errors import InputError, Message, Progress, no_progress
 from hapticplayer.interchange import hjif
 from hapticplayer.interchange.force_files import WriteChoices
 from hapticplayer.media.matroska import Attachment
 from hapticplayer.media.remux import VideoDigest
-from hapticplayer.outputs import IsOurs
-from hapticplayer.sequence import files, open_sequence
+from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.contents import Contents, attachment_of, contents
 from hapticplayer.sequence.pack import pack
+from hapticplayer.storage import IsOurs
 
 NAME = "force_realistic.hjif"
 ESTIMATED_NAME = "force_estimated.hjif"
@@ -39,7 +39,7 @@ def shared_contents(
     folder: Path,
     *,
     with_motion: bool = False,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> Contents:
     """Return what `share` would write; see `sequence.contents.contents`."""
     progress(0.0, Message("writing {name}", name=NAME))
@@ -52,7 +52,7 @@ def share(
     *,
     with_motion: bool = False,
     is_ours: IsOurs | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> VideoDigest:
     """Write a sequence as one video file with its force; see `sequence.pack.pack`."""
     progress(0.0, Message("writing {name}", name=NAME))

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from hapticplayer import storage
 from hapticplayer.interchange.study_data import StudyData
-from hapticplayer.study import private
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.steps import answered_trials
 from hapticplayer.study.trial_force import LEAST_FORCE_N, MOST_ERROR, TrialForce
@@ -116,7 +116,7 @@ def write_csv(data: StudyData, folder: Path) -> None:
     ]
     tables = [table for table in made if table.rows]
     for table in [*tables, _dictionary(tables, answers.conduct.feedbacks)]:
-        private.write_new(folder / table.name, separated(table))
+        storage.write_private(folder / table.name, separated(table))
 
 
 def participants(answers: Answers) -> DataTable:

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from hapticplayer import storage
 from hapticplayer.errors import Message, Progress, StudyError, entry_named
 from hapticplayer.interchange.bids import write_bids
 from hapticplayer.interchange.study_csv import write_csv
 from hapticplayer.interchange.study_data import StudyData
 from hapticplayer.interchange.xdf import write_xdf
-from hapticplayer.study import private
 from hapticplayer.study.answers import collect_answers
 from hapticplayer.study.study_folder import Study
 
@@ -79,7 +79,9 @@ def export_study(
                 count=left_out,
             )
         )
-    with private.folder_written_aside(target.absolute()) as folder:
+    with storage.folder_written_aside(
+        target.absolute(), storage.PRIVATE_FOLDER
+    ) as folder:
         data = StudyData(study.definition, answers, sessions, notices, progress)
         exporter.write(data, folder)
     return {

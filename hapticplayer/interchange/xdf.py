@@ -14,13 +14,13 @@ from xml.sax.saxutils import escape
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer import storage
 from hapticplayer.errors import Message
 from hapticplayer.interchange.study_data import (
     Marker,
     StudyData,
     markers_of,
 )
-from hapticplayer.study import private
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.ticks import tick_files
 
@@ -141,8 +141,7 @@ def _write_session(session: StoredSession, folder: Path, data: StudyData) -> Non
         _write_markers_alone(folder / f"{session.code}_markers.xdf", markers)
     for number, path in enumerate(tick_files(session), 1):
         target = folder / f"{session.code}_run-{number}.xdf"
-        private.write_new(target, b"")
-        with target.open("wb") as out:
+        with storage.private_writer(target) as out:
             writer = XdfWriter(out)
             span_s = _write_device(writer, data.ticks(session, path))
             if span_s is not None:
@@ -152,17 +151,14 @@ def _write_session(session: StoredSession, folder: Path, data: StudyData) -> Non
                     if span_s[0] - 1.0 <= marker.monotonic_s <= span_s[1] + 1.0
                 ]
                 _write_markers(writer, inside)
-            private.sync_file(out)
         if span_s is None:
             target.unlink()
 
 
 def _write_markers_alone(target: Path, markers: list[Marker]) -> None:
-    private.write_new(target, b"")
-    with target.open("wb") as out:
+    with storage.private_writer(target) as out:
         samples = [(marker.monotonic_s, marker.text) for marker in markers]
         _write_markers(XdfWriter(out), samples)
-        private.sync_file(out)
 
 
 def _write_device(

@@ -1,8 +1,6 @@
 """Writes clips as H.264 and AAC in MP4: for the simulator, the demo and the tests."""
 
-import contextlib
 import os
-import secrets
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from pathlib import Path
@@ -21,6 +19,7 @@ from numpy.typing import NDArray
 from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.audio import LAYOUTS
 from hapticplayer.media.opening import media_errors, open_media
+from hapticplayer.storage import file_replaced
 
 KEY_FRAME_INTERVAL_S = 2.0
 """Exact seeking decodes at most this much."""
@@ -85,21 +84,14 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
         MediaError: when the file cannot be written or the frames differ in size.
     """
     target = Path(path)
-    part = target.with_name(f".{target.stem}.{secrets.token_hex(4)}.part")
     rate = Fraction(frame_rate_hz).limit_denominator(1001)
-    try:
-        with media_errors(
-            target, Message("cannot be written"), Message("choose another folder")
-        ):
-            options = dict(_QUICK if is_quick else _SMALL)
-            if rate_factor is not None:
-                options["crf"] = f"{rate_factor:g}"
-            sound = None if audio is None else (audio, audio_rate_hz)
-            _write(part, iter(frames), rate, options, sound, progress, rest)
-            part.replace(target)
-    finally:
-        with contextlib.suppress(OSError):
-            part.unlink()
+    options = dict(_QUICK if is_quick else _SMALL)
+    if rate_factor is not None:
+        options["crf"] = f"{rate_factor:g}"
+    sound = None if audio is None else (audio, audio_rate_hz)
+    failed = Message("cannot be written"), Message("choose another folder")
+    with file_replaced(target) as part, media_errors(target, *failed):
+        _write(part, iter(frames), rate, options, sound, progress, rest)
 
 
 def _write(  # noqa: PLR0913 - as write_clip

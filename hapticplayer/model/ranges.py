@@ -1,5 +1,6 @@
 """Ranges of the numbers that people choose, in options and in answers about a log."""
 
+import sys
 from typing import NamedTuple
 
 from hapticplayer.errors import Message, UsageError
@@ -52,6 +53,13 @@ class Range(NamedTuple):
             unit=f" {self.unit}" if self.unit else "",
             text=text[:40],
         )
+
+
+def finite_number(value: object) -> float | None:
+    """A value that is a finite number, else None; true and false are none."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return float(value) if abs(value) <= sys.float_info.max else None
 
 
 MEDIA_TIME_S = Range(0.0, 1e7, "s")

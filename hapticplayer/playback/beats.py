@@ -4,19 +4,18 @@ With it a person finds out what the machine cannot know: how late a screen, a so
 output and a device are. Between the beats nothing is seen, heard or felt.
 """
 
-import secrets
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer import __version__
-from hapticplayer.errors import Progress
+from hapticplayer.errors import Progress, no_progress
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.playback.source import Source, no_feedback_for
-from hapticplayer.sequence.files import cache_root, no_progress
+from hapticplayer.storage import cache_root
 
 PERIOD_S, FIRST_S, COUNT = 1.0, 0.4, 40
 LENGTH_S = 0.080  # of flash, beep and force
@@ -48,17 +47,15 @@ def beat_source(progress: Progress = no_progress) -> Source:
     """Return the clip with its force, made in 1 s on first use; raises MediaError."""
     path = cache_root() / f"beats-{__version__}.mp4"
     if not path.is_file():
-        aside = path.with_name(f"{path.stem}-{secrets.token_hex(4)}.mp4")
         length_s = COUNT * PERIOD_S
         write_clip(
-            aside,
+            path,
             _frames(),
             frame_rate_hz=_RATE_HZ,
             audio=_sound(),
             is_quick=True,
             progress=lambda done_s: progress(done_s / length_s, ""),
         )
-        aside.replace(path)
     clip = probe(path)
     tracks = {FELT: beat_track(), Feedback.NONE.value: no_feedback_for(clip)}
     return Source("beats", path, clip, tracks, None, FELT)

@@ -16,8 +16,8 @@ from typing import Any, NamedTuple
 
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import InputError, UsageError
-from hapticplayer.sequence.files import config_home
-from hapticplayer.structures import finite_number
+from hapticplayer.model.ranges import finite_number
+from hapticplayer.storage import config_home
 from hapticplayer.untrusted import read_regular
 
 MOST_S = 1.0

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message
-from hapticplayer.outputs import make_way
+from hapticplayer.storage import make_way
 from hapticplayer.untrusted import ESCAPED
 
 

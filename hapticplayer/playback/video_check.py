@@ -14,7 +14,8 @@ from typing import Any
 from hapticplayer.errors import Cancelled, InputError, Message
 from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.media.remux import VideoDigest, has_head, video_payload
-from hapticplayer.sequence.files import cache_home, read_json, replace_json
+from hapticplayer.storage import cache_home, replace_json
+from hapticplayer.structures import read_json
 from hapticplayer.untrusted import FileState
 
 ANOTHER_VIDEO = Message(
@@ -111,7 +112,7 @@ def _note_known(path: Path, entry: list[int | str]) -> None:
 
 def _known() -> dict[str, Any]:
     try:
-        return read_json(cache_home() / _KNOWN)
+        return read_json(cache_home() / _KNOWN, dict[str, Any])
     except (InputError, RuntimeError):  # no home folder, or nothing yet
         return {}
 

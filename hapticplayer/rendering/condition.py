@@ -8,8 +8,7 @@ from typing import Any, NamedTuple
 
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import Feedback, ForceTrack
-from hapticplayer.model.ranges import Range
-from hapticplayer.structures import finite_number
+from hapticplayer.model.ranges import Range, finite_number
 
 Value = float | str
 """Of a parameter."""

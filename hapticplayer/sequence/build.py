@@ -12,15 +12,19 @@ from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import BY_FRAMES, ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of
-from hapticplayer.errors import InputError, MediaError, Message, Progress, SequenceError
+from hapticplayer.errors import (
+    InputError,
+    MediaError,
+    Message,
+    Progress,
+    no_progress,
+)
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import (
     ImuLog,
     MotionTrack,
 )
 from hapticplayer.model.calibration import SensorCalibration
-from hapticplayer.outputs import FOLDER, refuse_existing
-from hapticplayer.sequence import files
 from hapticplayer.sequence.mounting_by_frames import (
     SHOWN,
     ask_for_shown_mounting,
@@ -35,6 +39,7 @@ from hapticplayer.sequence.suggesting import suggested
 from hapticplayer.sequence.surroundings import surroundings
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 from hapticplayer.sequence.writing import Content, RenderChoices, write_folder
+from hapticplayer.storage import FOLDER, refuse_existing
 from hapticplayer.untrusted import HeldFile
 
 _FOLLOWING_SHARE = 0.75  # of the time of an import in which frames are followed
@@ -68,7 +73,7 @@ def build_sequence(
     *,
     imu_log: LogPath | None = None,
     choices: Choices | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> Path:
     """Import a video with its motion and return the folder of the new sequence.
 
@@ -87,7 +92,7 @@ def build_sequence(
             mounting was given.
     """
     video, target = Path(video), Path(target)
-    refuse_existing(target, FOLDER, error=SequenceError)
+    refuse_existing(target, FOLDER)
     choices = choices or Choices()
     source = video if imu_log is None else imu_log
     with HeldFile(video, MediaError) as clip_file:
@@ -167,7 +172,7 @@ def write_sequence(
     *,
     choices: Choices | None = None,
     extras: dict[str, dict[str, Any]] | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> Path:
     """Write the sequence of a clip and a synchronised recording.
 

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, Struct, structs
 
+from hapticplayer import storage
 from hapticplayer.capture.mounting import axes_matrix
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.calibration import (
@@ -14,8 +15,7 @@ from hapticplayer.model.calibration import (
     UNKNOWN_SCALE_SIGMA,
     SensorCalibration,
 )
-from hapticplayer.outputs import FILE, IsOurs, refuse_existing
-from hapticplayer.sequence import files
+from hapticplayer.storage import FILE, IsOurs, refuse_existing
 from hapticplayer.structures import check_version, convert
 from hapticplayer.untrusted import parse_json, read_regular
 
@@ -112,8 +112,8 @@ def write_calibration(
         "created_utc": stored.created_utc,
         **dataclasses.asdict(stored.values),
     }
-    with files.file_written_aside(path, overwritten(overwrite)) as part:
-        files.write_json(part, content)
+    with storage.file_written_aside(path, overwritten(overwrite)) as part:
+        storage.write_json(part, content)
 
 
 def refuse_existing_calibration(path: Path, *, overwrite: bool = False) -> None:

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from hapticplayer import model
-from hapticplayer.errors import InputError, Message, Progress
+from hapticplayer.errors import InputError, Message, Progress, no_progress
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence import editing, files, store
+from hapticplayer.sequence import editing, store
 from hapticplayer.sequence.excursion import predict, travel_m
 from hapticplayer.sequence.figures import ForceFigures, force_figures
 from hapticplayer.sequence.presets import preset_of
@@ -68,7 +68,7 @@ class RenderingResult:
 
 
 def stored_rendering(
-    folder: Path, *, progress: Progress = files.no_progress
+    folder: Path, *, progress: Progress = no_progress
 ) -> RenderingResult:
     """Return the rendering that a sequence has.
 
@@ -89,7 +89,7 @@ def previewed_rendering(
     *,
     fits_gain: bool = False,
     preset: str | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> RenderingResult:
     """Return what `editing.set_mapping` would make; nothing is written.
 

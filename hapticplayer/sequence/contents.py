@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from hapticplayer import storage
 from hapticplayer.errors import Message, SequenceError
 from hapticplayer.media.matroska import Attachment
 from hapticplayer.model import Feedback
-from hapticplayer.sequence import files, store
+from hapticplayer.sequence import store
 from hapticplayer.sequence.packed import MANIFEST, Packed
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular
 
@@ -95,7 +96,7 @@ def files_to_pack(
     small = [attachment_of(name, _content(sequence, name)) for name in names]
     kept = {*names, sequence.clip.name}
     listed = {k: one for k, one in description["files"].items() if k in kept}
-    text = files.json_text({**description, "files": listed})
+    text = storage.json_text({**description, "files": listed})
     made = (attachment_of(store.DESCRIPTION, text), *small, *extras)
     if sum(len(one.content) for one in made) > MAX_ATTACHED_BYTES:
         raise SequenceError(

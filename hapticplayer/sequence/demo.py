@@ -4,9 +4,8 @@ import shutil
 from pathlib import Path
 from typing import NamedTuple
 
-from hapticplayer import __version__, extension
-from hapticplayer.errors import Progress, SequenceError
-from hapticplayer.sequence import files
+from hapticplayer import __version__, extension, storage
+from hapticplayer.errors import InputError, Progress, SequenceError, no_progress
 from hapticplayer.sequence.store import open_sequence
 
 
@@ -22,13 +21,13 @@ class Demo(NamedTuple):
     home: str
 
 
-def demo_folder(progress: Progress = files.no_progress) -> Path:
+def demo_folder(progress: Progress = no_progress) -> Path:
     """The folder of the demo.
 
     Raises:
         SequenceError: when no extra makes one, or it cannot be written.
     """
-    target = files.cache_root() / f"demo-{__version__}"
+    target = storage.cache_root() / f"demo-{__version__}"
     try:
         open_sequence(target)
     except SequenceError:
@@ -41,6 +40,6 @@ def demo_folder(progress: Progress = files.no_progress) -> Path:
             ) from None
         try:
             extension.load(demo.home)(demo.name, target, progress=progress)
-        except SequenceError:
+        except InputError:
             open_sequence(target)  # another process made it meanwhile
     return target

@@ -11,12 +11,19 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Protocol
 
-from hapticplayer import __version__, model, rendering
+from hapticplayer import __version__, model, rendering, storage
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import Message, Progress, SequenceError, UsageError
+from hapticplayer.errors import (
+    Message,
+    Progress,
+    SequenceError,
+    UsageError,
+    no_progress,
+)
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
-from hapticplayer.sequence import files, store
+from hapticplayer.sequence import effects_file, store
+from hapticplayer.sequence.arrays import write_arrays
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import Rendering, preset_of
 
@@ -38,7 +45,7 @@ def rename_sequence(folder: Path, title: str) -> None:
     if not 0 < len(title) <= MAX_TITLE:
         raise UsageError("a title must have 1 to {most} characters", most=MAX_TITLE)
     description = _described(folder)
-    files.replace_json(folder / store.DESCRIPTION, {**description, "title": title})
+    storage.replace_json(folder / store.DESCRIPTION, {**description, "title": title})
 
 
 def add_track(
@@ -46,7 +53,7 @@ def add_track(
     name: str,
     read: Callable[[float], ForceTrack],
     *,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> None:
     """Add a force track as a new feedback condition.
 
@@ -82,7 +89,7 @@ def rename_track(folder: Path, old: str, new: str) -> None:
     _check_new(new, description)
     feedbacks = description["feedbacks"]
     renamed = {(new if name == old else name): one for name, one in feedbacks.items()}
-    files.replace_json(
+    storage.replace_json(
         folder / store.DESCRIPTION, {**description, "feedbacks": renamed}
     )
 
@@ -107,7 +114,7 @@ def set_mapping(
     fits_gain: bool = False,
     preset: str | None = None,
     effects: EffectList | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> None:
     """Render the realistic and the random track again with another mapping.
 
@@ -174,7 +181,7 @@ def set_effects(
     folder: Path,
     effects: EffectList,
     *,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> None:
     """Render the realistic and the random track again with other effects.
 
@@ -247,7 +254,7 @@ def copy_changed(
     change: Change,
     *,
     title: str | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> None:
     """Write a copy of a sequence that is changed before it has its name.
 
@@ -264,7 +271,7 @@ def copy_changed(
         SequenceError: when the target exists or cannot be written, or the sequence is
             damaged; then no part of the copy remains.
     """
-    with files.written_aside(target) as aside:
+    with storage.folder_written_aside(target) as aside:
         store.copy_files(folder, aside, lambda f, step: progress(0.5 * f, step))
         change(aside, progress=lambda f, step: progress(0.5 + 0.5 * f, step))
         if title is not None:
@@ -366,10 +373,10 @@ def _put(
     try:
         for file, track in tracks.items():
             written.append(folder / file)
-            files.write_arrays(folder / file, **store.track_arrays(track))
+            write_arrays(folder / file, **store.track_arrays(track))
         if effects is not None:
             path = _new_effects(folder, description)
-            files.write_json(path, rendering.effects.written(effects))
+            storage.write_json(path, effects_file.written(effects))
             written.append(path)
             description = {**description, store.EFFECTS: path.name}
         named = {
@@ -383,11 +390,13 @@ def _put(
         }
         for path in written:
             listed[path.name] = {
-                "sha256": files.sha256_of(path),
+                "sha256": storage.sha256_of(path),
                 "size_bytes": path.stat().st_size,
             }
         dropped = set(description["files"]) - set(listed)
-        files.replace_json(folder / store.DESCRIPTION, {**description, "files": listed})
+        storage.replace_json(
+            folder / store.DESCRIPTION, {**description, "files": listed}
+        )
     except OSError as problem:
         _remove(written)
         raise SequenceError(

@@ -15,10 +15,16 @@ from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.capture.vision import FrameRotation
-from hapticplayer.errors import InputError, Message, Progress, UsageError, message_of
+from hapticplayer.errors import (
+    InputError,
+    Message,
+    Progress,
+    UsageError,
+    message_of,
+    no_progress,
+)
 from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
 from hapticplayer.model import ImuLog
-from hapticplayer.sequence import files
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
     find_sync,
@@ -89,7 +95,7 @@ def preview_import(
     choices: LogChoices | None = None,
     method: str = AUTO,
     *,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> ImportPreview:
     """Read a clip and its motion, and propose a synchronisation.
 

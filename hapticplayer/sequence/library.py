@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import InputError, Message, message_of
+from hapticplayer.errors import InputError, Message, SequenceError, message_of
 from hapticplayer.model import PresetName, rendered_feedback
-from hapticplayer.sequence import files
 from hapticplayer.sequence.description import (
     Description,
     TrackEntry,
@@ -18,6 +17,7 @@ from hapticplayer.sequence.description import (
 from hapticplayer.sequence.presets import DEFAULT_PRESET
 from hapticplayer.sequence.report import Finding, quality_report
 from hapticplayer.sequence.store import DESCRIPTION
+from hapticplayer.structures import read_json
 from hapticplayer.untrusted import without_controls
 
 MAX_FOLDERS = 5000
@@ -101,7 +101,7 @@ def read_entry(folder: Path) -> Entry:
     """Return the entry of a sequence from its description; other files are not read."""
     path = folder / DESCRIPTION
     try:
-        content = files.read_json(path)
+        content = read_json(path, dict[str, Any], SequenceError)
         return _entry(folder, checked_description(content, str(path)), content)
     except InputError as problem:
         return Entry(folder, folder.name, problem=message_of(problem))

@@ -6,14 +6,19 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from hapticplayer import __version__
+from hapticplayer import __version__, storage
 from hapticplayer.clock import utc_now_iso
-from hapticplayer.errors import Message, Progress, SequenceError, UsageError
+from hapticplayer.errors import (
+    Message,
+    Progress,
+    SequenceError,
+    UsageError,
+    no_progress,
+)
 from hapticplayer.media import remux
 from hapticplayer.media.clip_info import POINTER
 from hapticplayer.media.matroska import EBML, Attachment
-from hapticplayer.outputs import IsOurs
-from hapticplayer.sequence import files, store
+from hapticplayer.sequence import store
 from hapticplayer.sequence.contents import attachment_of, files_to_pack
 from hapticplayer.sequence.packed import (
     MANIFEST,
@@ -22,6 +27,7 @@ from hapticplayer.sequence.packed import (
     VERSION,
     side_car_of,
 )
+from hapticplayer.storage import IsOurs
 
 CONTAINERS = {".mkv": remux.MATROSKA, ".mp4": remux.MP4}
 """Kind of file by the ending of its name."""
@@ -57,7 +63,7 @@ def pack(
     with_motion: bool = False,
     extras: Iterable[Attachment] = (),
     is_ours: IsOurs | None = None,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> remux.VideoDigest:
     """Write a sequence as one video file with its force, for others to play.
 
@@ -121,7 +127,7 @@ def _manifest(
             for one in attached
         },
     }
-    return attachment_of(MANIFEST, files.json_text(content))
+    return attachment_of(MANIFEST, storage.json_text(content))
 
 
 def _pointer(payload: remux.VideoDigest, manifest: Attachment) -> str:
@@ -134,7 +140,7 @@ def _pointer(payload: remux.VideoDigest, manifest: Attachment) -> str:
 def _check_clip(sequence: store.Sequence, report: remux.Report) -> None:
     """Refuse a clip that has changed since it was imported."""
     entry = sequence.description["files"][sequence.clip.name]
-    if files.sha256_of(sequence.clip, report) != entry["sha256"]:
+    if storage.sha256_of(sequence.clip, report) != entry["sha256"]:
         raise store.changed(sequence.clip)
 
 
@@ -144,13 +150,13 @@ def _written(
 ) -> Iterator[tuple[Path, Path | None]]:
     """Yield where to write video and side-car, None without one."""
     if kind == remux.MATROSKA:
-        with files.file_written_aside(target, is_ours) as part:
+        with storage.file_written_aside(target, is_ours) as part:
             yield part, None
         return
     side_car = side_car_of(target)
     with (
-        files.file_written_aside(target) as part,
-        files.file_written_aside(side_car, is_ours) as side_part,
+        storage.file_written_aside(target) as part,
+        storage.file_written_aside(side_car, is_ours) as side_part,
     ):
         yield part, side_part
 

@@ -19,9 +19,10 @@ from hapticplayer.errors import MediaError, Message, SequenceError
 from hapticplayer.media.clip_bytes import ClipBytes, path_of
 from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import VideoDigest
-from hapticplayer.sequence import files, store
+from hapticplayer.sequence import store
+from hapticplayer.sequence.arrays import arrays_in
 from hapticplayer.sequence.description import FileEntry
-from hapticplayer.structures import check_version, convert
+from hapticplayer.structures import MAX_JSON_BYTES, check_version, convert
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, parse_json
 
 MANIFEST = "hapticplayer.json"
@@ -69,7 +70,7 @@ class _AttachedFiles:
 
     def arrays(self, name: str, listed: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
         content = self.content(name, listed)
-        return files.arrays_of(
+        return arrays_in(
             io.BytesIO(content), f"{self.where}: {name}", MAX_ATTACHED_BYTES
         )
 
@@ -165,7 +166,7 @@ def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Pack
 
 
 def _object(content: bytes, where: str) -> dict[str, Any]:
-    if len(content) > files.MAX_JSON_BYTES:
+    if len(content) > MAX_JSON_BYTES:
         raise SequenceError("is too large", where=where, remedy=_ASK_AGAIN)
     value = parse_json(content, where, SequenceError, _ASK_AGAIN)
     if not isinstance(value, dict):

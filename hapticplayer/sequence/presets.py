@@ -17,7 +17,6 @@ from hapticplayer.rendering.effects import (
     Target,
     applied_to_force,
     applied_to_motion,
-    described_effect,
 )
 from hapticplayer.rendering.washout import (
     DesignHand,
@@ -25,6 +24,7 @@ from hapticplayer.rendering.washout import (
     Washout,
     washed_out,
 )
+from hapticplayer.sequence.effects_file import described_effect
 from hapticplayer.sequence.excursion import mechanism_at_grip
 
 YIELDING = replace(RELAXED, yield_s=0.3, return_s=2.0)

@@ -16,12 +16,11 @@ import numpy as np
 from hapticplayer import rendering
 from hapticplayer.capture.recording import Recording, find_gaps
 from hapticplayer.clock import Clock
-from hapticplayer.errors import Message, Progress, UsageError
+from hapticplayer.errors import Message, Progress, UsageError, no_progress
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.model.motion import DEFAULT_METHOD
-from hapticplayer.sequence import files
 from hapticplayer.sequence.excursion import predict
 
 if TYPE_CHECKING:
@@ -229,7 +228,7 @@ class MethodRow:
 def describe_quality(
     recording: Recording,
     processed: Processed,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> dict[str, Any]:
     """Return the quality report of a recording: plain numbers, lists and texts.
 

@@ -19,7 +19,7 @@ from hapticplayer.capture.sync.result import ENOUGH_CONFIDENCE
 from hapticplayer.errors import Message, from_json, to_json
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ForceTrack, ImuLog, MotionTrack, rendered_feedback
-from hapticplayer.structures import finite_number
+from hapticplayer.model.ranges import finite_number
 
 LARGE_LEAK_MPS2 = 0.05
 """Noticed as a steady pull at the default gain."""

@@ -10,7 +10,15 @@ from typing import Any, Protocol
 from msgspec import structs
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError, Message, Progress, SequenceError, message_of
+from hapticplayer import storage
+from hapticplayer.errors import (
+    InputError,
+    Message,
+    Progress,
+    SequenceError,
+    message_of,
+    no_progress,
+)
 from hapticplayer.model import (
     ClockMap,
     ForceTrack,
@@ -21,19 +29,18 @@ from hapticplayer.model import (
     Sampling,
     rendered_feedback,
 )
-from hapticplayer.rendering import FEEDBACKS, ConditionInputs, effects
+from hapticplayer.rendering import FEEDBACKS, ConditionInputs
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
-from hapticplayer.sequence import files
+from hapticplayer.sequence.arrays import read_arrays
 from hapticplayer.sequence.description import (
     IMPORT_AGAIN,
     TrackEntry,
     checked_description,
 )
-from hapticplayer.structures import convert
+from hapticplayer.sequence.effects_file import read_effects
+from hapticplayer.structures import convert, read_json
 from hapticplayer.untrusted import (
     HeldFile,
-    parse_json,
-    read_regular,
     without_controls,
 )
 
@@ -96,7 +103,7 @@ class FolderFiles:
 
     def arrays(self, name: str, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
         """Return the arrays of a file; see `SmallFiles`."""
-        return files.read_arrays(checked(self._folder, name, listed))
+        return read_arrays(checked(self._folder, name, listed))
 
 
 def open_sequence(folder: str | Path) -> Sequence:
@@ -116,7 +123,9 @@ def open_sequence(folder: str | Path) -> Sequence:
             remedy="give the folder of a sequence, or a video",
             name=DESCRIPTION,
         )
-    description = files.read_json(folder / DESCRIPTION)
+    description = read_json(
+        folder / DESCRIPTION, dict[str, Any], SequenceError, IMPORT_AGAIN
+    )
     return sequence_of(description, FolderFiles(folder), folder)
 
 
@@ -152,7 +161,7 @@ def sequence_of(
     return Sequence(folder, title, clip, motion, tracks, mapping, description)
 
 
-def verify_sequence(folder: str | Path, progress: Progress = files.no_progress) -> None:
+def verify_sequence(folder: str | Path, progress: Progress = no_progress) -> None:
     """Read every file of a sequence and compare its checksum.
 
     Raises:
@@ -173,7 +182,9 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
         SequenceError: when files are missing or damaged.
     """
     folder = Path(folder)
-    description = files.read_json(folder / DESCRIPTION)
+    description = read_json(
+        folder / DESCRIPTION, dict[str, Any], SequenceError, IMPORT_AGAIN
+    )
     described = checked_description(description, str(folder / DESCRIPTION))
     if IMU not in described.files:
         raise SequenceError(
@@ -182,7 +193,7 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
             remedy="import a recording, or ask for a file that was packed --with-motion",
         )
     _check_file(folder, IMU, description["files"], with_checksum=True)
-    arrays, made_of = files.read_arrays(folder / IMU), described.provenance
+    arrays, made_of = read_arrays(folder / IMU), described.provenance
     with _named_as_damaged(str(folder)):
         imu = ImuLog(
             time_s=arrays["time_s"],
@@ -243,19 +254,6 @@ def effects_of(sequence: Sequence) -> EffectList:
     return read_effects(checked(sequence.folder, name, sequence.description["files"]))
 
 
-def read_effects(path: Path) -> EffectList:
-    """Return the list of effects in an untrusted file.
-
-    Raises:
-        InputError: for a file that is no such list; names entry and field.
-    """
-    content = read_regular(path, effects.MAX_BYTES, SequenceError)
-    remedy = Message("give an effects.json")
-    return effects.parsed(
-        parse_json(content, str(path), SequenceError, remedy), str(path)
-    )
-
-
 def recorded_log(sequence: Sequence) -> ImuLog:
     """Return the recorded samples of a sequence in media time.
 
@@ -278,9 +276,7 @@ def in_media_time(imu: ImuLog, clock: ClockMap) -> ImuLog:
     return replace(imu, time_s=clock.rate * imu.time_s + clock.offset_s)
 
 
-def copy_files(
-    folder: Path, target: Path, progress: Progress = files.no_progress
-) -> None:
+def copy_files(folder: Path, target: Path, progress: Progress = no_progress) -> None:
     """Copy all files of a sequence into an empty folder.
 
     Raises:
@@ -298,11 +294,11 @@ def copy_files(
             progress(done, Message("copying the sequence"))
 
         with HeldFile(folder / name, SequenceError) as source:
-            digest = files.copy_file(source, target / name, report)
+            digest = storage.copy_file(source, target / name, report)
         if digest != entry["sha256"]:
             raise changed(folder / name)
         before += entry["size_bytes"]
-    files.write_json(target / DESCRIPTION, dict(description))
+    storage.write_json(target / DESCRIPTION, dict(description))
 
 
 def checked(folder: Path, name: str, listed: Dict[str, Any]) -> Path:
@@ -387,7 +383,7 @@ def _check_file(
             count=size,
             expected=entry["size_bytes"],
         )
-    if with_checksum and files.sha256_of(path) != entry["sha256"]:
+    if with_checksum and storage.sha256_of(path) != entry["sha256"]:
         raise changed(path)
     return path
 

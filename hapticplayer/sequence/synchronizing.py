@@ -7,6 +7,7 @@ from typing import Annotated
 
 from msgspec import Meta, Struct
 
+from hapticplayer import storage
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import (
@@ -29,12 +30,12 @@ from hapticplayer.errors import (
     SequenceError,
     UsageError,
     joined,
+    no_progress,
 )
 from hapticplayer.media.clip_info import ClipInfo, camera_of
 from hapticplayer.model import ClockMap
 from hapticplayer.model.ranges import SKEW_S
-from hapticplayer.sequence import files
-from hapticplayer.structures import convert
+from hapticplayer.structures import read_json
 
 SKEWS = "cameras.json"
 """In the settings folder: how much later than its frames each camera's sound comes, s."""
@@ -70,7 +71,7 @@ def synchronized(
     clip: ClipInfo,
     recording: Recording,
     choices: SyncChoices,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> Recording:
     """Return the recording synchronised with the clip, documented in its provenance.
 
@@ -129,7 +130,7 @@ def find_sync(
     clip: ClipInfo,
     recording: Recording,
     choices: SyncChoices,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
     look: Callable[[], FrameRotation] | None = None,
 ) -> Synchronisation:
     """Return the synchronisation of a recording with a clip, certain or not.
@@ -268,14 +269,13 @@ def stored_skews() -> dict[str, float]:
     Raises:
         SequenceError: when the file is damaged, or holds anything but skews.
     """
-    path = files.config_home() / SKEWS
+    path = storage.config_home() / SKEWS
     if not path.is_file():
         return {}
-    content = files.read_json(path)
-    return convert(content, _Skews, str(path), SequenceError).sound_late_s
+    return read_json(path, _Skews, SequenceError).sound_late_s
 
 
 def store_skew(camera: str, late_s: float) -> None:
     """Store the skew of a camera."""
     skews = {**stored_skews(), camera: late_s}
-    files.replace_json(files.config_home() / SKEWS, {"sound_late_s": skews})
+    storage.replace_json(storage.config_home() / SKEWS, {"sound_late_s": skews})

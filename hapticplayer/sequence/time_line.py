@@ -6,12 +6,18 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.errors import HapticPlayerError, Message, Progress, message_of
+from hapticplayer.errors import (
+    HapticPlayerError,
+    Message,
+    Progress,
+    message_of,
+    no_progress,
+)
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import EffectList
 from hapticplayer.rendering.event import Event
-from hapticplayer.sequence import files, store
+from hapticplayer.sequence import store
 from hapticplayer.sequence.events import events_of
 from hapticplayer.sequence.figures import ForceFigures, force_figures
 from hapticplayer.sequence.import_preview import Curve, loudness_of
@@ -34,7 +40,7 @@ class TimeLine:
     problem: Message | str = ""
 
 
-def time_line_of(folder: Path, *, progress: Progress = files.no_progress) -> TimeLine:
+def time_line_of(folder: Path, *, progress: Progress = no_progress) -> TimeLine:
     """Return the time line of a sequence whose force can be rendered again.
 
     Args:
@@ -66,7 +72,7 @@ def figures_of(
     duration_s: float,
     force_limit_n: float,
     *,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> list[ForceFigures]:
     """Return the figures of tracks; see `force_figures`, arguments as there."""
     found = []

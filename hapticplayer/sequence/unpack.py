@@ -2,12 +2,13 @@
 
 from pathlib import Path
 
-from hapticplayer.errors import Message, Progress, SequenceError
+from hapticplayer import storage
+from hapticplayer.errors import Message, Progress, SequenceError, no_progress
 from hapticplayer.media import remux
-from hapticplayer.outputs import FOLDER, refuse_existing
-from hapticplayer.sequence import files, store
+from hapticplayer.sequence import store
 from hapticplayer.sequence.pack import CONTAINERS
 from hapticplayer.sequence.packed import Packed, read_packed
+from hapticplayer.storage import FOLDER, refuse_existing
 
 
 def require_packed(video: Path) -> Packed:
@@ -31,7 +32,7 @@ def unpack(
     target: Path,
     *,
     accepts_changed: bool = False,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> None:
     """Write the folder of a sequence from a file that was packed; the force is as it was.
 
@@ -45,12 +46,12 @@ def unpack(
         InputError: when it holds no force, is damaged, or the folder exists or cannot be
             written; nothing remains then.
     """
-    refuse_existing(target, FOLDER, error=SequenceError)
+    refuse_existing(target, FOLDER)
     packed = require_packed(video)
     kind = CONTAINERS.get(video.suffix.lower(), remux.MATROSKA)
     name = f"clip{video.suffix.lower() if kind == remux.MP4 else '.mkv'}"
     description = dict(packed.sequence.description)
-    with files.written_aside(target) as folder:
+    with storage.folder_written_aside(target) as folder:
         payload = remux.remux(
             video,
             folder / name,
@@ -65,13 +66,13 @@ def unpack(
         for one, content in packed.small.items():
             (folder / one).write_bytes(content)
         listed[name] = {
-            "sha256": files.sha256_of(
+            "sha256": storage.sha256_of(
                 folder / name, lambda f: progress(0.8 + 0.2 * f, Message("writing"))
             ),
             "size_bytes": (folder / name).stat().st_size,
         }
         description["clip"] = {**description["clip"], "file": name}
-        files.write_json(folder / store.DESCRIPTION, {**description, "files": listed})
+        storage.write_json(folder / store.DESCRIPTION, {**description, "files": listed})
         progress(1.0, Message("done"))
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from hapticplayer import __version__, rendering
+from hapticplayer import __version__, rendering, storage
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError, MediaError, Message, Progress
 from hapticplayer.media.clip_info import ClipInfo
@@ -21,7 +21,8 @@ from hapticplayer.model import (
     MotionTrack,
     rendered_feedback,
 )
-from hapticplayer.sequence import files, store
+from hapticplayer.sequence import store
+from hapticplayer.sequence.arrays import write_arrays
 from hapticplayer.sequence.description import SCHEMA, VERSION
 from hapticplayer.sequence.editing import describe_rendering
 from hapticplayer.sequence.excursion import excursion_texts, predict
@@ -84,7 +85,7 @@ def write_folder(
     Raises:
         InputError: when the clip changes, or writing fails.
     """
-    with files.written_aside(target) as folder:
+    with storage.folder_written_aside(target) as folder:
         clip_name = "clip" + clip.path.suffix.lower()
         clip_hash = _copy_clip(clip.path, folder / clip_name, progress)
         progress(0.85, Message("rendering the force"))
@@ -116,7 +117,7 @@ def write_folder(
                 **content.provenance,
             },
         }
-        files.write_json(folder / store.DESCRIPTION, description)
+        storage.write_json(folder / store.DESCRIPTION, description)
         progress(1.0, Message("done"))
     return target
 
@@ -133,7 +134,7 @@ def _copy_clip(clip: Path, target: Path, progress: Progress) -> str:
                 needed_mb=source.size_bytes >> 20,
                 free_mb=free >> 20,
             )
-        return files.copy_file(
+        return storage.copy_file(
             source,
             target,
             lambda f: progress(0.2 + _COPY_SHARE * f, Message("copying the clip")),
@@ -181,16 +182,16 @@ def _write_arrays(
     folder: Path, content: Content, tracks: dict[str, ForceTrack]
 ) -> None:
     if content.imu is not None:
-        files.write_arrays(folder / store.IMU, **_log_arrays(content.imu))
+        write_arrays(folder / store.IMU, **_log_arrays(content.imu))
     track = content.track
     kept = {f.name: getattr(track, f.name) for f in dataclasses.fields(track)}
     kept = {name: value for name, value in kept.items() if value is not None}
     kept["sampling"] = track.sampling.value
-    files.write_arrays(folder / store.MOTION, **kept)
+    write_arrays(folder / store.MOTION, **kept)
     for name, force in tracks.items():
-        files.write_arrays(folder / f"force_{name}.npz", **store.track_arrays(force))
+        write_arrays(folder / f"force_{name}.npz", **store.track_arrays(force))
     for name, arrays in content.extras.items():
-        files.write_arrays(folder / f"{name}.npz", **arrays)
+        write_arrays(folder / f"{name}.npz", **arrays)
 
 
 def _log_arrays(imu: ImuLog) -> dict[str, Any]:
@@ -209,7 +210,7 @@ def _log_arrays(imu: ImuLog) -> dict[str, Any]:
 def _checksums(folder: Path, known: dict[str, str]) -> dict[str, Any]:
     return {
         path.name: {
-            "sha256": known.get(path.name) or files.sha256_of(path),
+            "sha256": known.get(path.name) or storage.sha256_of(path),
             "size_bytes": path.stat().st_size,
         }
         for path in sorted(folder.iterdir())

@@ -1,15 +1,15 @@
 """The answers of a study as values, for analysis and export."""
 
 import hashlib
-import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from hapticplayer import storage
 from hapticplayer.errors import Message, Progress, StudyError
 from hapticplayer.structures import convert
-from hapticplayer.study import json_files, private
+from hapticplayer.study import json_files
 from hapticplayer.study.conduct import Conduct, conduct_of
 from hapticplayer.study.definition import (
     LIKERT,
@@ -354,5 +354,5 @@ def save_reviewed(session_folder: Path, digests: Iterable[str]) -> None:
         StudyError: when it cannot be written.
     """
     passed = sorted(read_reviewed(session_folder) | set(digests))
-    content = json.dumps({"passed": passed}, indent=1) + "\n"
-    private.replace(session_folder / REVIEWED, content.encode())
+    content = storage.json_text({"passed": passed})
+    storage.replace_file(session_folder / REVIEWED, content, storage.PRIVATE_FILE)

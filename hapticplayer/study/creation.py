@@ -9,10 +9,10 @@ from typing import Any
 
 import msgspec
 
+from hapticplayer import storage
 from hapticplayer.errors import Message, StudyError, entry_named
 from hapticplayer.rendering import chosen_feedback
-from hapticplayer.sequence.files import json_text
-from hapticplayer.study import private
+from hapticplayer.storage import json_text
 from hapticplayer.study.definition import StudyFeedback
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.estimates import refuse_estimates
@@ -71,8 +71,8 @@ def create_study(
         content["feedbacks"] = [_described(chosen_text(text)) for text in feedbacks]
     text = definition_text(content)
     refuse_estimates(parse_definition(text, template), template, folder)
-    with private.folder_written_aside(folder) as aside:
-        private.write_new(aside / DEFINITION, text)
+    with storage.folder_written_aside(folder, storage.PRIVATE_FOLDER) as aside:
+        storage.write_private(aside / DEFINITION, text)
     return open_study(folder)
 
 
@@ -95,7 +95,7 @@ def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
     path = study.folder / DEFINITION
     text = definition_text(content)
     refuse_estimates(parse_definition(text, str(path)), str(path), study.folder)
-    private.replace(path, text)
+    storage.replace_file(path, text, storage.PRIVATE_FILE)
     return open_study(study.folder)
 
 

@@ -11,7 +11,7 @@ from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.source import Source
-from hapticplayer.sequence.files import cache_root
+from hapticplayer.storage import cache_root
 
 NAME = "demonstration"
 RATE_HZ, WIDTH, HEIGHT = 25, 640, 360

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, SequenceError
 from hapticplayer.model import Feedback, rendered_feedback
-from hapticplayer.sequence.files import read_json
 from hapticplayer.sequence.store import DESCRIPTION
+from hapticplayer.structures import read_json
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.json_files import refuse
 
@@ -42,7 +42,9 @@ def _is_estimated(description: Path) -> bool:
     if not description.is_file():
         return False
     try:
-        feedbacks: Any = read_json(description).get("feedbacks")
+        feedbacks: Any = read_json(description, dict[str, Any], SequenceError).get(
+            "feedbacks"
+        )
     except InputError:
         return False  # what is wrong with it is said when it is opened
     if not isinstance(feedbacks, Mapping):

@@ -18,8 +18,8 @@ from typing import Any
 
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.storage import StorageError
 from hapticplayer.study.json_files import read_file
-from hapticplayer.study.private import raise_write_error
 
 VERSION = 1
 MAX_BYTES, MAX_RECORD_BYTES = 256 << 20, 1 << 20
@@ -186,7 +186,7 @@ class Journal:
         try:
             self._file = os.open(path, os.O_RDWR | os.O_APPEND | os.O_NOFOLLOW)
         except OSError as problem:
-            raise_write_error(problem, path)
+            raise StorageError.of(problem, path) from problem
         try:
             _lock(self._file, path)
             found = read_journal(path)

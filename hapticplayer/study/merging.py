@@ -4,8 +4,8 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
+from hapticplayer import storage
 from hapticplayer.errors import StudyError
-from hapticplayer.study import private
 from hapticplayer.study.journal import MAX_BYTES, decode
 from hapticplayer.study.json_files import read_file
 from hapticplayer.study.session_folder import ANSWERS, sha256
@@ -46,8 +46,8 @@ def merge_sessions(study: Study, other: Study) -> Merged:
             found=other.definition.id,
             expected=study.definition.id,
         )
-    private.make_folder(study.folder / SESSIONS)
-    private.make_folder(study.folder / CONSENTS)
+    storage.make_folder(study.folder / SESSIONS)
+    storage.make_folder(study.folder / CONSENTS)
     here = set(study.codes())
     added: list[str] = []
     same: list[str] = []
@@ -89,21 +89,28 @@ def _copy_session(study: Study, other: Study, code: str) -> str:
     except StudyError as problem:
         return f"cannot be read there ({problem})"
     folder = other.session_folder(code)
-    with private.folder_written_aside(study.session_folder(code)) as aside:
+    with storage.folder_written_aside(
+        study.session_folder(code), storage.PRIVATE_FOLDER
+    ) as aside:
         for path in sorted(folder.iterdir()):
             if path.is_file() and not path.is_symlink():
                 _copy(path, aside / path.name)
     consent = other.folder / CONSENTS / f"{code}.json"
     if consent.is_file():
-        private.replace(study.folder / CONSENTS / consent.name, read_file(consent))
+        storage.replace_file(
+            study.folder / CONSENTS / consent.name,
+            read_file(consent),
+            storage.PRIVATE_FILE,
+        )
     return ""
 
 
 def _copy(source: Path, target: Path) -> None:
-    private.write_new(target, b"")
-    with open_regular(source, StudyError) as reader, target.open("wb") as writer:
+    with (
+        open_regular(source, StudyError) as reader,
+        storage.private_writer(target) as writer,
+    ):
         shutil.copyfileobj(reader, writer)
-        private.sync_file(writer)
 
 
 def _difference(ours: Path, theirs: Path) -> str:

@@ -14,7 +14,7 @@ import msgspec
 from msgspec import Meta
 
 from hapticplayer.errors import Message, StudyError
-from hapticplayer.sequence.files import json_text
+from hapticplayer.storage import json_text
 from hapticplayer.structures import convert
 from hapticplayer.study import json_files
 from hapticplayer.study.definition import Condition, JsonObject, Key, OrderMethod, Seed

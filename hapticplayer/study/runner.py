@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
-from hapticplayer.errors import Message, StudyError, message_of
+from hapticplayer.errors import InputError, Message, StudyError, message_of
+from hapticplayer.storage import StorageError
 from hapticplayer.study.definition import Condition
 from hapticplayer.study.journal import Journal
 from hapticplayer.study.pages import Page, PageKind, PageMaker, check_answers
@@ -194,7 +195,7 @@ class SessionRunner:
                 text=self.maker.text("consent"),
                 language=self.plan.language,
             )
-        except StudyError as problem:
+        except StorageError as problem:
             self._fail(problem, lambda: self.consent(given=given))
             return
         if given:
@@ -387,7 +388,7 @@ class SessionRunner:
         else:
             then()
 
-    def _fail(self, problem: StudyError, again: Callable[[], None]) -> None:
+    def _fail(self, problem: InputError, again: Callable[[], None]) -> None:
         """Show the problem until the operator has retried; nothing plays meanwhile."""
         self.stage.interrupt()
         self.problem = message_of(problem)

@@ -5,9 +5,9 @@ import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 
+from hapticplayer import storage
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
-from hapticplayer.study import private
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.definition_reader import parse_definition
 from hapticplayer.study.journal import Records, encode, read_journal
@@ -77,10 +77,10 @@ def create_session(folder: Path, plan: Plan, definition: bytes, clock: Clock) ->
     """
     utc = utc_now_iso("milliseconds")
     first = encode(1, utc, clock.now_s(), "plan", {"plan": describe(plan)})
-    with private.folder_written_aside(folder) as aside:
-        private.write_new(aside / DEFINITION_COPY, definition)
-        private.write_new(aside / PLAN, plan_file(plan))
-        private.write_new(aside / ANSWERS, first)
+    with storage.folder_written_aside(folder, storage.PRIVATE_FOLDER) as aside:
+        storage.write_private(aside / DEFINITION_COPY, definition)
+        storage.write_private(aside / PLAN, plan_file(plan))
+        storage.write_private(aside / ANSWERS, first)
 
 
 def read_session(folder: Path, study_definition: bytes = b"") -> StoredSession:

@@ -13,11 +13,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from hapticplayer import __version__
+from hapticplayer import __version__, storage
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
-from hapticplayer.sequence import files
-from hapticplayer.study import private
 from hapticplayer.study.definition import Condition, Definition, OrderMethod
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.journal import Journal, refuse_if_open
@@ -162,8 +160,8 @@ def begin_session(
             language=language,
             known=", ".join(study.definition.languages),
         )
-    private.make_folder(study.folder / SESSIONS)
-    private.make_folder(study.folder / CONSENTS)
+    storage.make_folder(study.folder / SESSIONS)
+    storage.make_folder(study.folder / CONSENTS)
     with _locked(study.folder / SESSIONS):
         code = new_code(study.codes())
         made = _assignment(study, code)
@@ -227,7 +225,7 @@ def delete_participant(study: Study, code: str) -> list[str]:
     if not folder.exists() and not consent.exists():
         study.session(code)
     refuse_if_open(folder / ANSWERS)
-    private.make_folder(study.folder / DELETED)
+    storage.make_folder(study.folder / DELETED)
     try:
         consent.unlink(missing_ok=True)
         if folder.exists():
@@ -235,9 +233,9 @@ def delete_participant(study: Study, code: str) -> list[str]:
             folder.rename(leaving)
         for changed in (consent.parent, study.folder / SESSIONS):
             if changed.is_dir():
-                files.sync_folder(changed)
+                storage.sync_folder(changed)
     except OSError as problem:
-        private.raise_write_error(problem, folder)
+        raise storage.StorageError.of(problem, folder) from problem
     _finish_deletions(study)
     return _files_with(study.folder, code.encode())
 
@@ -248,14 +246,16 @@ def _finish_deletions(study: Study) -> None:
         name = leaving.name.removeprefix(_LEAVING)
         stone = {"deleted_utc": utc_now_iso()}
         try:
-            private.make_folder(study.folder / DELETED)
-            private.replace(
-                study.folder / DELETED / f"{name}.json", json.dumps(stone).encode()
+            storage.make_folder(study.folder / DELETED)
+            storage.replace_file(
+                study.folder / DELETED / f"{name}.json",
+                json.dumps(stone).encode(),
+                storage.PRIVATE_FILE,
             )
             shutil.rmtree(leaving)
-            files.sync_folder(leaving.parent)
+            storage.sync_folder(leaving.parent)
         except OSError as problem:
-            private.raise_write_error(problem, leaving)
+            raise storage.StorageError.of(problem, leaving) from problem
 
 
 def _files_with(folder: Path, code: bytes) -> list[str]:
@@ -295,9 +295,9 @@ def save_consent(
         "text_sha256": sha256(text.encode()),
         "utc": utc_now_iso(),
     }
-    private.make_folder(study.folder / CONSENTS)
+    storage.make_folder(study.folder / CONSENTS)
     path = study.folder / CONSENTS / f"{code}.json"
-    private.replace(path, (json.dumps(content, indent=2) + "\n").encode())
+    storage.replace_file(path, storage.json_text(content), storage.PRIVATE_FILE)
 
 
 @contextmanager

@@ -11,10 +11,9 @@ from PySide6.QtWidgets import QApplication
 
 from app.player import application
 from app.player.window import PlayerWindow
-from hapticplayer import __version__, cli
+from hapticplayer import __version__, cli, storage
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.phases import Phase
-from hapticplayer.sequence import files
 
 
 def run(*arguments) -> int:
@@ -139,7 +138,7 @@ def test_without_a_source_the_demo_is_played(
     when_playing, monkeypatch, sequence, tmp_path
 ):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    made = files.cache_home() / f"demo-{__version__}"
+    made = storage.cache_home() / f"demo-{__version__}"
     shutil.copytree(sequence, made)
     opened = []
 

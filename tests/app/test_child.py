@@ -8,8 +8,8 @@ import sys
 import pytest
 
 from app.bridge.jobs import in_child
+from hapticplayer import storage
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
-from hapticplayer.sequence import files
 
 pytestmark = pytest.mark.usefixtures("real_children")
 
@@ -34,7 +34,7 @@ def interrupted(*, progress):
 
 
 def writing(target, *, progress):
-    with files.written_aside(target) as aside:
+    with storage.folder_written_aside(target) as aside:
         (aside / "part").write_text("half")
         while True:
             progress(0.5, "writing")

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from app.editor import edits
 from app.editor.document import Document
 from app.editor.spans import Part, Snap, hit, marks_of
-from hapticplayer.rendering.effects import EFFECTS, Effect, EffectList, written
+from hapticplayer.rendering.effects import EFFECTS, Effect, EffectList
+from hapticplayer.sequence.effects_file import written
 
 CLIP_S = 20.0
 kinds = st.sampled_from([kind.name for kind in EFFECTS])

@@ -22,7 +22,7 @@ from app.player import application as program
 from app.player.device_form import outlet_text
 from app.player.outlets_page import OutletsPage, state_text
 from app.player.window import DEVICE, PlayerWindow
-from hapticplayer import __version__, cli
+from hapticplayer import __version__, cli, storage
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
@@ -32,7 +32,6 @@ from hapticplayer.playback.latency import LatencySource
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import OutletState
 from hapticplayer.rendering.rig import RigStep
-from hapticplayer.sequence import files
 from hapticplayer.simulation.rig.receiver import PacketReceiver
 
 
@@ -298,7 +297,7 @@ def test_the_window_begins_with_what_was_chosen(
     application, sequence, monkeypatch, tmp_path
 ):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    shutil.copytree(sequence, files.cache_home() / f"demo-{__version__}")
+    shutil.copytree(sequence, storage.cache_home() / f"demo-{__version__}")
     kept = Settings(default_path())
     kept.keep(DEVICE, "none")
     keep_outlets(kept, {"simulated": True})

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.errors import StudyError
+from hapticplayer.errors import InputError
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.study_folder import begin_session, open_study
@@ -118,7 +118,7 @@ def read_only(disk: Path) -> dict:
     for name, attempt in attempts.items():
         try:
             attempt()
-        except StudyError as problem:
+        except InputError as problem:
             found[name] = str(problem)
     return {**found, "kept": count(running), "sessions": len(study.codes())}
 

@@ -7,7 +7,8 @@ import pytest
 from msgspec import Meta, Struct
 
 from hapticplayer.errors import InputError, SequenceError
-from hapticplayer.structures import convert, finite_number
+from hapticplayer.model.ranges import finite_number
+from hapticplayer.structures import convert
 
 
 class Level(enum.StrEnum):

@@ -3,6 +3,7 @@
 import argparse
 from pathlib import Path
 
+from hapticplayer import storage
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
 from hapticplayer.errors import UsageError
@@ -17,7 +18,7 @@ from hapticplayer.extras.rides.recordings import (
     write_simulated_sequence,
 )
 from hapticplayer.model import ranges
-from hapticplayer.sequence import files
+from hapticplayer.sequence.arrays import write_arrays
 
 SEQUENCES = [name for name in SCENES if name not in RIDES]
 
@@ -85,13 +86,13 @@ def _simulate_motion(name: str, seed: int, target: Path) -> int:
     with (
         interruptible(),
         shown_progress() as progress,
-        files.written_aside(target) as aside,
+        storage.folder_written_aside(target) as aside,
     ):
         progress(0.0, "riding")
         ride = simulate_motion(name, seed)
         progress(0.4, "writing")
         write_imu_csv(aside / "imu.csv", ride.imu)
-        files.write_arrays(aside / "truth.npz", **ride.truth_arrays())
+        write_arrays(aside / "truth.npz", **ride.truth_arrays())
     say(
         f"{target}: {ride.title}, {len(ride.imu)} samples at "
         f"{ride.imu.rate_hz:.0f} Hz in imu.csv, the exact motion in truth.npz"

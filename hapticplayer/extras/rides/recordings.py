@@ -4,8 +4,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from hapticplayer import storage
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.errors import Message, Progress, entry_named
+from hapticplayer.errors import Message, Progress, entry_named, no_progress
 from hapticplayer.extras.rides.board import EARTH_FIELD_UT, PAPER
 from hapticplayer.extras.rides.catalogue import RIDES
 from hapticplayer.extras.rides.recording import (
@@ -15,7 +16,7 @@ from hapticplayer.extras.rides.recording import (
     write_simulated_clip,
 )
 from hapticplayer.media.clip_info import probe
-from hapticplayer.sequence import files
+from hapticplayer.sequence.arrays import write_arrays
 from hapticplayer.sequence.build import Choices, write_sequence
 
 CLIP, LOG, TRUTH, ABOUT, GOPRO = (
@@ -37,7 +38,7 @@ def write_simulated_recording(
     *,
     seed: int,
     with_gopro: bool = False,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> Path:
     """Simulate a ride and write what a camera and a board would have, and the truth.
 
@@ -49,7 +50,7 @@ def write_simulated_recording(
         SequenceError: when the target exists or cannot be written.
     """
     entry_named(RIDES, scenario, Message("ride"))
-    with files.written_aside(target) as aside:
+    with storage.folder_written_aside(target) as aside:
         progress(0.0, Message("riding"))
         recorded = simulate(scenario, seed)
         assert recorded.board is not None
@@ -64,8 +65,8 @@ def write_simulated_recording(
             write_gopro_clip(recorded, clip, aside / GOPRO)
         progress(0.97, Message("writing the logs"))
         write_imu_csv(aside / LOG, recorded.board.imu)
-        files.write_arrays(aside / TRUTH, **recorded.truth.arrays())
-        files.write_json(aside / ABOUT, describe(recorded))
+        write_arrays(aside / TRUTH, **recorded.truth.arrays())
+        storage.write_json(aside / ABOUT, describe(recorded))
     return target
 
 
@@ -107,7 +108,7 @@ def write_simulated_sequence(
     target: Path,
     *,
     seed: int = DEMO_SEED,
-    progress: Progress = files.no_progress,
+    progress: Progress = no_progress,
 ) -> Path:
     """Simulate a recording and import it; its truth is kept as truth.npz.
 
@@ -115,8 +116,9 @@ def write_simulated_sequence(
         UsageError: for a scenario that does not exist.
         SequenceError: when the target exists or cannot be written.
     """
+    storage.refuse_existing(target, storage.FOLDER)
     recorded = simulate(scenario, seed)
-    with files.scratch_beside(target) as scratch:
+    with storage.scratch_beside(target) as scratch:
         path = scratch / f"{scenario}.mp4"
         write_simulated_clip(
             recorded, path, lambda f: progress(0.8 * f, Message("drawing the ride"))

@@ -7,9 +7,8 @@
 `EFFECTS` holds the kinds: name, text, parameters with default, range and unit, and
 whether control points (`Effect.curve`) may stand for one of them. Values are frozen and
 checked when they are made (`UsageError` names the field); change them with
-`dataclasses.replace` and `Effect.moved`. `written` and `parsed` are the JSON of
-`effects.json`. Nothing changes its argument; without an effect that is switched on, a
-motion or a track is returned itself.
+`dataclasses.replace` and `Effect.moved`. Nothing changes its argument; without an effect
+that is switched on, a motion or a track is returned itself.
 
 Source: Danieau et al. 2012, discussion: "artificial modulation of some parts of
 interest to underline specific haptic events".
@@ -19,12 +18,6 @@ from hapticplayer.rendering.effects.apply import (
     applied_to_force,
     applied_to_motion,
     faded_share,
-)
-from hapticplayer.rendering.effects.document import (
-    MAX_BYTES,
-    described_effect,
-    parsed,
-    written,
 )
 from hapticplayer.rendering.effects.kinds import EFFECTS, EffectKind, kind_of
 from hapticplayer.rendering.effects.values import (
@@ -36,7 +29,6 @@ from hapticplayer.rendering.effects.values import (
 
 __all__ = [
     "EFFECTS",
-    "MAX_BYTES",
     "NO_EFFECTS",
     "Effect",
     "EffectKind",
@@ -44,9 +36,6 @@ __all__ = [
     "Target",
     "applied_to_force",
     "applied_to_motion",
-    "described_effect",
     "faded_share",
     "kind_of",
-    "parsed",
-    "written",
 ]

@@ -7,9 +7,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from hapticplayer import storage
 from hapticplayer.errors import Message, Progress
-from hapticplayer.sequence import files
-from hapticplayer.study import private
 from hapticplayer.study.analysis import (
     consistency_figures,
     consistency_report,
@@ -115,7 +114,7 @@ def write_report(
     """
     parts = parts_of(analysis)
     title = title.encode(errors="replace").decode()  # of a folder, in whatever bytes
-    with files.written_aside(target, private.FOLDER_MODE) as aside:
+    with storage.folder_written_aside(target, storage.PRIVATE_FOLDER) as aside:
         for place, (name, figure) in enumerate(parts.draw().items()):
             progress(0.2 + 0.2 * place, Message("drawing {name}", name=name))
             for suffix in figures.FORMATS:
@@ -130,13 +129,13 @@ def write_report(
         progress(0.7, Message("writing {file}", file="report.pdf"))
         write_pdf(aside / "report.pdf", title, parts.mark, parts.blocks, pngs)
         progress(0.9, Message("writing the numbers"))
-        files.write_json(aside / "numbers.json", parts.numbers)
+        storage.write_json(aside / "numbers.json", parts.numbers)
         for name, rows in parts.tables.items():
             out = io.StringIO()
             csv.writer(out, lineterminator="\n").writerows(map(rounded, rows))
             _write_text(aside / name, out.getvalue())
         for path in aside.iterdir():  # contains the answers of participants
-            path.chmod(private.FILE_MODE)
+            path.chmod(storage.PRIVATE_FILE)
 
 
 def _write_text(path: Path, text: str) -> None:

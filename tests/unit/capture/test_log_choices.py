@@ -76,7 +76,8 @@ def test_a_file_that_is_not_a_template_is_refused(tmp_path, content):
         parse_choices([f"template={template}"])
 
 
-def test_template_in_a_missing_folder_is_refused(tmp_path):
+def test_a_template_that_cannot_be_written_is_refused(tmp_path):
+    (tmp_path / "no").write_text("")
     with pytest.raises(InputError, match="cannot be written"):
         write_template(tmp_path / "no" / "mine.json", LogChoices(axes="x,y,z"))
 

@@ -85,9 +85,10 @@ def test_write_and_read_agree_to_nine_digits(tmp_path):
 
 
 def test_folder_that_cannot_be_written_is_named(tmp_path):
+    (tmp_path / "file").write_text("")
     imu = read_imu(write(tmp_path / "log.csv", log_lines()))
     with pytest.raises(InputError, match="cannot be written"):
-        write_imu_csv(tmp_path / "missing" / "log.csv", imu)
+        write_imu_csv(tmp_path / "file" / "log.csv", imu)
 
 
 def changed(number: int, line: str) -> list[str]:

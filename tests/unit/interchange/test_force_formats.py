@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hapticplayer.errors import InputError, SequenceError, UsageError
+from hapticplayer.errors import InputError, UsageError
 from hapticplayer.interchange import thinning
 from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
 from hapticplayer.interchange.force_formats import (
@@ -169,7 +169,7 @@ def test_a_file_that_exists_is_kept_unless_it_is_ours(name, tmp_path):
     path = tmp_path / f"there{form.suffix}"
     path.write_bytes(b"something else")
     for choices in (WriteChoices(), WriteChoices(overwrite=True)):
-        with pytest.raises(SequenceError):
+        with pytest.raises(InputError):
             export_track(track, path, form, choices)
     assert path.read_bytes() == b"something else"
     path.unlink()

@@ -14,7 +14,7 @@ import pytest
 import pyxdf
 
 from hapticplayer import cli
-from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.errors import InputError, StudyError, UsageError
 from hapticplayer.haptics.records import RecordWriter
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.interchange.study_export import EXPORTERS, Exporter, export_study
@@ -353,7 +353,7 @@ def test_an_export_is_whole_or_not_there(study, tmp_path):
         export_study(study, tmp_path / "out", "spss")
     assert not (tmp_path / "out").exists()
     export_study(study, tmp_path / "out", "csv")
-    with pytest.raises(StudyError, match="already exists"):
+    with pytest.raises(InputError, match="already exists"):
         export_study(study, tmp_path / "out", "csv")
 
 

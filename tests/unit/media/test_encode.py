@@ -4,7 +4,7 @@ import av
 import numpy as np
 import pytest
 
-from hapticplayer.errors import Cancelled, MediaError
+from hapticplayer.errors import Cancelled, InputError, MediaError
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.video import VideoDecoder
@@ -64,10 +64,11 @@ def test_impossible_frames_are_refused(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_folder_that_does_not_exist_is_named(tmp_path: Path) -> None:
-    with pytest.raises(MediaError, match=r"clip\.mp4: cannot be written"):
+def test_a_clip_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match=r"file: cannot be written"):
         write_clip(
-            tmp_path / "missing" / "clip.mp4", numbered_pictures(1), frame_rate_hz=25.0
+            tmp_path / "file" / "clip.mp4", numbered_pictures(1), frame_rate_hz=25.0
         )
 
 

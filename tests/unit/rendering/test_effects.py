@@ -17,9 +17,8 @@ from hapticplayer.rendering.effects import (
     Target,
     applied_to_force,
     applied_to_motion,
-    parsed,
-    written,
 )
+from hapticplayer.sequence.effects_file import effects_in, written
 
 RATE_HZ = 200.0
 TIME_S = np.arange(0.0, 20.0, 1.0 / RATE_HZ) + 0.0003
@@ -212,7 +211,7 @@ LIST = EffectList(
 
 
 def test_a_list_is_the_same_after_writing_and_reading():
-    assert parsed(json.loads(json.dumps(written(LIST))), "effects.json") == LIST
+    assert effects_in(json.loads(json.dumps(written(LIST))), "effects.json") == LIST
 
 
 @pytest.mark.parametrize(
@@ -247,13 +246,13 @@ def test_an_entry_that_is_wrong_is_named(change, said):
     content = written(LIST)
     content["effects"][1] |= change
     with pytest.raises(InputError, match=said):
-        parsed(content, "effects.json")
+        effects_in(content, "effects.json")
 
 
 @pytest.mark.parametrize("content", [None, [], {}, {"schema": "x"}, {"effects": []}])
 def test_another_file_is_refused(content):
     with pytest.raises(InputError, match="is not a list of effects"):
-        parsed(content, "effects.json")
+        effects_in(content, "effects.json")
 
 
 def test_an_effect_moves_no_further_than_the_start():

@@ -11,12 +11,13 @@ from hapticplayer.extras.rides.trajectory import smooth_step
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.motion import remove_gravity
-from hapticplayer.rendering.effects import Effect, EffectList, parsed, written
+from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.rendering.effects.values import MAX_EFFECT_S
 from hapticplayer.rendering.event import EventInputs, over
 from hapticplayer.rendering.events import DETECTORS, find_events
 from hapticplayer.rendering.low_sound import LowSound, low_sound
 from hapticplayer.rendering.shocks import find_shocks
+from hapticplayer.sequence.effects_file import effects_in, written
 from tests.material.known_events import known_events, score
 
 RATE_HZ, LENGTH_S = 200.0, 20.0
@@ -221,7 +222,7 @@ def test_effects_of_events_go_into_a_list_as_they_are():
     events = find_events(motion_of(along(2, blow(8.0, 20.0))), imu)
     effects = EffectList(tuple(one.effect for one in events))
     assert {one.kind for one in effects.effects} == {"knock", "mute"}
-    assert parsed(written(effects), "here") == effects
+    assert effects_in(written(effects), "here") == effects
     assert over("gain", (10.0, 12.0), 0.5) == Effect(
         "gain", 9.5, 12.5, fade_in_s=0.5, fade_out_s=0.5
     )

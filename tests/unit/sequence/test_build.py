@@ -8,14 +8,15 @@ import shutil
 import numpy as np
 import pytest
 
+from hapticplayer import storage
 from hapticplayer.capture.mounting import BY_FRAMES
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.capture.sync import pictures
 from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.cli import main
-from hapticplayer.errors import Cancelled, HapticPlayerError, InputError, SequenceError
+from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
 from hapticplayer.model import ClockMap
-from hapticplayer.sequence import files, mounting_by_frames, open_sequence
+from hapticplayer.sequence import mounting_by_frames, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence, write_sequence
 from hapticplayer.sequence.synchronizing import SyncChoices
 from hapticplayer.untrusted import HeldFile
@@ -147,7 +148,7 @@ def test_a_target_that_another_makes_meanwhile_is_kept(
             if kind == "folder":
                 (target / "theirs").write_text("theirs")
 
-    with pytest.raises(SequenceError, match="ride: was made by another process"):
+    with pytest.raises(InputError, match="ride: was made by another process"):
         write_sequence(tiny_clip, recording, target, progress=progress)
     assert [p.name for p in tmp_path.iterdir()] == ["ride"]
     assert target.is_file() or len(list(target.iterdir())) == (kind == "folder")
@@ -160,8 +161,8 @@ def test_folders_of_killed_imports_are_removed_and_no_others(tmp_path):
     (tmp_path / ".hapticplayer-file.part").write_text("a file")
     (tmp_path / ".hapticplayer-link.part").symlink_to(tmp_path / ".other-dead.part")
     before = {path.name for path in tmp_path.iterdir()}
-    with files.scratch_beside(tmp_path / "one") as living:
-        with files.scratch_beside(tmp_path / "two"):
+    with storage.scratch_beside(tmp_path / "one") as living:
+        with storage.scratch_beside(tmp_path / "two"):
             assert living.is_dir()
         left = {path.name for path in tmp_path.iterdir()}
         assert left == before - {".hapticplayer-dead.part"} | {living.name}
@@ -180,7 +181,7 @@ def test_an_existing_target_is_never_touched(tmp_path, tiny_clip, log_file, kind
         if kind == "folder":
             (target / "mine").write_text("mine")
     before = os.lstat(target)
-    with pytest.raises(SequenceError, match="already exists"):
+    with pytest.raises(InputError, match="already exists"):
         build_sequence(tiny_clip.path, target, imu_log=log_file)
     assert os.lstat(target).st_mtime_ns == before.st_mtime_ns
 
@@ -195,7 +196,7 @@ def test_a_file_is_copied_whole(tmp_path, rng):
     source, progress, content = tmp_path / "a", [], rng.bytes(3_000_001)
     source.write_bytes(content)
     with HeldFile(source) as held:
-        checksum = files.copy_file(held, tmp_path / "b", progress.append)
+        checksum = storage.copy_file(held, tmp_path / "b", progress.append)
     assert (tmp_path / "b").read_bytes() == content
     assert checksum == hashlib.sha256(content).hexdigest()
     assert progress[-1] == 1.0

@@ -3,14 +3,16 @@
 import numpy as np
 import pytest
 
+from hapticplayer import storage
 from hapticplayer.capture.mounting import axes_text, device_axes
 from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import Cancelled, HapticPlayerError
 from hapticplayer.model import ClockMap, ForceTrack, Mapping
 from hapticplayer.model.mapping import M_AD
-from hapticplayer.sequence import comparison, editing, files
+from hapticplayer.sequence import comparison, editing
 from hapticplayer.sequence.build import write_sequence
 from hapticplayer.sequence.excursion import LIMITS, predict
+from hapticplayer.structures import read_json
 
 FOUND = comparison.SPANS
 
@@ -49,10 +51,10 @@ def test_the_offered_gain_is_the_one_that_is_fitted(folder):
 
 def test_excursions_of_earlier_versions_are_predicted_now(folder):
     path = folder / "sequence.json"
-    description = files.read_json(path)
+    description = read_json(path, dict)
     kept = comparison.stored_rendering(folder)
     del description["feedbacks"]["realistic"]["excursion"]
-    files.replace_json(path, description)
+    storage.replace_json(path, description)
     assert_same(comparison.stored_rendering(folder), kept)
 
     def cancelled(_share, _step):

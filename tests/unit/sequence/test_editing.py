@@ -5,13 +5,13 @@ from functools import partial
 import numpy as np
 import pytest
 
+from hapticplayer import storage
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.si_csv import read_force_csv
-from hapticplayer.errors import Cancelled, SequenceError, UsageError
+from hapticplayer.errors import Cancelled, SequenceError, UsageError, no_progress
 from hapticplayer.model import ClockMap, Mapping
 from hapticplayer.sequence import (
     editing,
-    files,
     library,
     open_sequence,
     verify_sequence,
@@ -63,9 +63,9 @@ def test_a_stopped_change_leaves_the_old_state(folder, csv, stop, monkeypatch):
     def cancelled(_fraction, _step):
         raise Cancelled
 
-    progress = cancelled if stop == "cancel" else files.no_progress
+    progress = cancelled if stop == "cancel" else no_progress
     if stop == "disk":
-        monkeypatch.setattr(files, "replace_json", full)
+        monkeypatch.setattr(storage, "replace_json", full)
     for change in (
         lambda: editing.add_track(
             folder, "push", partial(read_force_csv, csv), progress=progress

@@ -5,15 +5,16 @@ import json
 import numpy as np
 import pytest
 
-from hapticplayer import cli
+from hapticplayer import cli, storage
 from hapticplayer.capture.recording import Recording
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
-from hapticplayer.rendering.effects import parsed
-from hapticplayer.sequence import files, store
+from hapticplayer.sequence import store
 from hapticplayer.sequence.build import write_sequence
+from hapticplayer.sequence.effects_file import effects_in
 from hapticplayer.sequence.events import events_of, sound_of
+from hapticplayer.structures import read_json
 
 HIT_S, LENGTH_S = 5.0, 8
 
@@ -51,7 +52,7 @@ def test_a_blow_is_found_at_its_media_time(knocked, capsys):
     assert event["start_s"] == pytest.approx(HIT_S, abs=0.1)
     assert event["text"].endswith("heard too")
     effects = {"schema": "hapticplayer.effects", "version": 1}
-    (knock,) = parsed({**effects, "effects": [event["effect"]]}, "-").effects
+    (knock,) = effects_in({**effects, "effects": [event["effect"]]}, "-").effects
     assert (knock.kind, knock.parameters["frequency_hz"]) == ("knock", 60.0)
     assert cli.main(["events", str(knocked), "--kind", "impact", "--no-sound"]) == 0
     shown = capsys.readouterr().out
@@ -77,9 +78,9 @@ def test_without_log_events_come_from_the_motion(knocked, tmp_path):
     copy = tmp_path / "shared"
     copy.mkdir()
     store.copy_files(knocked, copy)
-    described = files.read_json(copy / store.DESCRIPTION)
+    described = read_json(copy / store.DESCRIPTION, dict)
     del described["files"][store.IMU]
-    files.replace_json(copy / store.DESCRIPTION, described)
+    storage.replace_json(copy / store.DESCRIPTION, described)
     (copy / store.IMU).unlink()
     assert "impact" in {one.kind for one in events_of(copy)}
 

@@ -7,11 +7,10 @@ from hapticplayer.capture.mounting import axes_matrix
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync import pictures
 from hapticplayer.capture.sync.result import FoundMounting
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import UsageError, no_progress
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.sequence import mounting_by_frames as module
-from hapticplayer.sequence.files import no_progress
 from hapticplayer.sequence.mounting_by_frames import (
     ask_for_shown_mounting,
     mounting_by_frames,

@@ -7,11 +7,12 @@ import zipfile
 import numpy as np
 import pytest
 
-from hapticplayer import motion, rendering
+from hapticplayer import motion, rendering, storage
 from hapticplayer.errors import SequenceError
 from hapticplayer.model import Sampling
 from hapticplayer.motion.conditioning import average
-from hapticplayer.sequence import editing, files, open_sequence, verify_sequence
+from hapticplayer.sequence import arrays, editing, open_sequence, verify_sequence
+from hapticplayer.sequence.arrays import read_arrays
 from hapticplayer.sequence.build import write_sequence
 from hapticplayer.sequence.store import read_recorded
 
@@ -109,7 +110,7 @@ def with_sampling(folder, sampling):
     with np.load(path) as arrays:
         kept = {name: arrays[name] for name in arrays.files if name != "sampling"}
     np.savez(path, **kept, sampling=sampling)
-    entry = {"sha256": files.sha256_of(path), "size_bytes": path.stat().st_size}
+    entry = {"sha256": storage.sha256_of(path), "size_bytes": path.stat().st_size}
     edit(folder, lambda content: content["files"].update({"motion.npz": entry}))
 
 
@@ -219,13 +220,13 @@ def test_pickled_objects_are_never_loaded(tmp_path):
     path = tmp_path / "bad.npz"
     np.savez(path, evil=np.array([{"a": 1}], dtype=object))
     with pytest.raises(SequenceError, match="damaged"):
-        files.read_arrays(path)
+        read_arrays(path)
 
 
 def test_an_archive_that_would_explode_is_not_unpacked(tmp_path, monkeypatch):
-    monkeypatch.setattr(files, "MAX_ARRAYS_BYTES", 1 << 20)
+    monkeypatch.setattr(arrays, "MAX_ARRAYS_BYTES", 1 << 20)
     path = tmp_path / "bomb.npz"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("x.npy", bytes(2 << 20))
     with pytest.raises(SequenceError, match="too large"):
-        files.read_arrays(path)
+        read_arrays(path)

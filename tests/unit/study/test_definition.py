@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from hapticplayer.errors import StudyError, UsageError
+from hapticplayer.errors import InputError, StudyError, UsageError
 from hapticplayer.study.creation import create_study, template_names
 from hapticplayer.study.definition import QuestionKind
 from hapticplayer.study.definition_reader import parse_definition
@@ -158,7 +158,7 @@ def test_a_file_that_is_not_a_study_is_refused(content):
 def test_a_study_is_never_overwritten(tmp_path):
     create_study(tmp_path / "s")
     before = (tmp_path / "s" / "study.json").read_bytes()
-    with pytest.raises(StudyError, match="already exists"):
+    with pytest.raises(InputError, match="already exists"):
         create_study(tmp_path / "s")
     assert (tmp_path / "s" / "study.json").read_bytes() == before
 

@@ -1,8 +1,6 @@
 """Where the user's own copy of the firmware is kept. It is never fetched from anywhere."""
 
 import os
-import sys
-import tempfile
 from pathlib import Path
 
 from hapticplayer.devices.falcon.firmware.image import (
@@ -12,6 +10,7 @@ from hapticplayer.devices.falcon.firmware.image import (
     parse_image,
 )
 from hapticplayer.errors import DeviceError, InputError, UsageError, message_of
+from hapticplayer.storage import data_home, replace_file
 from hapticplayer.untrusted import read_regular
 
 OVERRIDE = "HAPTICPLAYER_FALCON_FIRMWARE"
@@ -45,7 +44,13 @@ def kept_path() -> Path:
     override = os.environ.get(OVERRIDE)
     if override:
         return Path(override).expanduser()
-    return _data_home() / "hapticplayer" / _FILE_NAME
+    try:
+        return data_home() / _FILE_NAME
+    except RuntimeError as problem:
+        raise DeviceError(
+            "the home folder is unknown; set {variable} to the firmware's path",
+            variable=OVERRIDE,
+        ) from problem
 
 
 def find_image() -> FirmwareImage:
@@ -98,46 +103,11 @@ def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImag
         )
     target = kept_path()
     try:
-        write_whole(target, image.data)
-    except OSError as problem:
+        replace_file(target, image.data)
+    except InputError as problem:
         raise DeviceError(
-            "{path}: the firmware cannot be kept there ({reason}); set {variable} "
-            "to another path",
-            path=target,
+            "{reason}, or set {variable} to another path",
             reason=problem,
             variable=OVERRIDE,
         ) from problem
     return image
-
-
-def write_whole(target: Path, data: bytes) -> None:
-    """Write a file so that there is the old or the new one, never half of it."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    descriptor, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-")
-    part = Path(name)
-    try:
-        with os.fdopen(descriptor, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        part.replace(target)
-    except OSError:
-        part.unlink(missing_ok=True)
-        raise
-
-
-def _data_home() -> Path:
-    if sys.platform == "win32":
-        home = os.environ.get("LOCALAPPDATA")
-    else:
-        home = os.environ.get("XDG_DATA_HOME")
-    # the XDG standard ignores paths that are not absolute
-    if home and Path(home).is_absolute():
-        return Path(home)
-    try:
-        return Path.home() / ".local" / "share"
-    except RuntimeError as problem:
-        raise DeviceError(
-            "the home folder is unknown; set {variable} to the firmware's path",
-            variable=OVERRIDE,
-        ) from problem

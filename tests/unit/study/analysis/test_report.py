@@ -14,7 +14,7 @@ import pytest
 from hapticplayer import cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.doctor import ROOT
-from hapticplayer.errors import Cancelled, SequenceError
+from hapticplayer.errors import Cancelled, InputError
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, analyse
@@ -178,7 +178,7 @@ def test_names_from_a_definition_are_only_shown(make_answers, quick, tmp_path):
 
 
 def test_an_existing_folder_is_refused(analysis, report):
-    with pytest.raises(SequenceError, match="already exists"):
+    with pytest.raises(InputError, match="already exists"):
         write_report(analysis, report, "again")
 
 

@@ -1,15 +1,23 @@
 """Effects as the JSON that a sequence keeps, `effects.json`; untrusted when it is read."""
 
+from pathlib import Path
 from typing import Annotated, Any
 
 from msgspec import Meta, Struct, structs, to_builtins
 
-from hapticplayer.errors import InputError, UsageError, message_of
+from hapticplayer.errors import (
+    InputError,
+    Message,
+    SequenceError,
+    UsageError,
+    message_of,
+)
 from hapticplayer.rendering.effects.values import UP, Effect, EffectList, Target
-from hapticplayer.structures import check_version, convert
+from hapticplayer.structures import check_version, convert, read_json
 
 SCHEMA, VERSION = "hapticplayer.effects", 1
 MAX_BYTES = 1 << 20
+_GIVE = Message("give an effects.json")
 
 _ALWAYS = ("kind", "start_s", "end_s", "target")
 _Number = Annotated[float, Meta(ge=-1e12, le=1e12)]
@@ -32,6 +40,12 @@ class _List(Struct):
     effects: list[_Entry]
 
 
+def read_effects(path: Path) -> EffectList:
+    """The list in an untrusted file; raises InputError, which names entry and field."""
+    content = read_json(path, dict[str, Any], SequenceError, _GIVE, MAX_BYTES)
+    return effects_in(content, str(path))
+
+
 def written(effects: EffectList) -> dict[str, Any]:
     """Return the list as JSON keeps it; what is as usual is left out."""
     entries = [described_effect(effect) for effect in effects.effects]
@@ -48,7 +62,7 @@ def described_effect(effect: Effect) -> dict[str, Any]:
     }
 
 
-def parsed(content: Any, where: str) -> EffectList:
+def effects_in(content: Any, where: str) -> EffectList:
     """Return the list in the JSON of an untrusted file.
 
     Args:
@@ -59,9 +73,7 @@ def parsed(content: Any, where: str) -> EffectList:
         InputError: names the entry, its field and what is allowed there.
     """
     if not isinstance(content, dict) or content.get("schema") != SCHEMA:
-        raise InputError(
-            "is not a list of effects", where=where, remedy="give an effects.json"
-        )
+        raise InputError("is not a list of effects", where=where, remedy=_GIVE)
     check_version(content, SCHEMA, VERSION, where)
     effects = []
     for number, entry in enumerate(convert(content, _List, where).effects):
