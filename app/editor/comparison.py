@@ -38,7 +38,6 @@ class Comparison(ElidedLabel):
         self._clip = duration_s, force_limit_n
 
     def compare(self, before: ForceTrack, after: ForceTrack) -> None:
-        """Compare two tracks soon."""
         self._tracks = [after] if self.before else [before, after]
         self._wait = SETTLE_POLLS
 

@@ -64,7 +64,6 @@ class PlayBar(QWidget):
         self.whole.clicked.connect(view.show_whole)
 
     def show_state(self) -> None:
-        """Offer what can be done now."""
         offer_play(self.play_button, is_playing=self._playing.is_playing)
         offer_stop(self.stop_button, is_stopped=self._playing.is_stopped)
 

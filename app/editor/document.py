@@ -30,7 +30,6 @@ class Document(QObject):
 
     @property
     def effect(self) -> Effect | None:
-        """The effect that is selected."""
         number = self.selected
         return None if number is None else self.effects.effects[number]
 
@@ -41,7 +40,6 @@ class Document(QObject):
         self.changed.emit()
 
     def select(self, number: int | None) -> None:
-        """Select an effect, or none."""
         if number != self.selected:
             self.selected = number
             self.changed.emit()
@@ -86,7 +84,6 @@ class _Change(QUndoCommand):
         self._document.put(self._before)
 
     def id(self) -> int:
-        """Return the number of the gesture."""
         return self._gesture
 
     def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802 - Qt's name

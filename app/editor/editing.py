@@ -31,11 +31,9 @@ class Editing(QObject):
         return f"gesture {self._gestures}"
 
     def add_kind(self, kind: str, at_s: float) -> None:
-        """Add an effect of a kind that begins at a time."""
         self.add(edits.new_effect(kind, at_s, self.duration_s), self.tr("Add"))
 
     def add(self, effect: Effect, text: str) -> None:
-        """Add an effect."""
         if self.can_add:
             self.document.change(edits.added(self.document.effects, effect), text)
 
@@ -47,7 +45,6 @@ class Editing(QObject):
             self.document.change(changed, text, gesture and f"{gesture} {number}")
 
     def move(self, effect: Effect, by_s: float, gesture: str) -> None:
-        """Move the selected effect from where it was when the gesture began."""
         moved = edits.moved(effect, by_s, self.duration_s)
         self.put(moved, self.tr("Move"), gesture)
 
@@ -84,7 +81,6 @@ class Editing(QObject):
         self._copied = self.document.effect or self._copied
 
     def paste(self, at_s: float) -> None:
-        """Add what was copied, from a time on."""
         if self._copied is not None:
             copy = edits.copied_to(self._copied, at_s, self.duration_s)
             self.add(copy, self.tr("Paste"))

@@ -129,7 +129,6 @@ class EditingLanes(Lanes):
         return found.number if found else None
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of an effect, offer that of an event, or put the cursor there."""
         if event.button() != Qt.MouseButton.LeftButton:
             return
         at, document = event.position(), self.editing.document
@@ -186,12 +185,10 @@ class EditingLanes(Lanes):
         self.editing.stretch(drag.effect, drag.held.part, end_s, drag.gesture)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let go."""
         self._drag = None
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Offer the effect of an event, or what can be done with an effect."""
         at = QPointF(event.pos())
         held, number = self.effect_at(at), self.event_at(at)
         if held is not None:
@@ -316,23 +313,19 @@ class EditingLanes(Lanes):
     # --- what is dropped -------------------------------------------------------
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take a kind of effect."""
         if kind_in(event.mimeData()) and self.editing.can_add:
             event.acceptProposedAction()
 
     def dragMoveEvent(self, event: QDragMoveEvent) -> None:
-        """Show where the effect would be."""
         self._ghost = self._dropped(event)
         event.acceptProposedAction()
         self.update()
 
     def dragLeaveEvent(self, _event: QDragLeaveEvent) -> None:
-        """Show it no more."""
         self._ghost = None
         self.update()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Add the effect where it is dropped."""
         self._ghost = None
         self.editing.add(self._dropped(event), self.tr("Add"))
         self.setFocus(Qt.FocusReason.MouseFocusReason)
@@ -344,7 +337,6 @@ class EditingLanes(Lanes):
         return new_effect(kind, self._snapped(at_s), self.view.duration_s)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the time line, and what would be dropped."""
         super().paintEvent(event)
         if self._ghost is None:
             return

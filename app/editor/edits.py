@@ -32,7 +32,6 @@ def new_effect(kind: str, at_s: float, duration_s: float) -> Effect:
 
 
 def replaced(effects: EffectList, number: int, effect: Effect) -> EffectList:
-    """Return the list with another effect in a place."""
     every = list(effects.effects)
     every[number] = effect
     return EffectList(tuple(every))
@@ -115,11 +114,7 @@ def with_fade(effect: Effect, name: str, fade_s: float) -> Effect:
 
 
 def with_curve(effect: Effect, text: str) -> Effect:
-    """Return an effect with control points such as "0 1; 0.5 2", or without any.
-
-    Raises:
-        UsageError: for what are no points, or are not allowed.
-    """
+    """Return an effect with control points such as "0 1; 0.5 2", or without any."""
     points = []
     for part in filter(None, map(str.strip, text.split(";"))):
         try:

@@ -37,7 +37,6 @@ class KindList(QListWidget):
         self.itemDoubleClicked.connect(lambda item: self.wanted.emit(item.data(_KIND)))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Add at the cursor."""
         if event.key() in _ENTER:
             self.wanted.emit(self.currentItem().data(_KIND))
         elif event.key() == Qt.Key.Key_Space:
@@ -48,7 +47,6 @@ class KindList(QListWidget):
     def mimeData(  # noqa: N802 - Qt's name
         self, items: Sequence[QListWidgetItem]
     ) -> QMimeData:
-        """Return the name of what is dragged."""
         data = QMimeData()
         for item in items:
             data.setData(MIME, str(item.data(_KIND)).encode())

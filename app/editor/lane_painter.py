@@ -47,7 +47,6 @@ def boxes(width: int, height: int, rows: int) -> Boxes:
 
 
 def row_box(lane: QRectF, row: int, rows: int) -> QRectF:
-    """Return the part of the lane of effects that a row has."""
     high = max(_LEAST_ROW_PX, min(_ROW_PX, (lane.height() - 4) / max(1, rows)))
     return QRectF(lane.left(), lane.top() + 2 + row * high, lane.width(), high - 2)
 
@@ -102,7 +101,6 @@ def paint_force(
 
 
 def scale_n(track: ForceTrack | None) -> float:
-    """Return what half the height of a lane means."""
     return half_range(track.peak_n() if track else 0.0, LEAST_FORCE_N)
 
 

@@ -130,17 +130,14 @@ class Lanes(QWidget):
 
     @property
     def lanes(self) -> Boxes:
-        """Where the lanes are now."""
         return boxes(self.width(), self.height(), self._count_rows())
 
     def effect_box(self, number: int) -> QRectF:
-        """Return where an effect is drawn."""
         effect = self.effects.effects[number]
         row = row_box(self.lanes.effects, self._rows[number], self._count_rows())
         return self._mark(row, effect.start_s, effect.end_s)
 
     def event_box(self, number: int) -> QRectF:
-        """Return where an event is drawn."""
         event = self.events[number]
         lane = self.lanes.events.adjusted(0, 2, 0, -1)
         return self._mark(lane, event.start_s, event.end_s)
@@ -156,17 +153,14 @@ class Lanes(QWidget):
     # --- a person's hands ------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Put the cursor where the pointer is."""
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         self.point_at(self.view.time_at(event.position().x(), self.width()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Draw the cursor along."""
         if event.buttons() & Qt.MouseButton.LeftButton:
             self.point_at(self.view.time_at(event.position().x(), self.width()))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom around the pointer, or move the view."""
         turn = event.angleDelta()
         steps = (turn.y() or turn.x()) / 120.0
         if turn.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
@@ -177,7 +171,6 @@ class Lanes(QWidget):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move the cursor, or zoom around it."""
         if not self.take_key(Qt.Key(event.key()), event.modifiers()):
             super().keyPressEvent(event)
 
@@ -205,7 +198,6 @@ class Lanes(QWidget):
     # --- painting --------------------------------------------------------------
 
     def resizeEvent(self, _event: QResizeEvent) -> None:
-        """Draw in the new size."""
         self._still = self._front = None
 
     def _redraw(self) -> None:
@@ -213,7 +205,6 @@ class Lanes(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Copy what stands still, and draw the cursor over it."""
         front = self._front
         if front is None or front.devicePixelRatio() != self.devicePixelRatioF():
             front = self._front = self._draw_front()
@@ -322,12 +313,10 @@ class Lanes(QWidget):
 
 
 def event_title(event: Event) -> str:
-    """Return what kind of event this is."""
     return translated(_EVENT_TITLES.get(event.kind, event.kind))
 
 
 def effect_title(effect: Effect) -> str:
-    """Return what kind of effect this is."""
     return translated(kind_of(effect.kind).text)
 
 

@@ -100,7 +100,6 @@ class Playing(QObject):
 
     @property
     def is_playing(self) -> bool:
-        """Whether the clip plays."""
         return self.session is not None and self.session.player.snapshot().is_playing
 
     @property
@@ -109,12 +108,10 @@ class Playing(QObject):
         return self.session is not None and self.session.is_stopped
 
     def toggle(self) -> None:
-        """Play or pause."""
         if self.session is not None:
             self.session.player.toggle()
 
     def pause(self) -> None:
-        """Pause."""
         if self.session is not None:
             self.session.player.pause()
 

@@ -75,7 +75,6 @@ class Snap(NamedTuple):
     frame_s: float
 
     def at(self, time_s: float) -> float:
-        """Return where a time is drawn to."""
         near_s = self._near(time_s)
         return self._frame(time_s) if near_s is None else near_s
 

@@ -22,12 +22,10 @@ class TimeView(QObject):
         return self.end_s - self.begin_s
 
     def set_duration(self, duration_s: float) -> None:
-        """Show the whole of another clip."""
         self.duration_s = max(SHORTEST_S, duration_s)
         self.show_whole()
 
     def show_whole(self) -> None:
-        """Show the whole clip."""
         self.show_span(0.0, self.duration_s)
 
     def show_span(self, begin_s: float, end_s: float) -> None:
@@ -51,13 +49,11 @@ class TimeView(QObject):
         self.show_span(self.begin_s + by_s, self.end_s + by_s)
 
     def reveal(self, media_s: float) -> None:
-        """Move the view where it does not show a time."""
         if not self.begin_s <= media_s <= self.end_s:
             begin_s = media_s - _EDGE * self.span_s
             self.show_span(begin_s, begin_s + self.span_s)
 
     def x_of(self, media_s: float, width_px: float) -> float:
-        """Return where a time is on a lane of some width."""
         return (media_s - self.begin_s) / self.span_s * width_px
 
     def time_at(self, x_px: float, width_px: float) -> float:

@@ -240,11 +240,7 @@ class StudySession:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Show the study's windows and return the exit status once they are closed.
-
-    Raises:
-        HapticPlayerError: when the study cannot be run; no window is shown then.
-    """
+    """Show the study's windows and return the exit status once they are closed."""
     before = os.umask(PRIVATE)
     try:
         study = open_study(options.study)
@@ -305,6 +301,5 @@ def _last_volume(study: Study) -> int:
 
 
 def _screens(operator: QScreen) -> tuple[QScreen, QScreen]:
-    """Return the operator's screen, and another one for the participant if there is."""
     others = [screen for screen in QGuiApplication.screens() if screen is not operator]
     return operator, others[0] if others else operator

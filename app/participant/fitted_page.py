@@ -85,7 +85,6 @@ class FittedPage(QScrollArea):
         self.setWidget(self.body)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Choose the font size again."""
         super().resizeEvent(event)
         # also called when the scroll bar comes or goes, which depends on the letters
         if self.size() != self._fitted_for:

@@ -50,7 +50,6 @@ class TextPage(FittedPage):
             set_role(self.buttons[buttons[-1][0]], "primary")
 
     def focus(self) -> None:
-        """Focus the button that continues."""
         if self.buttons:
             list(self.buttons.values())[-1].setFocus(Qt.FocusReason.TabFocusReason)
 
@@ -142,7 +141,6 @@ class QuestionsPage(FittedPage):
                 self.keep_in_sight(*([self.next] if is_last else []), row)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Answer by digits, move by arrows, continue with Enter."""
         digit = digit_of(event)
         if digit and self.rows and not is_typing(self.focusWidget()):
             if self.rows[self._current].take_digit(digit):

@@ -112,12 +112,10 @@ class ButtonsRow(QuestionRow):
         self.answered.emit()
 
     def value(self) -> Any:
-        """Return the value of the chosen button."""
         number = self.group.checkedId()
         return None if number < 0 else self._values[number]
 
     def set_value(self, value: Any) -> None:
-        """Press a button."""
         if value in self._values:
             self.group.button(self._values.index(value)).setChecked(True)
 
@@ -145,12 +143,10 @@ class _AnswerButton(Button):
         self._entered = entered
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Tell."""
         super().focusInEvent(event)
         self._entered()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Leave Enter to the page."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             event.ignore()
         else:
@@ -183,12 +179,10 @@ class NumberRow(QuestionRow):
         self.column.addWidget(self.missing)
 
     def value(self) -> int | None:
-        """Return the number."""
         value = self.box.value()
         return value if value >= self.asked.least else None
 
     def set_value(self, value: Any) -> None:
-        """Show a number."""
         if isinstance(value, int):
             self.box.setValue(value)
 

@@ -120,7 +120,6 @@ class RigPicture(RigView):
         self.show_pose(pose, is_clamped=share < 1.0)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the platform, and how much its motion is enlarged."""
         super().paintEvent(event)
         painter = QPainter(self)
         painter.setPen(QColor(theme.DIM))
@@ -143,7 +142,6 @@ class _Drawn(QWidget):
         self._record = record
 
     def sizeHint(self) -> QSize:
-        """Return a size at which everything can be seen."""
         return WANTED_PX
 
     def share_of(self, force_n: float) -> float:
@@ -171,7 +169,6 @@ class WheelPicture(_Drawn):
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the wheel and the bar."""
         painter = floor_painter(self)
         wide, high = float(self.width()), float(self.height())
         bar_px, radius = 0.07 * high, 0.33 * min(0.9 * wide, high)
@@ -220,7 +217,6 @@ class BarsPicture(_Drawn):
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the bars side by side, and their labels below."""
         painter = floor_painter(self)
         wide, high = float(self.width()), float(self.height())
         words = self.fontMetrics().height() + 8.0

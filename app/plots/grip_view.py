@@ -68,7 +68,6 @@ class GripView(QWidget):
         self._describe()
 
     def sizeHint(self) -> QSize:
-        """Return a size at which everything can be read."""
         return WANTED_PX
 
     def show_grip(self, grip: Grip) -> None:
@@ -96,19 +95,16 @@ class GripView(QWidget):
     # --- looking from elsewhere ----------------------------------------------
 
     def look(self, camera: Camera) -> None:
-        """Look from another place."""
         if camera != self.camera:
             self.camera = camera
             self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of the scene."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._drag_from = event.position()
             self.setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Turn the scene with the pointer."""
         if self._drag_from is None:
             return
         way = event.position() - self._drag_from
@@ -116,16 +112,13 @@ class GripView(QWidget):
         self.look(self.camera.turned(-_RAD_PER_PX * way.x(), _RAD_PER_PX * way.y()))
 
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
-        """Let go."""
         self._drag_from = None
         self.setCursor(Qt.CursorShape.OpenHandCursor)
 
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
-        """Look from the first place again."""
         self.look(Camera())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Come nearer or go away."""
         notches = event.angleDelta().y() / _NOTCH
         self.look(self.camera.zoomed(_ZOOM_PER_NOTCH**notches))
         event.accept()
@@ -139,7 +132,6 @@ class GripView(QWidget):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Turn the scene."""
         if not _is_ours(event):
             super().keyPressEvent(event)
         elif event.key() == _RESET_KEY:
@@ -150,7 +142,6 @@ class GripView(QWidget):
             self.look(turned.zoomed(_ZOOM_PER_NOTCH**nearer))
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Update the description for screen readers."""
         self._describe()
         super().focusInEvent(event)
 

@@ -197,7 +197,6 @@ class PlotPanel(QWidget):
             self.follow(*self._last)
 
     def show_grip(self, grip: Grip) -> None:
-        """Show where the grip is and what acts on it."""
         self._grip_title.setText(headline(grip))
         self.grip.show_grip(grip)
 

@@ -107,7 +107,6 @@ class PlayheadPlot(pg.PlotWidget):
         self.viewport().update()
 
     def set_lines(self, group: int, page: Page) -> None:
-        """Replace the lines of a group."""
         for axis, curve in enumerate(self.curve_groups[group]):
             curve.setData(page.time_s, page.values[:, axis])
 
@@ -130,7 +129,6 @@ class PlayheadPlot(pg.PlotWidget):
         self.view_box.updateMatrix()  # now, not in the middle of painting
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:  # noqa: N802
-        """Draw the grid under the lines."""
         super().drawBackground(painter, rect)
         painter.save()
         painter.resetTransform()
@@ -143,7 +141,6 @@ class PlayheadPlot(pg.PlotWidget):
         painter.restore()
 
     def drawForeground(self, painter: QPainter, _rect: QRectF) -> None:  # noqa: N802
-        """Draw times and the playhead over the lines."""
         painter.save()
         painter.resetTransform()
         box: QRectF = self.view_box.sceneBoundingRect()
@@ -207,7 +204,6 @@ class PlayheadPlot(pg.PlotWidget):
         return pages
 
     def viewportEvent(self, event: QEvent) -> bool:
-        """Give the pointer its events first."""
         is_taken = hasattr(self, "pointer") and self.pointer.takes(event)
         return is_taken or bool(super().viewportEvent(event))
 
@@ -217,14 +213,12 @@ class PlayheadPlot(pg.PlotWidget):
         return is_taken or bool(super().event(event))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the transform ahead of the painting."""
         super().resizeEvent(event)
         if hasattr(self, "view_box"):
             self.view_box.updateMatrix()
 
 
 def _upright(box: QRectF, x: float) -> QRectF:
-    """Return a line from the top to the bottom of a box."""
     return QRectF(x, box.top(), 1, box.height())
 
 

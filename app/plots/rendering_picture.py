@@ -70,11 +70,9 @@ class RenderingPicture(QWidget):
         self.notice = ""
 
     def sizeHint(self) -> QSize:
-        """Return how large it wants to be."""
         return QSize(480, 320)
 
     def minimumSizeHint(self) -> QSize:
-        """Return how small it can be read."""
         return QSize(300, 14 * self.fontMetrics().height())
 
     def show_curves(
@@ -85,7 +83,6 @@ class RenderingPicture(QWidget):
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the key, four rows and the time."""
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.fillRect(self.rect(), QColor(theme.PANEL))

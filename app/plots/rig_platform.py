@@ -35,7 +35,6 @@ class PlatformPose(NamedTuple):
     yaw_rad: float = 0.0
 
     def scaled(self, share: float) -> "PlatformPose":
-        """Return a share of it."""
         return PlatformPose(*(share * value for value in self))
 
 

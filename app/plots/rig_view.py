@@ -43,17 +43,14 @@ class RigView(QWidget):
         self.pose, self.is_clamped = PlatformPose(), False
 
     def sizeHint(self) -> QSize:
-        """Return a size at which everything can be seen."""
         return WANTED_PX
 
     def show_pose(self, pose: PlatformPose, *, is_clamped: bool) -> None:
-        """Show a pose that the legs reach, and whether more was asked for."""
         if (pose, is_clamped) != (self.pose, self.is_clamped):
             self.pose, self.is_clamped = pose, is_clamped
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw floor, legs and platform."""
         painter = floor_painter(self)
         floor, top = base_m(), platform_m(self.pose)
         self._polygon(painter, floor, theme.GRID)

@@ -31,7 +31,6 @@ class Button(QPushButton):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Let Enter press as well."""
         if event.key() in _PRESSING[1:]:
             self.click()
         else:

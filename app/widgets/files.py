@@ -16,7 +16,6 @@ def video_filter() -> str:
 
 
 def settings_filter() -> str:
-    """Return the kinds of files that hold settings."""
     return QCoreApplication.translate("Files", "Settings (*.json)")
 
 
@@ -38,5 +37,4 @@ def folder_dialog(parent: QWidget, title: str, folder: str) -> QFileDialog:
 
 
 def dropped_paths(content: QMimeData) -> list[Path]:
-    """Return the local files and folders that are being dropped."""
     return [Path(url.toLocalFile()) for url in content.urls() if url.isLocalFile()]

@@ -54,7 +54,6 @@ def column_of(
 
 
 def fill_page(dialog: QWidget, *parts: Part, spacing: int = 12) -> QVBoxLayout:
-    """Fill a dialog, with the margins that all have."""
     return column_of(*parts, spacing=spacing, margins=(18, 16, 18, 14), of=dialog)
 
 
@@ -191,7 +190,6 @@ class ElidedLabel(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
-        """Return the whole text."""
         return self._text
 
     def set_text(self, text: str, colour: str | None = None) -> None:
@@ -207,7 +205,6 @@ class ElidedLabel(QWidget):
         self.setFixedWidth(width_px)
 
     def sizeHint(self) -> QSize:
-        """Return the size of the whole text."""
         metrics = self.fontMetrics()
         return QSize(metrics.horizontalAdvance(self._text) + 1, metrics.height())
 
@@ -216,7 +213,6 @@ class ElidedLabel(QWidget):
         return QSize(0, self.fontMetrics().height())
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the text in one line."""
         painter = QPainter(self)
         painter.setPen(self._colour)
         shown = self.fontMetrics().elidedText(self._text, self._elide, self.width())

@@ -52,11 +52,9 @@ class LevelMeter(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Return the room that all bars want."""
         return self._size(_NARROWEST_PX if self._is_narrow else _WIDEST_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the room in which bars can still be distinguished."""
         return self._size(_NARROWEST_PX)
 
     def _size(self, bar_px: float) -> QSize:
@@ -65,7 +63,6 @@ class LevelMeter(QWidget):
         return QSize(round(max(1, len(self.levels)) * each_px), height_px)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint number, bar and mark of each channel."""
         if not self.levels:
             return
         painter = QPainter(self)

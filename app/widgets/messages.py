@@ -53,7 +53,6 @@ class MessageBar(QFrame):
         )
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Another width may need another line."""
         super().resizeEvent(event)
         self.updateGeometry()
 
@@ -157,7 +156,6 @@ class StatusLine(QLabel):
         self.setTextFormat(Qt.TextFormat.PlainText)
 
     def show_text(self, text: str, colour: str = "") -> None:
-        """Show a text."""
         self.setText(text)
         self.setStyleSheet(f"color: {colour or theme.TEXT};")
 

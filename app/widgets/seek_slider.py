@@ -70,11 +70,9 @@ class SeekSlider(QSlider):
             self.blockSignals(False)
 
     def sizeHint(self) -> QSize:
-        """Return a comfortable size."""
         return QSize(300, _HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the smallest size that can be aimed at."""
         return QSize(80, _HEIGHT_PX)
 
     def sliderChange(self, change: QAbstractSlider.SliderChange) -> None:  # noqa: N802
@@ -84,30 +82,25 @@ class SeekSlider(QSlider):
             self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Jump to where the click is."""
         if event.button() == Qt.MouseButton.LeftButton and self.maximum() > 0:
             self.setSliderDown(True)
             self._go(event.position().x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Scrub."""
         if self.isSliderDown():
             self._go(event.position().x())
         if self.maximum() > 0:
             self.hovered.emit(1e-3 * self._value_at(event.position().x()))
 
     def leaveEvent(self, event: QEvent) -> None:
-        """Tell that nobody points at a time any more."""
         self.hovered.emit(-1.0)
         super().leaveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let go."""
         if event.button() == Qt.MouseButton.LeftButton:
             self.setSliderDown(False)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Step with the keys."""
         before = self.value()
         super().keyPressEvent(event)
         if self.value() != before:
@@ -133,7 +126,6 @@ class SeekSlider(QSlider):
         return self.x_of(1e-3 * self.value())
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the groove, what has been played, and the handle."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)

@@ -34,7 +34,6 @@ def quoted(text: str) -> str:
 
 
 def job_text(state: JobState) -> str:
-    """Return what runs and which step it is at."""
     return titled(state.title, translated(state.step)) if state.step else state.title
 
 

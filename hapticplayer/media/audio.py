@@ -49,11 +49,7 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
         rate_hz: int = 48_000,
         channels: int = 2,
     ) -> None:
-        """Open the sound of a clip at media time 0; more than 2 channels are mixed.
-
-        Raises:
-            MediaError: when it cannot be opened or holds no sound.
-        """
+        """Open the sound of a clip at media time 0; more than 2 channels are mixed."""
         if channels not in LAYOUTS:
             raise ValueError(f"{channels} channels: only 1 or 2 can be asked for")
         self.rate_hz = rate_hz

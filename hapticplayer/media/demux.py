@@ -81,9 +81,6 @@ class PacketReader(Generic[FrameT]):
 
         Returns:
             the time stamp of the frame that covers `ticks`, None where unknown.
-
-        Raises:
-            MediaError: when the stream cannot be read any further.
         """
         if self._codec.name not in ONE_TO_ONE:
             return None

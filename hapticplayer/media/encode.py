@@ -45,7 +45,6 @@ Progress = Callable[[float], None]
 
 
 def key_frame_interval(frame_rate_hz: Fraction | float) -> int:
-    """Return how many frames there are from one key frame to the next, at most."""
     return max(1, round(KEY_FRAME_INTERVAL_S * frame_rate_hz))
 
 
@@ -79,9 +78,6 @@ def write_clip(  # noqa: PLR0913 - two kinds of content, one file
             it raises (Cancelled) ends the work and leaves nothing behind.
         rest: called after the last frame; gives a clip that this function has
             written of the frames that follow, which are not encoded again.
-
-    Raises:
-        MediaError: when the file cannot be written or the frames differ in size.
     """
     target = Path(path)
     rate = Fraction(frame_rate_hz).limit_denominator(1001)

@@ -102,11 +102,7 @@ class FrameConverter:
     def convert_grey(
         self, frame: DecodedFrame, width_px: int, height_px: int
     ) -> NDArray[np.uint8]:
-        """Return a frame's brightness (height_px, width_px) as shown, after rotation.
-
-        Raises:
-            MediaError: when the size is absurd; PyAV's errors pass through.
-        """
+        """Return a frame's brightness (height_px, width_px) as shown, after rotation."""
         if not 0 < width_px * height_px <= MAX_PIXELS:
             raise MediaError(
                 "{width} x {height} pixels are too large for a frame",

@@ -55,9 +55,6 @@ def read_attachments(clip: AnyClip, marker: str) -> list[Attachment]:
     Args:
         clip: a file of any kind; of a remote one only what lies before its frames is read.
         marker: the name of one of them; without it, [] is returned and nothing is read.
-
-    Raises:
-        MediaError: when the file cannot be read, or they are larger than the limits.
     """
     if isinstance(clip, ClipBytes):
         with clip.open() as reader:

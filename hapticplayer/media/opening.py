@@ -45,10 +45,6 @@ def open_media(path: AnyClip) -> InputContainer:
     """Open a media file; the container closes at the end of a `with` block.
 
     It is MP4, MOV, Matroska, WebM, AVI or WAV; symbolic links are followed.
-
-    Raises:
-        MediaError: when it is missing, no regular file, of another kind, damaged,
-            truncated, or larger than the limits.
     """
     file = path if isinstance(path, ClipBytes) else resolve_regular(path)
     with media_errors(

@@ -80,7 +80,6 @@ class Lookahead:
         return False
 
     def pop(self) -> AnyPacket | None:
-        """Return the next packet that was read ahead."""
         return self._read.popleft() if self._read else None
 
     def is_skipped(self, pts: int | None) -> bool:
@@ -116,7 +115,6 @@ class Continuity:
         self._last: int | None = None
 
     def send(self, packet: AnyPacket) -> None:
-        """Note a packet that was given to the decoder."""
         if self._is_one_to_one and packet.pts is not None and not packet.is_discard:
             self._sent.add(packet.pts)
 

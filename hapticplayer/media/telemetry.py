@@ -59,10 +59,6 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
 
     A clip without a telemetry track gives an empty list. Video and sound are not read
     from disk: 0.1 s for 43 min in 810 MB.
-
-    Raises:
-        MediaError: when the file cannot be opened, or its telemetry is damaged or
-            larger than the limits.
     """
     with (
         open_media(path) as container,
@@ -114,9 +110,6 @@ def add_telemetry(
     """Copy a clip without encoding it again, with a telemetry track beside it.
 
     The target is an MP4 file, another one than the source; the payloads are GPMF.
-
-    Raises:
-        MediaError: when the clip cannot be read or the file not written.
     """
     if Path(source).resolve() == Path(target).resolve():
         raise MediaError("a clip cannot be copied onto itself", where=str(target))

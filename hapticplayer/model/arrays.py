@@ -26,9 +26,6 @@ def frozen(
         shape: the expected shape; None stands for any length.
         name: how the error message calls it.
         dtype: element type of the result.
-
-    Raises:
-        InputError: when the shape is another or an element is not finite.
     """
     array: NDArray[Any]
     if _is_frozen(values, dtype):
@@ -71,11 +68,7 @@ def _is_frozen(values: ArrayLike, dtype: Any) -> TypeGuard[NDArray[Any]]:
 
 
 def frozen_times(values: ArrayLike, name: str) -> Floats:
-    """Return strictly increasing, finite times as a read-only array.
-
-    Raises:
-        InputError: when a time repeats or runs backwards.
-    """
+    """Return strictly increasing, finite times as a read-only array."""
     times = frozen(values, (None,), name)
     increases = times[1:] > times[:-1]
     if not increases.all():

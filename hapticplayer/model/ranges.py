@@ -30,11 +30,7 @@ class Range(NamedTuple):
         return value if self.least <= value <= self.largest else None
 
     def parse(self, name: str, text: str) -> float:
-        """Return the number in a text.
-
-        Raises:
-            UsageError: with the range, for a number out of it or no number.
-        """
+        """Return the number in a text."""
         value = self.find(text)
         if value is not None:
             return value

@@ -114,9 +114,6 @@ def analyse(
     `invalid_share`, `gravity_sigma_mps2` (median; None if unknown), `clock` (a
     sentence where an even clock was used, else None) and what the method itself
     reports.
-
-    Raises:
-        UsageError, InputError: as `remove_gravity`.
     """
     task = _task(imu, parameters)
     track, estimate = _removed(task, method, imu.time_s)

@@ -37,9 +37,6 @@ def lowpass_vertical(
         specific_force_mps2: (N, 3), finite.
         interval_s: spacing of the samples.
         cutoff_hz: frequency of -6 dB; at or above Nyquist nothing is filtered.
-
-    Raises:
-        InputError: for an interval or a cutoff that is not positive.
     """
     for name, value in (("interval_s", interval_s), ("cutoff_hz", cutoff_hz)):
         if not (math.isfinite(value) and value > 0.0):

@@ -149,7 +149,6 @@ def before(products: Pair) -> Pair:
 
 
 def inverse(rotation: Pair) -> Pair:
-    """Return the inverse rotations."""
     return rotation[0].conj(), -rotation[1]
 
 

@@ -123,6 +123,5 @@ def _is_rail(values: Floats, top: float, width: float, sensor: SensorRange) -> b
 
 
 def _typical_repeat(values: Floats) -> float:
-    """Return the median number of times that a value is repeated in a row."""
     changes = np.flatnonzero(values[1:] != values[:-1])
     return float(np.median(np.diff(changes))) if len(changes) > 1 else 1.0

@@ -68,7 +68,6 @@ class StillSpans:
 
     @property
     def still_s(self) -> float:
-        """Total time of the still spans."""
         return float(np.count_nonzero(self.bins)) * self.bin_s
 
     def confirmed(self, at_rest: NDArray[np.bool_]) -> "StillSpans":

@@ -98,11 +98,7 @@ class ConditionInputs:
     stored: Callable[[str], ForceTrack] = _unavailable
 
     def edited(self) -> ForceTrack:
-        """Return the realistic track, which has the effects of its sequence on it.
-
-        Raises:
-            UsageError: when it has none.
-        """
+        """Return the realistic track, which has the effects of its sequence on it."""
         if self.realistic.provenance.get("effects"):
             return self.realistic
         raise UsageError(
@@ -142,11 +138,7 @@ class FeedbackCondition:
         return not (self.is_stored or self.is_derived)
 
     def parameter(self, name: str) -> Parameter:
-        """Return the parameter of a name.
-
-        Raises:
-            UsageError: when there is none; says which there are.
-        """
+        """Return the parameter of a name."""
         for one in self.parameters:
             if one.name == name:
                 return one
@@ -191,11 +183,7 @@ def described(given: Mapping[str, Any]) -> str:
 
 
 def pairs_of(text: str) -> list[tuple[str, str]]:
-    """Return name and value of each parameter in `delay_s=0.3,of=FOLDER`.
-
-    Raises:
-        UsageError: for a part without a value.
-    """
+    """Return name and value of each parameter in `delay_s=0.3,of=FOLDER`."""
     pairs = [part.partition("=") for part in _BETWEEN.split(text) if text]
     for name, mark, _value in pairs:
         if not mark:

@@ -33,11 +33,7 @@ def coverage_notice(track: ForceTrack, duration_s: float) -> Message | None:
 
 
 def refuse_late(track: ForceTrack, duration_s: float, where: str) -> None:
-    """Refuse a track that begins after the end of the clip.
-
-    Raises:
-        InputError: with the unit of its times where that is recognised.
-    """
+    """Refuse a track that begins after the end of the clip."""
     if track.time_s[0] < duration_s:
         return
     raise InputError(

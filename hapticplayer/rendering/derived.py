@@ -45,9 +45,6 @@ def shuffled(realistic: ForceTrack, other: ForceTrack) -> ForceTrack:
 
     Returns:
         LINEAR track at 200 Hz.
-
-    Raises:
-        InputError: when an axis has force here and none there.
     """
     start_s, end_s = float(realistic.time_s[0]), float(realistic.time_s[-1])
     count = max(2, int(np.ceil((end_s - start_s) * SHUFFLED_RATE_HZ)) + 1)

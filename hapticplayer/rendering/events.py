@@ -84,10 +84,6 @@ def find_events(
         imu: its log in media time; without one no saturation is found.
         sound: of the clip; confirms impacts.
         kinds: names of detectors; all if None.
-
-    Raises:
-        InputError: for fewer than two samples.
-        UsageError: for a kind that does not exist.
     """
     known = {detector.name: detector for detector in DETECTORS}
     for kind in kinds or ():

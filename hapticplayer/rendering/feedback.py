@@ -186,11 +186,7 @@ def condition_named(name: str) -> FeedbackCondition | None:
 
 
 def chosen_feedback(text: str) -> ChosenFeedback:
-    """Return what a text such as `delayed:delay_s=0.3` chooses.
-
-    Raises:
-        UsageError: for an unknown parameter, or a value out of range.
-    """
+    """Return what a text such as `delayed:delay_s=0.3` chooses."""
     name, mark, rest = text.partition(":")
     condition = condition_named(name)
     if condition is None or not mark:

@@ -101,9 +101,6 @@ def fit_gain(
         mapping: its axes and lever arm; its gain is not used.
         duration_s: of the clip.
         imu: in media time; a lever arm needs its angular rate.
-
-    Raises:
-        InputError: as `render_force`, or when no valid motion is in the clip.
     """
     time_s, acceleration, valid = _rendered_motion(motion, mapping, imu)
     chosen = valid & (time_s >= 0.0) & (time_s <= duration_s)

@@ -40,9 +40,6 @@ def rig_track(motion: MotionTrack) -> RigTrack:
 
     Args:
         motion: gravity-free acceleration and orientation of frame A, in media time.
-
-    Raises:
-        InputError: for an empty motion track.
     """
     time_s, acceleration, valid = dense_motion(motion)
     acceleration = np.where(valid[:, None], acceleration, 0.0)

@@ -82,7 +82,6 @@ class Shock(NamedTuple):
 
 
 def impacts(inputs: EventInputs) -> list[Event]:
-    """Return the impacts of a recording."""
     return [_event(shock) for shock in find_shocks(inputs)]
 
 

@@ -155,9 +155,6 @@ def washed_out(
         washout: limits and hands.
         pieces: of the last versions of the track, under the same washout; the result
             is the same without them.
-
-    Raises:
-        InputError: for a HOLD track.
     """
     if track.reconstruction is not Reconstruction.LINEAR:
         raise InputError("a washout needs a track of straight lines, this one holds")

@@ -68,9 +68,6 @@ def effects_in(content: Any, where: str) -> EffectList:
     Args:
         content: as `written` returns it.
         where: the file, for messages.
-
-    Raises:
-        InputError: names the entry, its field and what is allowed there.
     """
     if not isinstance(content, dict) or content.get("schema") != SCHEMA:
         raise InputError("is not a list of effects", where=where, remedy=_GIVE)

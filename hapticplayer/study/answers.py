@@ -163,9 +163,6 @@ def read_answers(study_folder: str | Path, progress: Progress | None = None) -> 
         study_folder: with its definition.
         progress: called while the records of the device are read, for what hands got;
             they are large, and not read for None.
-
-    Raises:
-        StudyError: when the folder is not a study.
     """
     return collect_answers(open_study(study_folder), progress)
 
@@ -348,11 +345,7 @@ def read_reviewed(session_folder: Path) -> set[str]:
 
 
 def save_reviewed(session_folder: Path, digests: Iterable[str]) -> None:
-    """Store that a person has approved these texts.
-
-    Raises:
-        StudyError: when it cannot be written.
-    """
+    """Store that a person has approved these texts."""
     passed = sorted(read_reviewed(session_folder) | set(digests))
     content = storage.json_text({"passed": passed})
     storage.replace_file(session_folder / REVIEWED, content, storage.PRIVATE_FILE)

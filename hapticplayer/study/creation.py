@@ -27,16 +27,11 @@ _KEY_OF = re.compile(r"(?:([a-z0-9_-]+)=)?(.*)", re.DOTALL)
 
 
 def template_names() -> list[str]:
-    """Return the names of the templates."""
     return sorted(path.stem for path in TEMPLATES.glob("*.json"))
 
 
 def chosen_text(text: str) -> StudyFeedback:
-    """Return the feedback in a text such as `late=delayed:delay_s=0.3`.
-
-    Raises:
-        UsageError: for an unknown parameter or a value out of range.
-    """
+    """Return the feedback in a text such as `late=delayed:delay_s=0.3`."""
     key, name = _KEY_OF.fullmatch(text).groups()  # type: ignore[union-attr]
     chosen = chosen_feedback(name)
     return StudyFeedback(chosen.name, dict(chosen.parameters), key)
@@ -55,10 +50,6 @@ def create_study(
         template: one of `template_names()`.
         folders: of the sequences, by key; others stay empty.
         feedbacks: in place of the template's, see `chosen_text`.
-
-    Raises:
-        UsageError: for an unknown template, sequence or parameter.
-        StudyError: when the folder exists or cannot be written.
     """
     content = _template(template)
     letters = LETTERS.lower()
@@ -100,7 +91,6 @@ def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
 
 
 def definition_text(content: Mapping[str, Any]) -> bytes:
-    """Return a definition as readable JSON."""
     return json_text(content)
 
 
@@ -123,11 +113,7 @@ def sequence_folder(study: Study, key: str) -> Path:
 
 
 def clip_checksums(study: Study) -> dict[str, str]:
-    """Return the SHA-256 of each sequence's description.
-
-    Raises:
-        StudyError: when a sequence is missing.
-    """
+    """Return the SHA-256 of each sequence's description."""
     return {
         s.key: sha256(read_file(sequence_folder(study, s.key) / "sequence.json"))
         for s in study.definition.sequences

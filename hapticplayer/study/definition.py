@@ -342,7 +342,6 @@ class Definition(JsonObject, frozen=True):
 
     @property
     def feedback_keys(self) -> tuple[str, ...]:
-        """Names of the feedbacks in records and tables."""
         return tuple(one.name for one in self.chosen_feedbacks)
 
     @property
@@ -366,7 +365,6 @@ class Definition(JsonObject, frozen=True):
         return (self.consistency,) if self.consistency else ()
 
     def wording(self, question: Question, language: str) -> str:
-        """Return the wording of a question for participants."""
         if self.use_published and question.published:
             return question.published.get(language) or question.text[language]
         return question.text[language]

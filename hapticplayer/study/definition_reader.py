@@ -31,11 +31,7 @@ DEFINITION = "study.json"
 
 
 def parse_definition(content: bytes, path: str) -> Definition:
-    """Return the definition in a JSON text; `path` is for messages.
-
-    Raises:
-        StudyError: names the wrong entry and what is allowed there.
-    """
+    """Return the definition in a JSON text; `path` is for messages."""
     value = json_files.parse(content, path)
     if not isinstance(value, dict) or value.get("schema") != SCHEMA:
         what = Message("is not the definition of a study")

@@ -27,18 +27,13 @@ _RADIUS_PX, _TRAVEL_PX, _GROWTH = 40.0, 110.0, 0.7
 
 
 def demonstration_force() -> ForceTrack:
-    """Return smooth force pulses in all six directions, up to the force cap."""
     time_s = np.arange(0.0, DURATION_S, 1.0 / _TRACK_HZ)
     force_n = Limits().force_cap_n * _pulses(time_s)
     return ForceTrack(time_s, force_n.astype(np.float32), provenance={"feedback": NAME})
 
 
 def demonstration_source() -> Source:
-    """Return the demonstration as a source; its clip is made on first use.
-
-    Raises:
-        MediaError: when its clip cannot be written.
-    """
+    """Return the demonstration as a source; its clip is made on first use."""
     path = cache_root() / f"{NAME}-{__version__}.mp4"
     if not path.exists():
         write_clip(path, _frames(), frame_rate_hz=RATE_HZ)

@@ -21,9 +21,6 @@ def refuse_estimates(definition: Definition, path: str, folder: Path) -> None:
         definition: its sequences that are not there yet are passed over.
         path: of the definition, for the message.
         folder: of the study, which the folders of sequences are relative to.
-
-    Raises:
-        StudyError: names the sequence.
     """
     if any(one.condition == Feedback.ESTIMATED for one in definition.chosen_feedbacks):
         return

@@ -66,7 +66,6 @@ class Records:
 
     @property
     def next_number(self) -> int:
-        """Number of the next record."""
         last = max((record.number for record in self.intact), default=0)
         return last + len(self.damaged) + 1
 
@@ -225,13 +224,11 @@ class Journal:
         return made
 
     def _check_place(self) -> None:
-        """Raise FileNotFoundError when the file was moved or removed."""
         held, named = os.fstat(self._file), self._path.stat()
         if (held.st_dev, held.st_ino) != (named.st_dev, named.st_ino):
             raise FileNotFoundError(errno.ENOENT, Message("the folder was replaced"))
 
     def close(self) -> None:
-        """Close the file and release the lock."""
         if self._file >= 0:
             os.close(self._file)
             self._file = -1
@@ -267,11 +264,7 @@ def write_whole(descriptor: int, line: bytes) -> None:
 
 
 def read_journal(path: Path) -> Records:
-    """Return the records of a journal.
-
-    Raises:
-        StudyError: when it cannot be read or has a newer version.
-    """
+    """Return the records of a journal."""
     found = decode(read_file(path, MAX_BYTES))
     if found.newest_version > VERSION:
         raise StudyError(

@@ -34,9 +34,6 @@ def merge_sessions(study: Study, other: Study) -> Merged:
     """Copy the sessions of another copy of a study into this one.
 
     Existing sessions are not changed; different sessions of one code are a conflict.
-
-    Raises:
-        StudyError: when it is another study, or it cannot be written.
     """
     if other.definition.id != study.definition.id:
         raise StudyError(

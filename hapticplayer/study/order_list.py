@@ -30,11 +30,7 @@ class OrderRow(Condition, frozen=True, kw_only=True):
 
 
 def read_orders(path: Path, definition: Definition) -> list[tuple[Condition, ...]]:
-    """Return the orders in a file, each with every condition exactly once.
-
-    Raises:
-        StudyError: names the line and what is wrong there.
-    """
+    """Return the orders in a file, each with every condition exactly once."""
     places: dict[str, dict[int, Condition]] = defaultdict(dict)
     lines: dict[str, str] = {}
     known = {condition.key: condition for condition in definition.conditions}

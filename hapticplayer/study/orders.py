@@ -97,11 +97,7 @@ def rows_of(definition: Definition) -> tuple[tuple[Condition, ...], ...]:
 
 
 def random_order(definition: Definition, code: str) -> tuple[Condition, ...]:
-    """Return a random order from seed and code; all allowed orders are equally likely.
-
-    Raises:
-        StudyError: when the constraint cannot be met.
-    """
+    """Return a random order from seed and code; all allowed orders are equally likely."""
     order = definition.order
     rng = np.random.default_rng([order.seed, _PARTICIPANT, number_of(code)])
     is_apart = order.no_sequence_twice_in_a_row

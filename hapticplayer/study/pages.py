@@ -110,7 +110,6 @@ class PageMaker:
         )
 
     def text(self, name: str) -> str:
-        """Return a text in the participant's language."""
         text: Text = getattr(self._definition.texts, name)
         return text[self._plan.language]
 
@@ -176,12 +175,7 @@ class PageMaker:
 def check_answers(
     questions: Iterable[AskedQuestion], values: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return the answers of a page; unanswered ones are None.
-
-    Raises:
-        StudyError: for the first answer that is missing or not allowed; `where` is the
-            name of the question.
-    """
+    """Return the answers of a page; unanswered ones are None."""
     checked: dict[str, Any] = {}
     for question in questions:
         value = values.get(question.name)

@@ -65,7 +65,6 @@ class Plan(JsonObject, frozen=True, kw_only=True):
 
 
 def describe(value: Plan | Condition) -> dict[str, Any]:
-    """Return a plan or a condition as JSON."""
     described: dict[str, Any] = msgspec.to_builtins(value)
     return described
 
@@ -93,11 +92,7 @@ def parse_plan_file(content: bytes, path: str) -> Plan:
 
 
 def plan_of_record(content: Any, path: str) -> Plan:
-    """Return the plan in a record.
-
-    Raises:
-        StudyError: when it is not a plan.
-    """
+    """Return the plan in a record."""
     if isinstance(content, dict) and content.get("version") != VERSION:
         what = Message("was written by another version of the program")
         json_files.refuse(path, "", what, Message("update hapticplayer"))
@@ -118,16 +113,11 @@ def new_code(taken: Collection[str]) -> str:
 
 
 def is_code(text: str) -> bool:
-    """Whether a text is a valid code."""
     return len(text) == LENGTH and all(letter in LETTERS for letter in text)
 
 
 def checked_code(text: str) -> str:
-    """Return a typed code in its stored form.
-
-    Raises:
-        StudyError: when it is not a valid code.
-    """
+    """Return a typed code in its stored form."""
     code = text.strip().upper()
     if not is_code(code):
         raise StudyError(

@@ -89,7 +89,6 @@ def run_checks(
 
 
 def checks_as_json(checks: tuple[SessionCheck, ...]) -> list[dict[str, Any]]:
-    """Return the checks as they are stored."""
     return [{"check": c.name, "ok": c.is_good, "found": str(c.found)} for c in checks]
 
 

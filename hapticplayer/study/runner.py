@@ -151,7 +151,6 @@ class SessionRunner:
 
     @property
     def is_over(self) -> bool:
-        """Whether the session has ended."""
         return self._is_complete is not None
 
     @property
@@ -162,7 +161,6 @@ class SessionRunner:
 
     @property
     def trials(self) -> int:
-        """Number of trials."""
         return len(self._conditions)
 
     @property
@@ -172,7 +170,6 @@ class SessionRunner:
 
     @property
     def page(self) -> Page:
-        """The current page."""
         return self.maker.page(self._kind(), self.step, self._number)
 
     def _kind(self) -> PageKind:
@@ -278,15 +275,10 @@ class SessionRunner:
     # --- actions of the operator -------------------------------------------------
 
     def pause(self) -> None:
-        """Pause the session."""
         self.halt("paused")
 
     def resume(self, by: str = "operator") -> None:
-        """Continue after a pause: a person re-arms the force.
-
-        Raises:
-            UsageError: when the grip is not near the middle; the pause goes on.
-        """
+        """Continue after a pause: a person re-arms the force."""
         if self._mode is StepMode.PAUSED:
             self.stage.rearm()
             self._store("go-on", self._after_pause, by=by)
@@ -338,7 +330,6 @@ class SessionRunner:
             self._end(is_complete=False, reason=reason, by=by)
 
     def note(self, text: str) -> None:
-        """Store a note of the operator."""
         if text.strip() and not self.is_over:
             self._store("note", lambda: None, text=text.strip())
 

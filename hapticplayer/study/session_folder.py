@@ -53,7 +53,6 @@ class StoredSession:
 
     @property
     def code(self) -> str:
-        """Code of the participant."""
         return self.plan.code
 
     @property
@@ -70,11 +69,7 @@ class StoredSession:
 
 
 def create_session(folder: Path, plan: Plan, definition: bytes, clock: Clock) -> None:
-    """Make the folder of a session with definition, plan and journal.
-
-    Raises:
-        StudyError: when it cannot be written.
-    """
+    """Make the folder of a session with definition, plan and journal."""
     utc = utc_now_iso("milliseconds")
     first = encode(1, utc, clock.now_s(), "plan", {"plan": describe(plan)})
     with storage.folder_written_aside(folder, storage.PRIVATE_FOLDER) as aside:
@@ -90,9 +85,6 @@ def read_session(folder: Path, study_definition: bytes = b"") -> StoredSession:
         folder: of the session.
         study_definition: content of the definition of the study, which replaces a
             damaged copy if it is unchanged.
-
-    Raises:
-        StudyError: when no copy of the plan or of the definition is intact.
     """
     records = read_journal(folder / ANSWERS)
     name = f"{folder.name}/{ANSWERS}"

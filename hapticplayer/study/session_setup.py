@@ -34,12 +34,7 @@ class StudySources:
 
 
 def load_study_sources(study: Study) -> StudySources:
-    """Open the sequences of a study and make the tracks of their feedbacks.
-
-    Raises:
-        StudyError: when a sequence is missing, or a feedback cannot be made.
-        InputError: when a sequence is damaged.
-    """
+    """Open the sequences of a study and make the tracks of their feedbacks."""
     clips = clip_checksums(study)
     refuse_estimates(study.definition, str(study.folder / DEFINITION), study.folder)
     opened = {
@@ -100,11 +95,7 @@ def _check_edited(study: Study, key: str, made: Mapping[str, ForceTrack]) -> Non
 
 
 def check_unchanged(session: StoredSession, study_sources: StudySources) -> None:
-    """Refuse to resume a session with changed sequences.
-
-    Raises:
-        StudyError: names the changed sequence.
-    """
+    """Refuse to resume a session with changed sequences."""
     for key, checksum in session.plan.clips.items():
         if study_sources.clips.get(key) != checksum:
             raise StudyError(
@@ -118,7 +109,6 @@ def check_unchanged(session: StoredSession, study_sources: StudySources) -> None
 def make_stage(
     study: Study, study_sources: StudySources, player: Player, clock: Clock, record: str
 ) -> PlayerStage:
-    """Return the stage of a session."""
     rules = (study.definition.limits, study.definition.checks)
     sources, demonstration = study_sources.sources, study_sources.demonstration
     return PlayerStage(player, sources, demonstration, rules, clock, record)

@@ -44,7 +44,6 @@ class AnsweredTrial:
 
 
 def trial_step(position: int) -> str:
-    """Return the name of a trial's step."""
     return f"{_TRIAL}{position:02d}"
 
 

@@ -52,7 +52,6 @@ class Study:
     content: bytes
 
     def session_folder(self, code: str) -> Path:
-        """Return the folder of a participant's session."""
         return self.folder / SESSIONS / checked_code(code)
 
     def codes(self) -> list[str]:
@@ -118,18 +117,13 @@ class Study:
         return sum(1 for _ in folder.glob("*.json")) if folder.is_dir() else 0
 
     def balance(self) -> Balance:
-        """Return the balance of all sessions that were not dropped."""
         sessions, _ = self.sessions()
         orders = [s.plan.order for s in sessions if s.state != SessionState.STOPPED]
         return balance_of(self.definition, orders)
 
 
 def open_study(folder: str | Path) -> Study:
-    """Return the study in a folder; finishes interrupted deletions.
-
-    Raises:
-        StudyError: when its definition cannot be used.
-    """
+    """Return the study in a folder; finishes interrupted deletions."""
     folder = Path(folder)
     content = read_file(folder / DEFINITION)
     definition = parse_definition(content, str(folder / DEFINITION))
@@ -148,9 +142,6 @@ def begin_session(
         language: of the pages.
         clips: SHA-256 of each sequence's description, by key.
         clock: of the machine.
-
-    Raises:
-        StudyError: when there is no order or it cannot be written.
     """
     if language not in study.definition.languages:
         raise StudyError(
@@ -195,11 +186,7 @@ def _assignment(study: Study, code: str) -> Assignment:
 
 
 def drop_session(study: Study, code: str, reason: str, clock: Clock) -> None:
-    """End an unfinished session; its order is assigned again.
-
-    Raises:
-        StudyError: when it is locked or cannot be written.
-    """
+    """End an unfinished session; its order is assigned again."""
     session = study.session(code)
     if session.state is SessionState.UNFINISHED:
         journal = Journal(session.folder / ANSWERS, clock)
@@ -215,9 +202,6 @@ def delete_participant(study: Study, code: str) -> list[str]:
     Returns:
         Files in the study's folder that still contain the code, such as earlier
         reports, which have to be made again.
-
-    Raises:
-        StudyError: when there is no such participant or it cannot be removed.
     """
     folder = study.session_folder(code)
     code = folder.name

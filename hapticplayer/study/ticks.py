@@ -23,7 +23,6 @@ def next_record(session_folder: Path) -> Path:
 
 
 def tick_files(session: StoredSession) -> list[Path]:
-    """Return the records of the device, one for each run of the session."""
     pattern = RECORD.format(0).replace("00", "*")
     return sorted(session.folder.glob(pattern))
 

@@ -41,9 +41,6 @@ def average(imu: ImuLog, rate_hz: float) -> ImuLog:
         imu: samples of any kind; INSTANT ones hold over the interval that ends at
             their time.
         rate_hz: windows per second.
-
-    Raises:
-        InputError: for a rate above the log's, or a log shorter than one window.
     """
     rate_now_hz = 1.0 / timing.median_step_s(imu.time_s)
     _check_rate(rate_hz, rate_now_hz, imu.source)
@@ -135,9 +132,6 @@ def _intervals(time_s: Floats, sampling: Sampling) -> tuple[Floats, Floats]:
     INSTANT: from the sample before to its own time. AVERAGED: between the midpoints
     to its neighbours. At a gap and at the ends of the recording a sample covers one
     median step, so that the intervals never overlap and a gap stays uncovered.
-
-    Raises:
-        InputError: for fewer than two samples.
     """
     step_s = timing.median_step_s(time_s)
     gap = timing.gaps(time_s, step_s)
@@ -166,9 +160,6 @@ def _windows(start_s: Floats, end_s: Floats, rate_hz: float) -> tuple[Floats, Fl
         start_s: (N,) where each sample's interval begins, in order.
         end_s: (N,) where it ends.
         rate_hz: windows per second.
-
-    Raises:
-        InputError: when the time is shorter than one window.
     """
     origin_s, total_s = float(start_s[0]), float(end_s[-1] - start_s[0])
     # a few ulps of the time stamps must not cost the last window

@@ -56,7 +56,6 @@ class Clipping:
 
     @property
     def samples(self) -> int:
-        """Number of samples with a clipped axis."""
         return int(self.clipped.any(axis=1).sum())
 
 

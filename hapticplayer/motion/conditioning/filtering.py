@@ -41,9 +41,6 @@ def lowpass_motion(track: MotionTrack, cutoff_hz: float) -> MotionTrack:
     Args:
         track: gravity-free acceleration.
         cutoff_hz: -3 dB of the result.
-
-    Raises:
-        InputError: for a cutoff that is not between 0 and half the median rate.
     """
     timing.positive(cutoff_hz, Message("the cutoff"), Message("give a frequency in Hz"))
     out = lowpass_samples(track.time_s, track.acceleration_mps2, track.valid, cutoff_hz)
@@ -60,9 +57,6 @@ def lowpass_samples(
         values: (N, C).
         valid: (N,).
         cutoff_hz: -3 dB of the result.
-
-    Raises:
-        InputError: for a cutoff that is not below half the median rate.
     """
     if len(time_s) < 2:
         return values

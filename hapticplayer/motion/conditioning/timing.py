@@ -14,11 +14,7 @@ Indices = NDArray[np.intp]
 
 
 def median_step_s(time_s: Floats) -> float:
-    """Return the median time between samples.
-
-    Raises:
-        InputError: for fewer than two samples, which have no rate.
-    """
+    """Return the median time between samples."""
     if len(time_s) < 2:
         raise InputError(
             "{count} samples have no rate",
@@ -41,11 +37,7 @@ def runs(mask: NDArray[Any]) -> tuple[Indices, Indices]:
 
 
 def positive(value: float, name: str, remedy: str) -> float:
-    """Return a finite positive number.
-
-    Raises:
-        InputError: for any other number.
-    """
+    """Return a finite positive number."""
     if not (np.isfinite(value) and value > 0.0):
         raise InputError(
             "{name} must be a positive number, got {value}",

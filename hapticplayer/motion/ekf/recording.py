@@ -77,10 +77,6 @@ def run_ekf(
         magnetic_field_ut: (N, 3), or None: no heading and no work for it.
         interval_s: spacing of the samples.
         parameters: the defaults of EkfParameters where None.
-
-    Raises:
-        InputError: without samples, for arrays that do not fit each other, or an
-            interval that is not positive.
     """
     p = parameters or EkfParameters()
     force, rate = _rows(specific_force_mps2), _rows(angular_rate_radps)

@@ -99,11 +99,6 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
         source: where it came from, for messages.
         is_rate_unit_known: a person has given the unit of the angular rate, so that a
             contradiction is reported, not refused.
-
-    Raises:
-        InputError: for fewer than 2 or more than 1e8 samples, wrong shapes, a
-            clock that runs backwards, a sensor that is missing for more than half
-            of the time, a stuck sensor, or a unit that is plainly another.
     """
     times, sensors = _arrays(
         time_s, specific_force_mps2, angular_rate_radps, magnetic_field_ut, source

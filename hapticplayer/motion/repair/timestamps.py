@@ -118,10 +118,6 @@ def repair_times(
         time_s: (N,) as recorded, N >= 2; may hold NaN. Its wild stamps are set to NaN.
         sensors: (N, 3) each; only compared.
         source: for error messages.
-
-    Raises:
-        InputError: when the clock jumps back, when no order can be found, when a
-            gap is longer than an hour, or for fewer than 5 rows a second.
     """
     repairs: list[Repair] = []
     rows = _in_order(time_s, repairs, source)

@@ -55,9 +55,6 @@ def check_force_unit(
         time_s: (N,) increasing.
         specific_force_mps2: (N, 3) finite, in the unit to check.
         source: for the error message.
-
-    Raises:
-        InputError: naming the factor where the unit is recognised.
     """
     norm = calm_norm(time_s, specific_force_mps2)
     low, high = PLAUSIBLE_NORM_MPS2
@@ -133,9 +130,6 @@ def check_rate_unit(
 
     Returns:
         A note where the unit is in doubt, else None.
-
-    Raises:
-        InputError: naming the factor.
     """
     rms = math.sqrt(
         float(np.einsum("ij,ij->", angular_rate_radps, angular_rate_radps))

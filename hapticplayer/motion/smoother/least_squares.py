@@ -90,11 +90,7 @@ class Solution:
 
 
 def minimise(problem: Problem) -> Solution:
-    """Return tilt, velocity and calibration of least squares.
-
-    Raises:
-        InputError: when the problem is singular to working precision.
-    """
+    """Return tilt, velocity and calibration of least squares."""
     half = 0.5 * STANDARD_GRAVITY_MPS2 * problem.duration_s
     tilt, push = problem.tilt, problem.impulse[:, :2]
     weighted_tilt = problem.tilt_weight * tilt

@@ -173,6 +173,5 @@ class SmootherParameters:
         return float(usual ** (1.0 - heading_weight) * vehicle**heading_weight)
 
     def most_solutions(self, *, weights_change: bool, is_vehicle: bool) -> int:
-        """Return how many solutions there may be in all."""
         usual = self.vehicle_solutions if is_vehicle else self.solutions
         return max(2, usual, self.still_solutions if weights_change else 0)

@@ -87,7 +87,6 @@ class SmoothedRecording:
         return mean, np.sqrt(variance)
 
     def mean(self, name: str) -> Floats:
-        """Return a calibration by its name, the mean over the blocks."""
         return np.asarray(
             np.mean([getattr(block, name) for block in self.blocks], axis=0)
         )

@@ -123,9 +123,4 @@ EFFECTS: tuple[EffectKind, ...] = (
 
 
 def kind_of(name: str) -> EffectKind:
-    """Return the kind of this name.
-
-    Raises:
-        UsageError: for an unknown one.
-    """
     return entry_named({one.name: one for one in EFFECTS}, name, Message("effect"))

@@ -56,7 +56,6 @@ def _value_along(span: Span, constant: str, since_s: Floats) -> Floats:
 
 
 def scaled(span: Span) -> Floats:
-    """Return the signal times the gain, or its curve."""
     gain = _value_along(span, "gain", span.since_s)
     return np.asarray(gain[:, None] * span.values)
 
@@ -105,7 +104,6 @@ def sine(span: Span) -> Floats:
 
 
 def knock(span: Span) -> Floats:
-    """Return a sine that decays exponentially."""
     return np.asarray(sine(span) * np.exp(-span.since_s / span.parameters["decay_s"]))
 
 

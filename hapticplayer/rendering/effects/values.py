@@ -28,7 +28,6 @@ class Target(enum.StrEnum):
     FORCE = "force"
 
     def unit_of(self, parameter: Parameter) -> str:
-        """Return the unit of a parameter of an effect with this target."""
         unit = parameter.range.unit if parameter.range else ""
         amplitude = "N" if self is Target.FORCE else "m/s^2"
         return amplitude if unit == AMPLITUDE else unit

@@ -117,9 +117,6 @@ def analyse(
         answers: of its participants.
         options: default ones if None.
         progress: called with the fraction done and the step; raises to cancel.
-
-    Raises:
-        InputError: when there is nothing to compare.
     """
     options = options or AnalysisOptions()
     scores = scores_of(answers, include_invalid=options.include_invalid)

@@ -122,11 +122,7 @@ def analyse_consistency(
     options: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> ConsistencyAnalysis:
-    """Analyse the judgements of a study.
-
-    Raises:
-        InputError: when there is no usable judgement.
-    """
+    """Analyse the judgements of a study."""
     options = options or AnalysisOptions()
     counted = [
         one

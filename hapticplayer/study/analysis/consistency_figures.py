@@ -26,7 +26,6 @@ _INK, _CURVE, _PERSON = "#222222", "#0072b2", "#999999"
 
 
 def figures(analysis: ConsistencyAnalysis) -> dict[str, "Figure"]:
-    """Return the figures by name."""
     return {NAMES[axis]: _figure(one) for axis, one in analysis.axes.items()}
 
 

@@ -25,7 +25,6 @@ class Resampling:
     count: int = 9999
 
     def generator(self, label: str) -> np.random.Generator:
-        """Return the generator of one use."""
         return np.random.default_rng([self.seed, zlib.crc32(label.encode())])
 
     def mean_interval(self, values: Floats, label: str) -> tuple[float, float] | None:

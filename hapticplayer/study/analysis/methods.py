@@ -48,7 +48,6 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
 
 
 def invalid_text(options: AnalysisOptions) -> str:
-    """Return what was done with trials whose playback was not valid."""
     kept = "were kept" if options.include_invalid else "count as missing"
     return f"Answers to trials whose playback was not valid {kept}."
 

@@ -82,17 +82,12 @@ class Power:
 
     @property
     def standard_error(self) -> float:
-        """Standard error of the power from the number of simulated studies."""
         wanted = self.goal.power
         return float(np.sqrt(wanted * (1.0 - wanted) / self.goal.studies))
 
 
 def draw_pilot(pilot: Sample) -> Draw:
-    """Return draws with replacement from the participants of a pilot study.
-
-    Raises:
-        UsageError: for fewer than five participants.
-    """
+    """Return draws with replacement from the participants of a pilot study."""
     if len(pilot.values) < 5:
         raise UsageError("a pilot study must have at least five complete participants")
 

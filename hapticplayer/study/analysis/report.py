@@ -63,11 +63,6 @@ def analyse_study(
     options: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> StudyAnalysis:
-    """Analyse the ratings or judgements of a study.
-
-    Raises:
-        InputError: when there is nothing to analyse.
-    """
     run = analyse_consistency if answers.judgements else analyse
     return run(answers, options, progress)
 
@@ -107,10 +102,6 @@ def write_report(
     `report.html`, `report.pdf`, `numbers.json`, the figures as SVG, PDF and PNG, and of
     ratings `conditions.csv` (means and spreads), `tests.csv` and `scores.csv` (each
     participant's), of judgements `levels.csv` and `curves.csv`.
-
-    Raises:
-        SequenceError: when the folder exists or cannot be written.
-        Cancelled: by `progress`; nothing is written.
     """
     parts = parts_of(analysis)
     title = title.encode(errors="replace").decode()  # of a folder, in whatever bytes

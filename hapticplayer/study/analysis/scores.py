@@ -124,9 +124,6 @@ def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:
     Args:
         answers: of a study.
         include_invalid: keep trials whose playback was not valid.
-
-    Raises:
-        InputError: when there is nothing to compare.
     """
     _check_design(answers)
     feedbacks = tuple(sorted(answers.feedbacks, key=_shown_at))

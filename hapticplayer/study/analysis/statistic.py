@@ -23,7 +23,6 @@ def number(value: float | None, digits: int = 2) -> str:
 
 
 def p_value(value: float | None) -> str:
-    """Return a p value as text."""
     if value is None:
         return "-"
     return "< .001" if value < 0.001 else f"{value:.3f}".lstrip("0")
@@ -195,6 +194,5 @@ def rounded(value: Any) -> Any:
 
 
 def listed(names: Iterable[str]) -> str:
-    """Return names as a list in a sentence."""
     *first, last = names
     return f"{', '.join(first)} and {last}" if first else last
