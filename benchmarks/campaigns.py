@@ -397,7 +397,7 @@ def _write_clip(path: Path, length_s: float, size_mb: float) -> None:
 
 
 def _payloads(length_s: float) -> Any:
-    """Return what a camera at 200 Hz writes each second."""
+    """The packets of a camera at 200 Hz, second by second."""
     from hapticplayer.extras.rides.gpmf_writer import write_payloads
     from hapticplayer.extras.rides.motion_scenes import simulate_motion
 

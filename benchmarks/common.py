@@ -201,7 +201,7 @@ def _refresh(tables: Mapping[str, str]) -> None:
 
 
 def machine() -> dict[str, Any]:
-    """Return what figures depend on."""
+    """The things that figures depend on."""
     lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     named = [line.partition(":")[2] for line in lines if line.startswith("model name")]
     return {

@@ -96,7 +96,7 @@ class Person(QObject):
         self._next.start(max(1, round(1e3 * wait_s)))
 
     def deck(self) -> list[Callable[[], Steps]]:
-        """Return what is to be done next, the last one first."""
+        """The tasks that come next, the last one first."""
         if self.only:
             return [getattr(self, self.only)]
         things = [self.watch] * 6

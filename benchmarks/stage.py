@@ -69,7 +69,7 @@ def screen(
 
 
 def pixel_reader(framebuffer: Path) -> Callable[[], bytes]:
-    """Return what reads a pixel (blue, green, red) near the middle of a screen."""
+    """A reader of a pixel (blue, green, red) near the middle of a screen."""
     with framebuffer.open("rb") as file:
         memory = mmap.mmap(file.fileno(), 0, prot=mmap.PROT_READ)
     # XWD header, big-endian: size, version, format, depth, width, height, ...

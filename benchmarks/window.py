@@ -74,7 +74,7 @@ def open_window(
 
 
 def with_device_options(*options: str, descriptors: Sequence[int] = ()) -> Haptics:
-    """Return what makes a haptic loop whose simulated device has these options.
+    """A maker of a haptic loop whose simulated device has these options.
 
     Args:
         options: command line of the process that simulates the device.

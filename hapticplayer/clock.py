@@ -72,5 +72,5 @@ def utc_now_iso(timespec: str = "seconds") -> str:
 
 
 def realtime_minus_monotonic_s() -> float:
-    """Return what to subtract from stamps of the kernel, such as SO_TIMESTAMPNS."""
+    """The offset of the kernel's stamps, such as SO_TIMESTAMPNS."""
     return time.time() - time.monotonic()

@@ -54,7 +54,7 @@ def joined(separator: str, parts: Iterable[str]) -> Message:
 
 
 def message_of(problem: BaseException) -> Message:
-    """Return what an exception says to a person."""
+    """The sentence of an exception."""
     if problem.args and isinstance(problem.args[0], Message):
         return problem.args[0]
     text = getattr(problem, "strerror", None) or str(problem)

@@ -167,7 +167,7 @@ def _reworded(said: str, kind: Any) -> Refusal:
 
 
 def _expected(named: list[str]) -> Message:
-    """Return what must be: [float, ", got ", str, ""], or [int, " >= 0"]."""
+    """The expectation: [float, ", got ", str, ""], or [int, " >= 0"]."""
     wanted, more = named[:2]
     if len(named) > 2:
         found = _kinds(named[2])

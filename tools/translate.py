@@ -70,7 +70,7 @@ def main() -> int:
 
 
 def templates() -> list[str]:
-    """Return what the engine may say in a window, in the order of the alphabet."""
+    """The sentences that the engine may show in a window, in alphabetical order."""
     found = {*VALUES, *(os.strerror(getattr(errno, name)) for name in FROM_SYSTEM)}
     for path in (ROOT / "hapticplayer").rglob("*.py"):
         place = path.relative_to(ROOT / "hapticplayer").as_posix()

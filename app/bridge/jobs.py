@@ -98,7 +98,7 @@ class Jobs:
         return self._job is not None
 
     def state(self) -> JobState | None:
-        """Return what runs, None when nothing does."""
+        """The running job, None when nothing runs."""
         return self._job.state() if self._job else None
 
     def run(
@@ -147,7 +147,7 @@ def in_child(
     progress: Progress,
     **options: Any,
 ) -> Result:
-    """Return what the work returns; called in a thread, it leaves the others alone.
+    """The result of the work; called in a thread, it leaves the others alone.
 
     Args:
         work: a function of a module, which takes `progress`.

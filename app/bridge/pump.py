@@ -77,7 +77,7 @@ class Pump(QObject):
         self.timer.start(0)
 
     def stop(self) -> None:
-        """Call no more."""
+        """Stop."""
         self._is_running = False
         self.timer.stop()
 

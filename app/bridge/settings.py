@@ -63,7 +63,7 @@ class Settings:
             self._path, self._values = None, {}
 
     def text(self, name: str, default: str = "") -> str:
-        """Return what was kept under a name."""
+        """The value that was kept under a name."""
         value = self._values.get(name, default)
         return value if isinstance(value, str) else default
 
@@ -200,7 +200,7 @@ def screen_name(widget: QWidget) -> str:
 
 
 def latencies_of(settings: Settings, screen: str) -> Latencies:
-    """Return what is known of a screen, and of all sound outputs and devices."""
+    """The latencies of a screen, and of all sound outputs and devices."""
     return latencies_in(settings.table(LATENCIES), screen)
 
 

@@ -91,7 +91,7 @@ class EditingLanes(Lanes):
     # --- snapping --------------------------------------------------------------
 
     def snap(self, apart_from: int | None = None) -> Snap | None:
-        """Return what times are drawn to; None while they are not."""
+        """The snapping of times; None while there is none."""
         if not self.snaps:
             return None
         others = (

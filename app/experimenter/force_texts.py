@@ -35,7 +35,7 @@ def write_filters() -> dict[str, ForceFormat]:
 
 
 def cost_text(form: ForceFormat, cost: dict[str, Any]) -> str:
-    """Return what a file keeps of its track, and what that has cost."""
+    """The losses of a file against its track, and its size."""
     lines = QCoreApplication.translate("ForceTexts", "{kept}; {rate} kbit/s").format(
         kept=translated(form.keeps), rate=local(f"{cost['kbit_s']:.3g}")
     )

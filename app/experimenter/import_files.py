@@ -132,7 +132,7 @@ class FilesPage(QWidget):
         return (Path(video), _paths(log) if log else None) if video else None
 
     def choices(self) -> LogChoices | None:
-        """Return what was decided about the log."""
+        """The decisions about the log."""
         return parse_choices(self._words) if self._words else None
 
     def take(self, paths: list[Path]) -> None:
@@ -377,7 +377,7 @@ def _paths(text: str) -> tuple[Path, ...]:
 
 
 def _drop_place(text: str) -> QLabel:
-    """Return what shows where files may be dropped, while there are none."""
+    """The sign where files may be dropped, while there are none."""
     made = QLabel(text)
     made.setObjectName("drop")
     made.setAlignment(Qt.AlignmentFlag.AlignCenter)

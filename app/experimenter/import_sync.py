@@ -175,7 +175,7 @@ class SyncPage(QWidget):
         ]
 
     def choice(self) -> Synchronisation:
-        """Return what a person has taken."""
+        """The result that a person has taken."""
         offset_s = self.offset.value()
         sync = self._shifted()
         if sync is None:
@@ -201,7 +201,7 @@ class SyncPage(QWidget):
             store_skew(found.clip_camera, self._late_s)
 
     def _shifted(self) -> Synchronisation | None:
-        """Return what was found, with the skew that is wanted now."""
+        """The result with the skew that is wanted now."""
         sync = self._recognised.found if self._recognised else None
         if sync is None:
             return None

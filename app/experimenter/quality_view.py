@@ -56,7 +56,7 @@ class QualityView(QTextBrowser):
 
 
 def verdict(mark: Mark) -> str:
-    """Return what the whole is worth."""
+    """The overall quality."""
     return {
         Mark.GOOD: translate("Quality", "Good: ready for use"),
         Mark.DOUBTFUL: translate("Quality", "Doubtful: check the marked items"),
@@ -96,7 +96,7 @@ def _row(one: Finding) -> str:
 
 
 def name_of(one: Finding) -> str:
-    """Return what a finding is about."""
+    """The subject of a finding."""
     names = {
         "estimate": translate("Quality", "Motion"),
         "sync": translate("Quality", "Synchronisation"),

@@ -208,7 +208,7 @@ class RenderingFields(QObject):
         self._show_needed()
 
     def chosen(self) -> Chosen:
-        """Return what the fields say.
+        """The choices in the fields.
 
         Raises:
             UsageError: for axes that are none.
@@ -288,7 +288,7 @@ class RenderingFields(QObject):
 
 
 def preset_name(name: str) -> str:
-    """Return what a preset is called; an unknown one by its own name."""
+    """The title of a preset; an unknown one by its own name."""
     names = {
         PresetName.FAITHFUL.value: translate("RenderingFields", "Faithful"),
         PresetName.BALANCED.value: translate("RenderingFields", "Balanced"),
@@ -298,7 +298,7 @@ def preset_name(name: str) -> str:
 
 
 def device_names() -> tuple[str, str, str]:
-    """Return what the axes of a device are called."""
+    """The names of a device's axes."""
     return (
         translate("RenderingFields", "right"),
         translate("RenderingFields", "up"),

@@ -268,7 +268,7 @@ class RenderingPage(JobDialog):
         self._write(work, done)
 
     def _change(self) -> Callable[..., None] | None:
-        """Return what renders a sequence as chosen; None where the fields are wrong."""
+        """The rendering of a sequence as chosen; None where the fields are wrong."""
         try:
             chosen = self.fields.chosen()
         except HapticPlayerError as problem:

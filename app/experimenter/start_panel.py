@@ -35,7 +35,7 @@ _SAME = {  # for a moment or for good: in the same words
 
 
 def _only_in_trials() -> dict[str, str]:
-    """Return what takes the force away for a moment, which the window need not say."""
+    """The causes that take the force away for a moment and are not shown."""
     return {
         "no_track": translate("SessionWords", "no force track"),
         "guard_lost": translate("SessionWords", "guard process not responding"),

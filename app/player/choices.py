@@ -64,7 +64,7 @@ def feedbacks(names: Iterable[str]) -> list[Choice]:
 
 
 def _title(name: str) -> str:
-    """Return what a track of a source is called; one that was made has parameters."""
+    """The title of a source's track; one that was made has parameters."""
     return feedback_words(chosen_feedback(name)) if ":" in name else name
 
 

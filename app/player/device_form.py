@@ -83,14 +83,14 @@ def put_together(choice: str, text: str) -> str:
 
 
 def example_of(choice: str) -> str:
-    """Return what may be entered beside a choice, "" for nothing."""
+    """The hint for the field beside a choice, "" for no field."""
     kind, _, variant = choice.partition(":")
     guide = guide_of(entry_of(kind))
     return guide.variants.get(variant, guide.example)
 
 
 def problem_of(name: str) -> DeviceError | None:
-    """Return what is wrong with a name that was put together, None for nothing."""
+    """The fault of a name that was put together, None for none."""
     try:
         find_device(name)
     except DeviceError as problem:

@@ -17,7 +17,7 @@ translate = QCoreApplication.translate
 
 
 def question_text(name: str) -> str:
-    """Return what a test will do, and what a person does before; raises DeviceError."""
+    """The announcement of a test, and the preparation; raises DeviceError."""
     record, parts = find_device(name).capabilities, parts_of(name)
     hold = translated(hold_text(guide_of(entry_of(name)), record))
     how_to_stop = translate("DeviceTestWords", "Esc or STOP ends it immediately.")
@@ -65,7 +65,7 @@ def _largest_n(part: DevicePart) -> float:
 
 
 def state_text(test: DeviceTest, record: DeviceCapabilities) -> str:
-    """Return what is done now."""
+    """The step that runs now, in words."""
     step = test.step
     if step is None:
         if test.cause is Cause.NOT_HOMED and record.has_newtons:

@@ -41,7 +41,7 @@ SIMULATED = "simulated"
 
 
 def grip_of(now: Snapshot, ticks_since: TicksSince) -> Grip:
-    """Return what to show of a device that reports its position."""
+    """The grip view of a device, with a title and perhaps a notice."""
     title = _title(now.device)
     if now.device == NO_DEVICE:
         text = translate(

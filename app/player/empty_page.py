@@ -97,11 +97,11 @@ class _Icon(QWidget):
         self._icon = icon("hapticplayer")
 
     def sizeHint(self) -> QSize:
-        """Return what it likes to be."""
+        """The preferred size."""
         return QSize(_ICON_PX, _ICON_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """Return what it can be."""
+        """The least size."""
         return QSize(_LEAST_ICON_PX, 0)
 
     def paintEvent(self, _event: QPaintEvent) -> None:

@@ -61,7 +61,7 @@ class LatencyMonitor(QObject):
 
 
 def warning(name: str, reported_s: float) -> str:
-    """Return what a person should know of an output that is slow or has no wire."""
+    """The warning about an output that is slow or has no wire."""
     what = translate(
         "LatencyMonitor", "The sound output {name} reports a latency of {ms:.0f} ms"
     ).format(name=name, ms=1e3 * reported_s)

@@ -41,7 +41,7 @@ _REACTIONS = {rule.cause: rule.reaction for rule in RULES}
 
 
 def fault_text(name: str) -> str:
-    """Return what happens."""
+    """The name of a fault."""
     return {
         Fault.UNPLUG.value: translate("FaultTexts", "Unplug"),
         Fault.SHORT_STALL.value: translate("FaultTexts", "Stall, 60 ms"),

@@ -10,7 +10,7 @@ translate = QCoreApplication.translate
 
 
 def homing_text() -> str:
-    """Return what a person does to home a device."""
+    """The gesture that homes a device."""
     return translate(
         "ForceWords",
         "Pull the grip all the way out, then push it in until it locks",
@@ -26,7 +26,7 @@ def strength_text(record: DeviceCapabilities, force_n: float) -> str:
 
 
 def step_text(step: DemonstrationStep, record: DeviceCapabilities) -> str:
-    """Return what is felt now."""
+    """The force that is felt now, in words."""
     ways = {
         "right": translate("ForceWords", "To the right"),
         "left": translate("ForceWords", "To the left"),

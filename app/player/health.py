@@ -96,7 +96,7 @@ def device_name(name: str) -> str:
 
 
 def mode_text(mode: Mode) -> str:
-    """Return what the loop does with the force."""
+    """The loop's mode in words."""
     return {
         Mode.IDLE: translate("Health", "at rest"),
         Mode.ENTERING: translate("Health", "fading in"),
@@ -113,7 +113,7 @@ def stop_reason(cause: Cause) -> str:
 
 
 def cause_text(cause: Cause) -> str:
-    """Return what happened; nothing where a person did it, or it went by itself."""
+    """The event; nothing where a person did it, or it went by itself."""
     return {
         Cause.HEARTBEAT_LOST: translate("Health", "window not responding"),
         Cause.PLAYER_GONE: translate("Health", "player ended"),
@@ -185,7 +185,7 @@ def frames(snapshot: Snapshot) -> Reading:
 
 
 def clock(snapshot: Snapshot) -> Reading:
-    """Return what leads the clock."""
+    """The leader of the clock."""
     if is_heard(snapshot):
         return Reading(Level.GOOD, translate("Health", "audio"))
     if snapshot.audio and snapshot.phase is Phase.PLAYING:

@@ -52,7 +52,7 @@ class TravelEstimate:
 
 
 def view_of(progress: Progress | None, ways: TravelEstimate) -> HomingView:
-    """Return what to show; no progress means no Falcon, and the ways learn from it."""
+    """The picture of homing; no progress means no Falcon."""
     if progress is None:
         return HomingView()
     if progress.step is Step.READY:
@@ -100,7 +100,7 @@ class HomingDrawing(QWidget):
         self.setAccessibleName(translate("HomingPicture", "The Falcon's grip"))
 
     def sizeHint(self) -> QSize:
-        """Return what is comfortable."""
+        """The preferred size."""
         return QSize(WIDTH_PX, HEIGHT_PX)
 
     @property
@@ -134,7 +134,7 @@ class HomingDrawing(QWidget):
 
 
 def leg_names() -> tuple[str, str, str]:
-    """Return what the legs are called."""
+    """The names of the legs."""
     return (
         translate("HomingPicture", "top"),
         translate("HomingPicture", "right"),

@@ -30,7 +30,7 @@ class History:
         self._settings = settings
 
     def recent(self) -> list[Path]:
-        """Return what was opened, the latest first."""
+        """The clips that were opened, the latest first."""
         return [Path(text) for text in self._settings.texts(RECENT)[:MOST_RECENT]]
 
     def note_opened(self, path: Path) -> None:

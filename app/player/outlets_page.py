@@ -59,7 +59,7 @@ _WIDTH_PX, _HEIGHT_PX, _RIG = 640, 520, "rig"
 
 
 def state_text(outlet: OutletState) -> str:
-    """Return what an outlet does, or what is wrong with it."""
+    """The state of an output, or its problem."""
     if outlet.problem or outlet.health in (Health.FAILED, Health.GONE):
         return translated(outlet.problem) or translate("Health", "failed")
     if outlet.health is Health.STARTING:

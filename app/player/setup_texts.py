@@ -101,7 +101,7 @@ def _firmware() -> DeviceProblem:
 
 
 def advice(progress: Progress) -> str:
-    """Return what is happening, or what the person does next."""
+    """The state, or the person's next step."""
     if progress.guidance is not None:
         return {
             Advice.PULL: translate("SetupTexts", "Pull the grip all the way out"),
@@ -133,7 +133,7 @@ def more(progress: Progress) -> str:
 
 
 def licence() -> str:
-    """Return what has to be accepted before the firmware is kept."""
+    """The terms to accept before the firmware is kept."""
     return translate(
         "SetupTexts",
         "The Falcon's firmware belongs to Novint Technologies. "
@@ -146,7 +146,7 @@ def licence() -> str:
 
 
 def unknown_image() -> str:
-    """Return what has to be decided about a file that nobody has recorded."""
+    """The question about a file that is not among the known ones."""
     return translate(
         "SetupTexts",
         "The file is intact but is not a known firmware image. It would "

@@ -128,7 +128,7 @@ class SharePage(JobDialog):
         self._show_contents()
 
     def parts(self) -> list[Part]:
-        """Return what is shared as it is chosen now."""
+        """The contents as they are chosen now."""
         if self._contents is None:
             return []
         kept = [

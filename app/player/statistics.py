@@ -110,7 +110,7 @@ def figures(player: Player) -> list[tuple[str, str]]:
 
 
 def _tick(latest: Any) -> list[tuple[str, str]]:
-    """Return what the newest tick says about force and grip."""
+    """Force and grip in the newest tick."""
     if latest is None:
         return []
     position_mm = [1e3 * value for value in latest["position_m"].tolist()]
@@ -129,7 +129,7 @@ def _vector(values: list[float]) -> str:
 
 
 def _latency(snapshot: Snapshot) -> str:
-    """Return what is compensated, and what the sound output says of itself."""
+    """The compensated latencies, and the sound output's own."""
     known, reported_s = snapshot.latency, snapshot.reported_latency_s
     values = (known.display_s, known.sound_s, known.device_s, reported_s)
     text = translate(

@@ -256,7 +256,7 @@ def _paint_arcs(painter: QPainter, view: Projection, *, are_in_front: bool) -> N
 
 
 def axis_words() -> tuple[str, str, str]:
-    """Return what the directions of frame D are called."""
+    """The names of the directions of frame D."""
     return (
         translate("GripView", "right"),
         translate("GripView", "up"),

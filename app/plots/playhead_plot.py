@@ -192,7 +192,7 @@ class PlayheadPlot(pg.PlotWidget):
         return found
 
     def pages(self) -> list[Page]:
-        """Return what is in view of each group."""
+        """The lines of each group in view."""
         pages = []
         for group in self.curve_groups:
             times_s = group[0].getData()[0]

@@ -97,7 +97,7 @@ class Follower:
         self._yaw_rad = self._last_s = 0.0
 
     def pose(self, motion: RigMotion, now_s: float) -> PlatformPose:
-        """Return what a motion that came at a time asks for."""
+        """The pose of a motion that came at a time."""
         before = self._heading_rad
         if before is not None:
             turned = math.remainder(motion.heading_rad - before, math.tau)

@@ -110,7 +110,7 @@ class LevelMeter(QWidget):
 
 
 def levels_text(levels: tuple[ChannelLevel, ...], step_db: float = 1.0) -> str:
-    """Return what a meter shows in words, in steps of so many dB."""
+    """The levels in words, in steps of so many dB."""
     return ", ".join(_level_text(one, step_db) for one in levels)
 
 

@@ -57,7 +57,7 @@ class MessageBar(QFrame):
         self.updateGeometry()
 
     def text(self) -> str:
-        """Return what it says, "" while hidden."""
+        """The text, "" while hidden."""
         return "" if self.isHidden() else translated(self._message)
 
     def show_text(self, message: str) -> None:
@@ -200,7 +200,7 @@ class OnPicture(QLabel):
 
 
 class Toast(OnPicture):
-    """A text that goes by itself."""
+    """A label that hides after a timeout."""
 
     def __init__(self, over: QWidget) -> None:
         super().__init__(over)

@@ -218,7 +218,7 @@ QSplitter::handle:hover {{ background: {ACCENT}; }}
 
 
 def _edges() -> str:
-    """Return what Fusion and the colours leave without an edge on black ground."""
+    """The style of widgets that have no edge on black ground."""
     return f"""
 QPushButton[role="primary"]:enabled, QPushButton[role="stop"]:enabled {{
   border-color: {BORDER}; }}

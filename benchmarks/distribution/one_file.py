@@ -80,7 +80,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
 
 
 def _sizes(mkv: Path, payload_bytes: int, seconds: float) -> dict[str, Any]:
-    """Return what the force takes, beside the video."""
+    """The size of the force beside the video."""
     packed = read_packed(mkv)
     assert packed is not None
     what = contents_of(packed)

@@ -152,7 +152,7 @@ def truth(ticks: int) -> list[tuple[float, float, float]]:
 
 
 def ours(theta: Any, near: Any) -> tuple[Any, Words]:
-    """Return what the driver computes."""
+    """The driver's result."""
     pose = LEGS.pose(theta, near)
     return pose.position_m, motor_words(pose.jacobian, FORCE_N)
 

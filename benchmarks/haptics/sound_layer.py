@@ -147,7 +147,7 @@ def _likeness(made: Floats, wanted: Floats) -> tuple[float, float]:
 
 
 def layers(case: Case, time_s: Floats) -> dict[str, Floats]:
-    """Return what each layer adds to the upward force, (N,) in N."""
+    """The addition of each layer to the upward force, (N,) in N."""
     noise = np.random.default_rng([case.seed, 3]).standard_normal(len(time_s))
     knock = np.zeros(len(time_s))
     for shock in fast_shocks(case.motion):

@@ -45,7 +45,7 @@ class Held(NamedTuple):
 
 
 def hold(tracks: Sequence[ForceTrack]) -> list[Held]:
-    """Return what the hands of HELD do under tracks, all side by side."""
+    """The motion of the hands of HELD under tracks, all side by side."""
     grip = Grip(list(HELD.values()), LIMITS, centring_of(LIMITS))
     grip.rest(len(tracks))
     ends_s = np.array([track.end_s for track in tracks]) + AFTER_S

@@ -79,7 +79,7 @@ Scores = dict[str, dict[str, list[Score]]]
 
 
 def score(recording: TruthRecording, method: str) -> Score:
-    """Return what a method makes of a recording."""
+    """The result of a method for a recording."""
     if method.startswith(REFERENCE):
         tau_s = float(method.partition("tauAcc ")[2] or 3.0)
         errors = recording.errors_mps2(offline_vqf_up(recording.imu, tau_s=tau_s))

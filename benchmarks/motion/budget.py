@@ -106,7 +106,7 @@ class Ride:
         return self.error_mn(force_of(p))
 
     def log(self, board: LoggerBoard) -> tuple[ImuLog, Floats]:
-        """Return what a board logs, and the true media times of its samples."""
+        """A board's log, and the true media times of its samples."""
         span_s = (-self.scene.lead_s, self.scene.duration_s + self.scene.tail_s)
         rng = np.random.default_rng([self.seed, 3])
         log = record(self.scene.trajectory, span_s, board, rng)

@@ -70,7 +70,7 @@ Change = Callable[[ImuLog], tuple[Floats, Floats] | None]
 
 
 def gravity(log: ImuLog, parameters: SmootherParameters | None = None) -> Floats:
-    """Return what is taken off, m/s^2 in the sensor frame."""
+    """The gravity that is taken off, m/s^2 in the sensor frame."""
     return remove_gravity(log, parameters=parameters).gravity_mps2
 
 

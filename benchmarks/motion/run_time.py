@@ -213,7 +213,7 @@ def by_length(lengths_s: Sequence[float], rounds: int, report: Report) -> None:
 
 
 def _peak_bytes(log: ImuLog) -> int:
-    """Return what Python and numpy hold at most at once, results included."""
+    """The peak memory of Python and numpy, results included."""
     gc.collect()
     tracemalloc.start()
     try:

@@ -50,7 +50,7 @@ def judge(seen: dict[str, Any], machine: Seen, *, judge_load: bool) -> dict[str,
     del seen["end_s"]
 
     def lost_s(begin_s: float, end_s: float) -> float:
-        """Return what stalls of the machine and other programs took."""
+        """The time that stalls of the machine and other programs took."""
         waited_s = machine.waited_s(begin_s, end_s)
         return max(machine.stalled_s(begin_s, end_s), waited_s)
 

@@ -122,7 +122,7 @@ def _read_out_s(seed: int) -> float:
 
 
 def logged(ridden: Scene, seeds: tuple[int, int], rate_hz: int) -> Logged:
-    """Return what a logger wrote beside a ride: clock, mounting and noise by the seeds."""
+    """A logger's file of a ride: clock, mounting and noise by the seeds."""
     rng = np.random.default_rng([*seeds, 71])
     axes = all_mountings()[int(rng.integers(24))]
     askew = Rotation.from_rotvec(ASKEW_RAD * rng.standard_normal(3)).as_matrix()
@@ -139,7 +139,7 @@ def _imu(
     rate_hz: int,
     lies: tuple[str, Floats, ClockMap],
 ) -> ImuLog:
-    """Return what a board wrote on its own clock and in its own frame."""
+    """A board's log on its own clock and in its own frame."""
     axes, askew, clock = lies
     sensor = (
         PAPER.sensor if rate_hz == 30 else replace(PAPER.sensor, averaged_to_hz=None)

@@ -129,7 +129,7 @@ def strangers(film: Filmed, number: int, rate_hz: int) -> Iterator[ImuLog]:
 
 
 def spoilt(frames: FrameRotation) -> dict[str, FrameRotation]:
-    """Return what a cut, a mirrored and a wrongly timed clip would have shown."""
+    """The rotation that a cut, a mirrored and a wrongly timed clip would have shown."""
     begin_s, end_s = frames.begin_s, frames.end_s
     middle_s, removed_s = 0.5 * float(end_s[-1]), 5.0
     kept = (end_s <= middle_s) | (begin_s >= middle_s + removed_s)

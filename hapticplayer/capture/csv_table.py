@@ -368,7 +368,7 @@ def not_text(where: str) -> InputError:
 
 
 def nul_bytes() -> tuple[Message, Message]:
-    """Return what is wrong with NUL bytes in a text, and what to do."""
+    """The refusal of a text with NUL bytes."""
     return (
         Message("holds NUL bytes, as a logger leaves that loses its power"),
         Message("copy it again, or remove the bytes"),

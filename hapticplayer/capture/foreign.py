@@ -74,7 +74,7 @@ def refuse_foreign(source: LogSource) -> None:
 
 
 def why_unreadable(source: LogSource) -> InputError | None:
-    """Return what a file is that could not be read as a video, or None."""
+    """The kind of a file that could not be read as a video, or None."""
     if not source.is_binary:
         return None
     what, remedy = _named(source, source.beginning(source.names[0]))
@@ -82,7 +82,7 @@ def why_unreadable(source: LogSource) -> InputError | None:
 
 
 def _named(source: LogSource, content: bytes) -> tuple[str, str]:
-    """Return what a file is and what to do, or nothing."""
+    """The kind of a file and the remedy, or nothing."""
     if _is_utf16(content):
         return _UTF16
     if not content.strip(b"\0"):

@@ -122,7 +122,7 @@ def main(
 
 
 def _sentence_and_status(problem: BaseException) -> tuple[str, int]:
-    """Return what to say; raise what is a fault of this program."""
+    """Sentence and exit status; a fault of this program is raised."""
     if isinstance(problem, HapticPlayerError):
         return str(problem), 2 if isinstance(problem, UsageError) else 1
     if isinstance(problem, KeyboardInterrupt):
@@ -136,7 +136,7 @@ def _sentence_and_status(problem: BaseException) -> tuple[str, int]:
 
 
 def _replace_closed_streams() -> io.StringIO | None:
-    """Return what takes the output if whoever started the program has closed it."""
+    """A stand-in for an output that whoever started the program has closed."""
     if sys.stderr is None:
         sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
     if sys.stdout is not None:

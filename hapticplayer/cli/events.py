@@ -49,7 +49,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
 
 
 def _described(event: Event) -> dict[str, object]:
-    """Return what JSON holds; the effect is as in an `effects.json`."""
+    """The event as JSON; its effect is as in an `effects.json`."""
     return {
         "kind": event.kind,
         "start_s": event.start_s,

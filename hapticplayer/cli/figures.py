@@ -14,7 +14,7 @@ def say_figures(before: ForceFigures, after: ForceFigures) -> None:
 
 
 def described_figures(before: ForceFigures, after: ForceFigures) -> dict[str, Any]:
-    """Return what JSON holds."""
+    """The report as JSON."""
     return {
         "before": dataclasses.asdict(before),
         "after": dataclasses.asdict(after),

@@ -90,7 +90,7 @@ def add_reading(command: argparse.ArgumentParser) -> None:
 
 
 def write_choices(options: argparse.Namespace) -> WriteChoices:
-    """Return what the options of writing say; the file ends with the track."""
+    """The choices of writing; the file ends with the track."""
     return WriteChoices(
         tolerance_n=options.tolerance,
         sample_rate_hz=options.sample_rate,
@@ -100,7 +100,7 @@ def write_choices(options: argparse.Namespace) -> WriteChoices:
 
 
 def read_choices(options: argparse.Namespace) -> ReadChoices:
-    """Return what the options of reading say."""
+    """The choices of reading."""
     return ReadChoices(options.full_scale, options.direction, options.stiffness)
 
 
@@ -121,7 +121,7 @@ def direction(text: str) -> tuple[float, float, float]:
 
 
 def cost_text(report: dict[str, Any]) -> str:
-    """Return what a written file has cost, in one sentence."""
+    """Size and largest error of a written file, in one sentence."""
     size = (
         f"{report['bytes']} bytes, {report['kbit_s']:.3g} kbit/s "
         f"({report['kbit_s_compressed']:.3g} compressed; the track: "

@@ -123,7 +123,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
 
 
 def chosen_import(options: argparse.Namespace) -> Choices:
-    """Return what the options of an import say."""
+    """The choices of an import."""
     mapping, fits_gain = chosen_mapping(options)
     return Choices(
         title=options.title,

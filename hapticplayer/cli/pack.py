@@ -70,7 +70,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
 
 
 def listing(what: Contents) -> dict[str, Any]:
-    """Return what a file holds as plain values."""
+    """The contents of a file as plain values."""
     return {
         "title": what.title,
         "feedbacks": list(what.feedbacks),
@@ -90,7 +90,7 @@ def listing(what: Contents) -> dict[str, Any]:
 
 
 def text_of(what: Contents) -> str:
-    """Return what a file holds as a table."""
+    """The contents of a file as a table."""
     parts = [
         f"  {part.name:24.24} {megabytes(part.size_bytes):>10}  {part.text}"
         for part in (what.video, *what.attached)

@@ -164,7 +164,7 @@ def keep_template(options: argparse.Namespace) -> None:
 
 
 def chosen_sync(options: argparse.Namespace) -> SyncChoices:
-    """Return what the options say about the clocks."""
+    """The choices about the clocks."""
     late_s = options.skew
     if late_s is None and options.camera is not None:
         skews = stored_skews()
@@ -183,7 +183,7 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
 
 
 def chosen_processing(options: argparse.Namespace) -> Processing:
-    """Return what the options say about the motion.
+    """The choices about the motion.
 
     Raises:
         UsageError: for options that do not go with the method.
@@ -217,7 +217,7 @@ def plot_target(options: argparse.Namespace) -> Path | None:
 
 
 def plot_overwritten(options: argparse.Namespace) -> IsOurs | None:
-    """Return what recognises a plot that may be overwritten."""
+    """The check for a plot that may be overwritten."""
     return is_plot if options.overwrite else None
 
 

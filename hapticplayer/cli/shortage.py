@@ -50,7 +50,7 @@ def refuse_small_limits() -> None:
 
 
 def shortage_of(problem: BaseException | None) -> str:
-    """Return what is short if that is the cause of a problem, else ""."""
+    """The shortage that caused a problem, else ""."""
     while problem is not None:
         if isinstance(problem, MemoryError):
             return _MEMORY

@@ -278,7 +278,7 @@ def installed_devices() -> dict[str, DeviceEntry]:
 
 
 def device_names() -> list[str]:
-    """Return what `--device` takes: all devices, and none."""
+    """The names for `--device`: all devices, and none."""
     return [*installed_devices(), NO_DEVICE]
 
 

@@ -253,7 +253,7 @@ def make(line: int, options: DeviceOptions) -> PacedDriver:
 
 
 def silence(line: int, _options: object = None) -> Callable[[], bool]:
-    """Return what shuts the connection down, for the guard: the server stops all."""
+    """The shutdown of the connection, for the guard: the server stops all."""
     held: list[int] = []  # as long as the guard lives
 
     def write_zero() -> bool:

@@ -86,7 +86,7 @@ def guide_of(entry: DeviceEntry) -> Guide:
 
 
 def hold_text(guide: Guide, record: DeviceCapabilities) -> Message:
-    """Return what a person does before the device moves."""
+    """The steps of a person before the device moves."""
     if guide.hold:
         return Message(guide.hold)
     if record.signal is Signal.MOTION:
@@ -95,7 +95,7 @@ def hold_text(guide: Guide, record: DeviceCapabilities) -> Message:
 
 
 def checks_of(entry: DeviceEntry) -> list[Check]:
-    """Return what a device needs, up to the first that is not met."""
+    """The needs of a device, up to the first that is not met."""
     try:
         return until_unmet(guide_of(entry).checks(entry.settings))
     except Exception as problem:  # noqa: BLE001 - of any package: the page shows it

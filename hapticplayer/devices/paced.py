@@ -214,7 +214,7 @@ class PacedDriver:
 
 
 def silencer(open_port: Callable[[], Port]) -> Callable[[], bool]:
-    """Return what switches a device off for the guard, which opens it for itself.
+    """The switch-off for the guard, which opens the device for itself.
 
     For devices that several programs can open: so it works beside a loop that stands
     still, and after its death.

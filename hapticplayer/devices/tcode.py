@@ -78,7 +78,7 @@ class TCodePort:
             os.write(self._open(), command)
 
     def read(self) -> bytes:
-        """Return what it says."""
+        """The decoded reply."""
         with self._failing_at_once(), contextlib.suppress(BlockingIOError):
             return os.read(self._open(), _MOST_READ)
         return b""

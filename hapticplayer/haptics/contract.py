@@ -301,7 +301,7 @@ TRANSITIONS: dict[Mode, tuple[Mode, Mode, Mode]] = {
 def assess(
     situation: Situation, rules: tuple[Rule, ...] = RULES
 ) -> tuple[Reaction, Cause]:
-    """Return what the first rule that holds asks for."""
+    """The reaction of the first rule that holds."""
     for cause, reaction, holds in rules:
         if holds(situation):
             return reaction, cause

@@ -32,7 +32,7 @@ class HandState(NamedTuple):
 def observe(
     hand: HandState, reading: DeviceReading | None, limits: Limits
 ) -> HandState:
-    """Return what is known after one exchange.
+    """The knowledge after one exchange.
 
     A repeated answer changes nothing; one that jumps, or lies far outside the
     workspace, counts as malformed and is dropped.

@@ -187,7 +187,7 @@ class HapticsProcesses:
         return self.health
 
     def _note_guard(self) -> None:
-        """Nothing is ready without a guard."""
+        """Wait until loop and guard have started."""
         if self.health is Health.STARTING and self._is_loop_ready:
             if self.block.guard_s() > 0.0:
                 self.health = Health.READY

@@ -98,7 +98,7 @@ NOT_MEASURED = "estimated from the picture, not measured"
 
 
 def origin(track: ForceTrack) -> str:
-    """Return what a file says of where its force comes from: "; ...", or nothing."""
+    """The origin of a file's force: "; ...", or nothing."""
     return f"; {NOT_MEASURED}" if track.is_estimated else ""
 
 

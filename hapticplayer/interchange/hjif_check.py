@@ -52,7 +52,7 @@ class HjifFinding(NamedTuple):
 
 
 def check(path: Path) -> list[HjifFinding]:
-    """Return what the loader objects to; nothing if it takes the file as it is.
+    """The objections of the loader; nothing if it takes the file as it is.
 
     Raises:
         InputError: when it is no JSON object.

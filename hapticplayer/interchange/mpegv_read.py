@@ -134,7 +134,7 @@ class _EffectReader:
         return ForceFile(track, (*self._notes, *unread))
 
     def _moves(self, notes: list[Message]) -> list[tuple[Floats, Floats]]:
-        """Return what motion adds: nothing beside a force."""
+        """The force that motion adds: nothing beside a force."""
         count = len(self._motions)
         if self._has_force and count:
             said = Message(

@@ -41,7 +41,7 @@ def shared_contents(
     with_motion: bool = False,
     progress: Progress = no_progress,
 ) -> Contents:
-    """Return what `share` would write; see `sequence.contents.contents`."""
+    """The contents that `share` would write; see `sequence.contents.contents`."""
     progress(0.0, Message("writing {name}", name=NAME))
     return contents(folder, with_motion=with_motion, extras=force_for_others(folder))
 

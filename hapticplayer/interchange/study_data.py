@@ -54,7 +54,7 @@ class StudyData:
             yield ticks
 
     def trial_forces(self, session: StoredSession) -> dict[TrialKey, TrialForce]:
-        """Return what the hand got in each trial of a session that has a record."""
+        """The measured force per trial of a session that has a record."""
         fraction = self.sessions.index(session) / len(self.sessions)
         step = Message("reading records of {code}", code=session.code)
         self.progress(fraction, step)

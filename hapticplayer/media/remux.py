@@ -86,7 +86,7 @@ class _Counter:
         self._size_bytes += packet.size
 
     def payload(self) -> VideoDigest:
-        """Return what it has come to."""
+        """The digest."""
         return VideoDigest(
             self._digest.hexdigest(),
             self._packets,

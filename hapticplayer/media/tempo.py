@@ -34,7 +34,7 @@ class TempoFilter:
         self._out_s = 0.0  # media time of the next sample that is returned
 
     def push(self, block: AudioBlock | None) -> list[AudioBlock]:
-        """Return what has become ready; None says that the sound has ended."""
+        """The finished samples; None says that the sound has ended."""
         self.is_over = block is None
         made: list[AudioBlock] = []
         if block is None or abs(block.media_s - self._next_s) > _GAP_S:
@@ -89,7 +89,7 @@ class _TempoGraph:
     def filtered(
         self, samples: NDArray[np.float32] | None
     ) -> list[NDArray[np.float32]]:
-        """Return what has become ready, (n, channels) each; None ends the sound."""
+        """The finished samples, (n, channels) each; None ends the sound."""
         self._source.push(None if samples is None else self._frame(samples))
         ready = []
         while (frame := _pulled(self._sink)) is not None:

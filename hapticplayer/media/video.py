@@ -186,7 +186,7 @@ def choose_threads(container: InputContainer, stream: VideoStream) -> None:
 
 
 def _decoding_percent(container: InputContainer, stream: VideoStream) -> float:
-    """Return what decoding takes of a core, in percent; 0 where that is unknown."""
+    """The load of decoding, percent of a core; 0 where that is unknown."""
     rate = stream.average_rate or stream.guessed_rate
     bit_rate = stream.bit_rate or container.bit_rate
     if stream.codec_context.name != "h264" or not rate or not bit_rate:

@@ -14,7 +14,7 @@ _UNIT_REMEDIES = (
 
 
 def time_unit_remedy(fits: Callable[[float], bool]) -> Message | None:
-    """Return what to do about times that are not in seconds; None for no known unit.
+    """The remedy for times that are not in seconds; None for no known unit.
 
     Args:
         fits: whether the times are plausible with so many of their unit in a second.

@@ -153,7 +153,7 @@ def _found(done: SmoothedRecording, is_chosen: bool) -> dict[str, Any]:
 
 
 def _reason(vehicle_weight: float, noise_factor: float) -> str:
-    """Return what the time constant was derived from, for people."""
+    """The origin of the time constant, for people."""
     if noise_factor > 1.0:
         return "the gyro's noise: it is larger than that of a calibrated gyro"
     if vehicle_weight < 0.5:

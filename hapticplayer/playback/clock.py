@@ -97,7 +97,7 @@ class MediaClock:
         return self._media0_s + self.speed * (1.0 + self._bend) * elapsed_s
 
     def snapshot(self, now_s: float) -> PlaybackClock:
-        """Return what others may rely on until the horizon."""
+        """The clock that holds until the horizon."""
         rate = self.speed * (1.0 + self._bend) if self._is_running else 0.0
         return PlaybackClock(
             self.epoch, self._monotonic0_s, self._media0_s, rate, now_s + HORIZON_S

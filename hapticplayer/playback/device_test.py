@@ -57,7 +57,7 @@ class DevicePart:
 
 
 def parts_of(name: str) -> tuple[DevicePart, ...]:
-    """Return what a test of a device does, in order.
+    """The steps of a device test, in order.
 
     Raises:
         DeviceError: for a name or settings that are not allowed.

@@ -209,7 +209,7 @@ class ForceOutput:
         self.loudest = Loudest()
 
     def measurements(self, audio_underrun_s: float) -> Measurements:
-        """Return what was measured so far."""
+        """The figures so far."""
         return Measurements(
             self.history.recent_stats(),
             self.video.recent(),
@@ -225,7 +225,7 @@ class ForceOutput:
         return SyncTraces(self.video.trace(), self.audio.trace())
 
     def summary(self) -> dict[str, Any]:
-        """Return what the loop measured, for the end of a log."""
+        """The loop's figures, for the end of a log."""
         loop = self.history.total_stats()
         return {
             "lateness_us": {

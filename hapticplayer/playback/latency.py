@@ -152,7 +152,7 @@ def saved_latencies() -> Latencies:
 
 
 def latencies_in(table: Mapping[str, Any], screen: str = "") -> Latencies:
-    """Return what a table of the settings, ms by part and output, says for a screen."""
+    """The latencies for a screen in a table of the settings, ms by part and output."""
     display_s = table_s(table, DISPLAY).get(screen, 0.0)
     parts_s = (table_s(table, part) for part in (SOUND, DEVICE, ENTERED))
     return Latencies(display_s, *parts_s)

@@ -115,7 +115,7 @@ class Outlet:
         self.output.processes.publish(ahead, wanted if is_on else NO_TRACK)
 
     def state(self, feedback: str) -> OutletState:
-        """Return what a front end shows; `feedback` is the player's."""
+        """The snapshot for front ends; `feedback` is the player's."""
         tick, processes = self.output.history.latest(), self.output.processes
         mode, cause = self.output.activity()
         return OutletState(
@@ -294,11 +294,11 @@ class Outlets:
             one.output.restart_meters()
 
     def states(self, feedback: str) -> tuple[OutletState, ...]:
-        """Return what a front end shows."""
+        """The snapshot for front ends."""
         return tuple(one.state(feedback) for one in self)
 
     def summary(self) -> dict[str, Any]:
-        """Return what was measured of each, for the end of a log."""
+        """The figures of each, for the end of a log."""
         return {one.name: one.output.summary() for one in self}
 
     def close(self) -> None:

@@ -362,7 +362,7 @@ class Player:
         return self._force.traces()
 
     def summary(self) -> dict[str, Any]:
-        """Return what the log ends with."""
+        """The summary at the end of the log."""
         video = self._clip.video
         return {
             **self._force.summary(),

@@ -22,7 +22,7 @@ Samples = NDArray[np.float32]
 def pats_sound(
     clip: Path, begin_s: float, end_s: float, ticks_s: Sequence[float]
 ) -> Samples:
-    """Return what is heard in a span of media time (n, 2), with a tick at some times.
+    """The sound of a span of media time (n, 2), with a tick at some times.
 
     The clip is on the left and the ticks are on the right, so that even a few
     milliseconds between them are heard; on one loudspeaker both are. The span is at

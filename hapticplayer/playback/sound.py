@@ -158,7 +158,7 @@ class Sound:
         return happened
 
     def reports(self) -> list[AudioReport]:
-        """Return what was heard since the last call, oldest first."""
+        """The sound reports since the last call, oldest first."""
         reports = self.ring.reports()
         if reports:
             handed_s = reports[-1].monotonic_s - self.ring.latency_s

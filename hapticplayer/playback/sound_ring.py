@@ -161,7 +161,7 @@ class AudioRing:
         return max(0, self._cue.written - self._read()) / self.rate_hz
 
     def reports(self) -> list[AudioReport]:
-        """Return what is heard when, since the last call, oldest first."""
+        """The reports (DAC time, media time) since the last call, oldest first."""
         heard, self._tail = self._block.heard_since(self._tail)
         epoch, later_s = self._cue.epoch, self.latency_s
         return [

@@ -50,7 +50,7 @@ class Source:
 def open_source(
     place: str | Path | ClipBytes, force: str | Path | None = None
 ) -> Source:
-    """Return what is at a path: the folder of a sequence, or a video; or a remote video.
+    """The source at a path: the folder of a sequence, or a video; or a remote video.
 
     The description in a sequence's folder means the folder. The force is a CSV file
     with rows `time_s,fx_n,fy_n,fz_n`, held between rows. A remote video waits for its

@@ -118,5 +118,5 @@ def _known() -> dict[str, Any]:
 
 
 def _entry(path: Path, expected: VideoDigest) -> list[int | str]:
-    """Return what tells a state of the file, and the video that it holds."""
+    """The identity of a file's state, and of its video."""
     return [*FileState.of(path)[1:], expected.sha256]

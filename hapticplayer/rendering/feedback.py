@@ -186,7 +186,7 @@ def condition_named(name: str) -> FeedbackCondition | None:
 
 
 def chosen_feedback(text: str) -> ChosenFeedback:
-    """Return what a text such as `delayed:delay_s=0.3` chooses."""
+    """The choice in a text such as `delayed:delay_s=0.3`."""
     name, mark, rest = text.partition(":")
     condition = condition_named(name)
     if condition is None or not mark:

@@ -154,7 +154,7 @@ def _mean_of_last(values: Floats, span_s: float) -> Floats:
 
 
 def background(size: Floats) -> Floats:
-    """Return what surrounds a shock of some size (N,), at least the floor."""
+    """The level (N,) around a shock, at least the floor."""
     block = round(BLOCK_S * GRID_HZ)
     count = -(-len(size) // block)
     padded = np.pad(np.square(size), (0, count * block - len(size)), mode="reflect")

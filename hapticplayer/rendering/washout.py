@@ -292,7 +292,7 @@ def _described(washout: Washout) -> dict[str, Any]:
 
 
 def _factor(primal: Singles, dual: Singles, size_n: float, duals: Singles) -> float:
-    """Return what brings the residuals closer, each relative to what it is of.
+    """The factor on the penalty that balances the residuals, each relative to its scale.
 
     Source: Stellato et al. 2020, "OSQP: an operator splitting solver", section 5.2. The
     penalty itself is in both parts of the second ratio.

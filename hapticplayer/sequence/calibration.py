@@ -126,7 +126,7 @@ def refuse_existing_calibration(path: Path, *, overwrite: bool = False) -> None:
 
 
 def overwritten(overwrite: bool) -> IsOurs | None:
-    """Return what recognises a calibration that may be overwritten."""
+    """The check for a calibration that may be overwritten."""
     return _is_calibration if overwrite else None
 
 

@@ -91,7 +91,7 @@ def previewed_rendering(
     preset: str | None = None,
     progress: Progress = no_progress,
 ) -> RenderingResult:
-    """Return what `editing.set_mapping` would make; nothing is written.
+    """The outcome of `editing.set_mapping`; nothing is written.
 
     Arguments and errors as there.
     """

@@ -66,7 +66,7 @@ class Contents:
 def contents(
     folder: Path, *, with_motion: bool = False, extras: Iterable[Attachment] = ()
 ) -> Contents:
-    """Return what `pack` would write of a sequence; nothing is written.
+    """The contents that `pack` would write of a sequence; nothing is written.
 
     Raises:
         SequenceError: when the sequence is damaged, or has more than fits.
@@ -76,7 +76,7 @@ def contents(
 
 
 def contents_of(packed: Packed) -> Contents:
-    """Return what a file that was packed holds."""
+    """The contents of a packed file."""
     attached = packed.attached.values()
     is_inside = packed.carrier == packed.sequence.clip
     inside_bytes = sum(len(one.content) for one in attached) if is_inside else 0
@@ -147,7 +147,7 @@ def _contents(
 
 
 def _text_of(name: str, feedback: str | None) -> str:
-    """Return what a file is; of an added track, whose file has a number, with its name."""
+    """The description of a file; of an added track, whose file has a number, with its name."""
     if feedback is not None:
         return Message("force {name!r}, N, lossless", name=feedback)
     if name.endswith(".hjif"):

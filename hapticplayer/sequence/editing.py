@@ -224,7 +224,7 @@ def rendering_of(
     preset: str | None = None,
     mapping: model.Mapping | None = None,
 ) -> Rendering:
-    """Return what renders a sequence's motion under one list of effects or another.
+    """The rendering of a sequence's motion under any list of effects.
 
     Args:
         sequence: with its motion.

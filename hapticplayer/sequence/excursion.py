@@ -332,7 +332,7 @@ class Grip:
         return np.asarray(_size(place) / self._limits.workspace_m)
 
     def _sent(self, planned: Floats) -> Floats:
-        """Return what `haptics.step` sends: faded, centred, capped."""
+        """The force that `haptics.step` sends: faded, centred, capped."""
         limits, centring = self._limits, self._centring
         sent = []
         for planned_n, place_m, speed_mps, cap_n in zip(

@@ -80,7 +80,7 @@ def ask_for_shown_mounting(clip: ClipInfo, recording: Recording) -> None:
 
 
 def _already(synchronisation: Any) -> FoundMounting | None:
-    """Return what synchronising has found."""
+    """The result of synchronising."""
     if not isinstance(synchronisation, Mapping):
         return None
     found = synchronisation.get("mounting")

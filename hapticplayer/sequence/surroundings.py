@@ -21,7 +21,7 @@ a short clip 300 s are still one block of the smoother, over which a bias is con
 def surroundings(
     imu: ImuLog, start_s: float, end_s: float
 ) -> tuple[ImuLog, SensorCalibration | None]:
-    """Return what the motion between two times of a log is to be estimated from.
+    """The part of a log from which the motion between two times is estimated.
 
     Args:
         imu: the whole log.

@@ -255,7 +255,7 @@ def _doubtful_frames(found: Synchronisation) -> Message:
 
 
 def _brings() -> Message:
-    """Return what keeps the frames from being compared exactly."""
+    """The reason why frames cannot be compared exactly."""
     return _broken() if why_broken() else _EXTRA
 
 

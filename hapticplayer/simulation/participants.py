@@ -54,7 +54,7 @@ class PopulationEffect:
 
 
 def paper_effect() -> PopulationEffect:
-    """Return what the paper reports (section 5, figures 7 and 8).
+    """The paper's results (section 5, figures 7 and 8).
 
     The factors' means are printed with one decimal and add up to 0.1 more or less than
     the printed mean of QoE; the difference is shared among them, at most 0.025 each,

@@ -144,7 +144,7 @@ class Answers:
 
 
 def simulated_mark(participants: Sequence[Participant]) -> str:
-    """Return what marks each page and figure; empty if nobody is simulated."""
+    """The mark of each page and figure; empty if nobody is simulated."""
     simulated = sum(one.simulated for one in participants)
     if not simulated:
         return ""

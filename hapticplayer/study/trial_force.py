@@ -63,7 +63,7 @@ class TrialForce:
 def measure_trial_force(
     ticks: NDArray[Any], duration_s: float, limits: Limits
 ) -> TrialForce | None:
-    """Return what a hand got while a clip played.
+    """The measured force while a clip played.
 
     While the force is off the loop does not say what is planned; a straight line
     stands in for it.

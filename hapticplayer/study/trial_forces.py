@@ -26,7 +26,7 @@ _LONGEST_TRIAL_S = 3600.0
 def measure_trial_forces(
     session: StoredSession, notices: list[str]
 ) -> dict[TrialKey, TrialForce]:
-    """Return what the hand got in each answered trial that has a record.
+    """The measured force per answered trial that has a record.
 
     Args:
         session: with its records; sessions without any have no entries.

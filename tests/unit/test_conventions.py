@@ -19,6 +19,7 @@ NOT_OTHERS = {"cls", "os", "self", "sys"}
 """Whose private names are a module's own, or documented."""
 MOST_PRIVATE = 30
 """Places that reach into what other modules keep to themselves; may only fall."""
+RETURN_WHAT = re.compile(r'"""(?:Return|Yield) what \b')
 LINK = re.compile(r"\]\((?!https?:|mailto:|#)([^)#\s]+)")
 
 
@@ -113,3 +114,8 @@ def test_every_file_that_a_document_links_to_exists():
         if not (page.parent / link).exists()
     ]
     assert not links
+
+
+@pytest.mark.parametrize("folder", ["hapticplayer", "app", "tools", "benchmarks"])
+def test_docstrings_name_the_thing_that_is_returned(folder):
+    assert not list(found(folder, RETURN_WHAT))

@@ -77,7 +77,7 @@ def make_material(folder: Path) -> Material:
 
 
 def _question(video: Path, log: Path) -> LogQuestion:
-    """Return what is asked about a log whose columns have names but no units."""
+    """The question about a log whose columns have names but no units."""
     time_s = np.arange(0.0, 20.0, 0.01)
     rows = np.column_stack([time_s, *[np.sin(time_s + k) for k in range(6)]])
     header = "t;ax;ay;az;gx;gy;gz"

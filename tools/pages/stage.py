@@ -62,7 +62,7 @@ class Stage:
         return widget.grab()
 
     def asked(self, ask: Callable[[], object]) -> QPixmap:
-        """Return what a question looks like that stops the event loop, and decline."""
+        """A picture of a question that stops the event loop, declined."""
         seen = []
 
         def look() -> None:

@@ -180,7 +180,7 @@ def _shown(layout: _Layout) -> str:
 def _fault(
     columns: list[tuple[str, ...]], layouts: list[_Layout], choices: LogChoices
 ) -> str:
-    """Return what is wrong with the names of the columns, or ""."""
+    """The fault in the names of the columns, or ""."""
     if len(columns) != len(layouts):
         return Message(
             "describes {count} of {total} tables (/ between them)",

@@ -160,7 +160,7 @@ def _sensors(source: LogSource) -> dict[str, _SensorColumns]:
 
 
 def _kind(sensor: str | None, unit: str, base: str) -> str:
-    """Return what a column holds; "" if it is no sensor's.
+    """The quantity of a column; "" if it is not a sensor's.
 
     Experiments of a user's own name the axis and the unit only; then the name of the
     member tells linear acceleration from acceleration.

@@ -64,5 +64,5 @@ def sync_method(name: str) -> SyncMethod:
 
 
 def title_of(name: str) -> Message | str:
-    """Return what people call a method; an unknown one is called by its name."""
+    """The title of a method; an unknown one is called by its name."""
     return next((one.title or name for one in sync_methods() if one.name == name), name)

@@ -133,7 +133,7 @@ def _is_elsewhere(part: Watched, gyro: Gyro, here: RotationFit) -> bool:
 
 
 def _parts(frames: FrameRotation) -> Iterator[FrameRotation]:
-    """Yield what is seen in each 6 s, every 3 s, where that is enough."""
+    """The frames of each 6 s, every 3 s, where that is enough."""
     first_s, last_s = float(frames.begin_s[0]), float(frames.end_s[-1]) - _CHECKED_S
     seen_s = (frames.end_s - frames.begin_s) * (frames.quality > 0.0)
     count = max(1, math.ceil((last_s - first_s) / (0.5 * _CHECKED_S)) + 1)
@@ -196,7 +196,7 @@ def refuse_without_gyro(imu: ImuLog) -> None:
 def finding(
     fits: list[RotationFit], line: Line, kind: FeatureKind, *, is_own: bool = False
 ) -> Synchronisation:
-    """Return what a line means, whose fit is the first of several.
+    """The result of a line whose fit is the first of several.
 
     A log that is known to be the clip's own is not one of another ride.
     """

@@ -120,7 +120,7 @@ def automatic(inputs: SyncInput) -> Synchronisation:
 def _tried(
     method: Callable[[SyncInput], Synchronisation], inputs: SyncInput
 ) -> tuple[Synchronisation | None, InputError | None]:
-    """Return what a method finds, or why it cannot be used."""
+    """The result of a method, or why it cannot be used."""
     try:
         return method(inputs), None
     except InputError as problem:

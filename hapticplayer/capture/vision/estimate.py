@@ -104,7 +104,7 @@ def suggestion(
     duration_s: float,
     gain: float = 1.0,
 ) -> Suggestion:
-    """Return what the motion over the ground from frame to frame suggests.
+    """The motion that frames suggest by the ground between them.
 
     Args:
         steps: of each pair of frames, one or more.
@@ -227,7 +227,7 @@ def _between(values: Floats, bounds: tuple[float, float]) -> Floats:
 
 
 def _notes(watched_: _Watched, trust: Floats) -> tuple[tuple[str, ...], list[int]]:
-    """Return what is said, and which parts (0 sway, 1 bounce) are left out."""
+    """The notices, and the parts (0 sway, 1 bounce) that are left out."""
     notes: list[str] = []
     unseen_s = float((watched_.is_known[:, 0] < 0.5).sum()) / RATE_HZ
     if unseen_s >= 1.0:

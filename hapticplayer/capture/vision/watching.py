@@ -139,7 +139,7 @@ def watched(
     kind: FeatureKind = FeatureKind.CORNERS,
     progress: Progress = lambda _share, _step: None,
 ) -> Iterator[tuple[View, Seen]]:
-    """Yield what each pair of frames shows; memory does not grow with their number.
+    """The matches of each pair of frames; memory does not grow with their number.
 
     Args:
         clip: the video.

@@ -241,7 +241,7 @@ class FalconDriver:
 
 
 def opening(line: int, serial: str = "") -> OpenTransport:
-    """Return what opens the Falcon that is plugged in, for a guard as well.
+    """The opener of the Falcon that is plugged in, for a guard as well.
 
     `line` is the descriptor along which the guard is handed the open USB file, -1 where
     there is none; it stays the caller's.

@@ -54,7 +54,7 @@ class HomingGuide:
         self._still_looks = 0
 
     def look(self, reply: Reply) -> Guidance:
-        """Return what to do after this reply."""
+        """The next step after this reply."""
         start = self._start = self._start or reply.counts
         i, j, k = (now - then for now, then in zip(reply.counts, start, strict=True))
         out, bits = (i + j + k) / 3.0, reply.homed

@@ -38,7 +38,7 @@ def transposed_times(rows: Rows, vector: Vector) -> Vector:
 
 
 def condition_bound(rows: Rows) -> float:
-    """Return what the condition number is below, 2 / |det| (norm / sqrt 3)^3.
+    """An upper bound of the condition number, 2 / |det| (norm / sqrt 3)^3.
 
     Guggenheimer, Edelman & Johnson 1995, "A simple estimate of the condition number
     of a linear system"; a fifth of the time that `condition` takes.

@@ -124,7 +124,7 @@ class _FrameParser(ABC, Generic[_Frame]):
 
     @abstractmethod
     def _decode(self, frame: bytes) -> _Frame:
-        """Return what a frame says that the pattern has matched."""
+        """The reply in a frame that the pattern has matched."""
 
 
 class ReplyParser(_FrameParser[Reply]):

@@ -92,5 +92,5 @@ class Silencer:
 
 
 def silence(line: int, _options: object = None) -> Callable[[], bool]:
-    """Return what a guard calls; the loop hands over the one of that serial number."""
+    """The guard's silencer; the loop hands over the one of that serial number."""
     return Silencer(line=line)

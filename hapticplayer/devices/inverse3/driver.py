@@ -180,7 +180,7 @@ def make(line: int, options: DeviceOptions) -> Inverse3Driver:
 
 
 def silence(line: int, _options: object = None) -> Callable[[], bool]:
-    """Return what sends zero through the loop's own connection, for the guard."""
+    """A sender of zero through the loop's own connection, for the guard."""
     held: list[tuple[int, bytes]] = []  # as long as the guard lives
 
     def write_zero() -> bool:

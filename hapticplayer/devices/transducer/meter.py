@@ -34,7 +34,7 @@ class LevelMeter:
         self._held[channel] = held, held_s, limited_s
 
     def levels(self, now_s: float) -> tuple[ChannelLevel, ...]:
-        """Return what the meter shows now, in the order of the channels' settings."""
+        """The levels now, in the order of the channels' settings."""
         return tuple(
             ChannelLevel(channel, _fallen(held, now_s - held_s), now_s < end_s)
             for channel, (held, held_s, limited_s) in self._held.items()

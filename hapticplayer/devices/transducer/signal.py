@@ -51,7 +51,7 @@ class _Split:
         self._within = _OnePole(high_hz), _OnePole(high_hz)
 
     def parts(self, size: float, along: float, elapsed_s: float) -> tuple[float, float]:
-        """Return what swells the carrier, and what is played as it is."""
+        """The envelope of the carrier, and the part that is played as it is."""
         for one in self._swell:
             size = one.step(size, elapsed_s)
         for one in self._below:

@@ -45,7 +45,7 @@ def hand_over_sound(line: int, before: set[int]) -> None:
 
 
 def silence(line: int, _options: object = None) -> Callable[[], bool]:
-    """Return what cuts the sound of a loop that has ended; False: there is none left.
+    """A cut-off for the sound of a loop that has ended; False: there is none left.
 
     A loop that stands still needs none: the stream's own thread fades within 15 ms.
     """

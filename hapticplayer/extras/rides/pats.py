@@ -64,7 +64,7 @@ def three_pats(rng: np.random.Generator, first_s: float) -> tuple[Tap, ...]:
 
 
 def displacement(pats: tuple[Tap, ...], time_s: Floats) -> Floats:
-    """Return what the pats move (N, 3) in m, of a sensor that stands upright."""
+    """The displacement (N, 3) by the pats, m, of a sensor that stands upright."""
     moved = np.zeros((len(time_s), 3))
     for pat in pats:
         since_s = np.clip(time_s - pat.time_s, 0.0, None)

@@ -53,7 +53,7 @@ class SensorErrors:
         rng: np.random.Generator,
         warmer_k: Floats | None = None,
     ) -> Floats:
-        """Return what the sensor gives for exact values (N, 3) at a rate.
+        """The sensor's samples of exact values (N, 3) at a rate.
 
         `warmer_k` (N,) is how much warmer it is than when its bias was measured.
         """

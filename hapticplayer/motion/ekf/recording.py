@@ -149,7 +149,7 @@ class _FilterPass:
         self._fields_used += self._kalman.use_field(field_ut)
 
     def result(self, still: start.StillStart, interval_s: float) -> EkfResult:
-        """Return what the filter found out."""
+        """The filter's results."""
         count = len(self._q)
         no_field = self._in.field_ok is None
         return EkfResult(

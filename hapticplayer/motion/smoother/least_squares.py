@@ -262,7 +262,7 @@ def vertical_right_sides(problem: Problem) -> Floats:
 
 
 def _vertical_normal(problem: Problem) -> Floats:
-    """Return what the vertical velocity says about the calibration."""
+    """The part of the vertical velocity in the normal equations of the calibration."""
     push = problem.impulse[:, 2]
     weighted = problem.velocity_weight * push
     side = problem.velocity_weight + problem.zero_velocity_weight

@@ -55,7 +55,7 @@ class SmoothedRecording:
         return float(constants_s.min()), float(constants_s.max())
 
     def calibration(self, gain: float) -> SensorCalibration:
-        """Return what is known about the sensor: the mean of the blocks by variance.
+        """The sensor's calibration: the mean of the blocks by variance.
 
         Args:
             gain: of the accelerometer, which its specific force was multiplied with.
@@ -201,7 +201,7 @@ def _still_bins(
 def _still_elsewhere(
     still: StillSpans, edges: NDArray[np.intp], reach: slice, step_s: Floats
 ) -> StillBins | None:
-    """Return what the gyro reads in the nearest still span outside of a block.
+    """The gyro's mean in the nearest still span outside of a block.
 
     Args:
         still: of the recording.

@@ -66,7 +66,7 @@ def silent(span: Span) -> Floats:
 
 
 def low_passed(span: Span) -> Floats:
-    """Return what a Butterworth filter of second order leaves, run both ways.
+    """The output of a Butterworth filter of second order, run both ways.
 
     No phase, and half the amplitude at the cut-off. It hears what is around the span.
     """
@@ -82,7 +82,7 @@ def low_passed(span: Span) -> Floats:
 
 
 def high_passed(span: Span) -> Floats:
-    """Return what a low-pass takes away: 1 - 1 / (1 + x^4) = x^4 / (1 + x^4)."""
+    """The complement of a low-pass: 1 - 1 / (1 + x^4) = x^4 / (1 + x^4)."""
     return np.asarray(span.values - low_passed(span))
 
 

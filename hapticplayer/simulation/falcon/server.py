@@ -85,7 +85,7 @@ class Server:
         return self._deaf_until_s is None
 
     def _watching(self) -> select.poll:
-        """Return what wakes the server; while it is deaf only that everybody left."""
+        """The wake-up sources; while it is deaf only the departure of all."""
         poll = select.poll()
         if self._deaf_until_s is not None:
             poll.register(self._line, 0)

@@ -101,7 +101,7 @@ class Simulation:
         self._run_to(now_s)
 
     def reading(self, now_s: float) -> DeviceReading:
-        """Return what encoders and buttons say; advance to `now_s` before."""
+        """Encoders and buttons at `now_s`."""
         kinematics, position_m = self._kinematics, self.position_m
         zero_rad, count_rad = (
             kinematics.geometry.theta0_rad,

@@ -97,7 +97,7 @@ class Outcome(NamedTuple):
 
 
 def outcome_of(ticks: NDArray[Any], fault_s: float) -> Outcome | None:
-    """Return what came of a fault, None while nothing has; ticks from before it on."""
+    """The measured reaction to a fault, None before it; ticks from before it on."""
     after = ticks[ticks["monotonic_s"] >= fault_s]
     reacts = np.isin(after["mode"], (Mode.RAMPING, Mode.TRIPPED))
     if not reacts.any():

@@ -19,7 +19,7 @@ class _NonFiniteTrack:
     end_s = math.inf
 
     def force_at(self, _media_s: float) -> Vector:
-        """Return what no check at load can have let through."""
+        """A track that no check at load can have let through."""
         return _NANS
 
 

@@ -43,7 +43,7 @@ class DecodedPacket(NamedTuple):
 
 
 def decode(packet: bytes) -> DecodedPacket | None:
-    """Return what a packet says, None for one of no known format."""
+    """The decoded packet, None for one of no known format."""
     if len(packet) in (64, 68):
         return _outsim(packet)
     if len(packet) == 88 and packet.startswith(b"BNG1"):

@@ -57,7 +57,7 @@ class SimulatedRig:
         return heard
 
     def report(self, now_s: float) -> dict[str, Any]:
-        """Return what a person wants to know; "neutral_s" is how long it was at last."""
+        """The report for people; "neutral_s" is how long it was at last."""
         last, gaps = self.last, self._gaps_s
         is_neutral = last is not None and last.is_neutral
         return {
@@ -127,7 +127,7 @@ class PacketReceiver:
                     yield port, arrived_s, heard
 
     def report(self) -> dict[int, dict[str, Any]]:
-        """Return what each port has to say."""
+        """The report of each port."""
         now_s = self._clock.now_s()
         return {port: rig.report(now_s) for port, rig in self.rigs.items()}
 

@@ -46,7 +46,7 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
         self.ports = ports
 
     def enumerate_devices(self) -> list[SimulatedPort]:
-        """Return what is plugged in."""
+        """The devices on the bus."""
         return [port for port in self.ports if port.chip.is_plugged]
 
     def get_device_descriptor(self, port: SimulatedPort) -> SimpleNamespace:

@@ -53,7 +53,7 @@ def make_set(
 
 
 def opening(descriptor: int) -> OpenTransport:
-    """Return what opens the Falcon at the other end of a descriptor, which it takes."""
+    """The opener of the Falcon at the other end of a descriptor, which it takes."""
     bus: list[Any] = []
 
     def open_transport() -> Transport:

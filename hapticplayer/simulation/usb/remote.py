@@ -175,7 +175,7 @@ class _Line:
 
 
 def silence(descriptor: int) -> Callable[[], bool]:
-    """Return what writes one zero frame beside a program that holds the device.
+    """A writer of one zero frame beside a program that holds the device.
 
     The descriptor is inherited by the guard and stays the caller's.
     """

@@ -106,7 +106,7 @@ def _effect(ranks: Floats, name: str) -> Found | None:
 
 
 def _projected(ranks: Floats, name: str) -> Floats:
-    """Return what ranks (P, S, F) have of an effect (P, levels), without all others."""
+    """The share (P, levels) of one effect in ranks (P, S, F), without all others."""
     centred = ranks - ranks.mean(axis=(1, 2), keepdims=True)
     sequence, feedback = centred.mean(axis=2), centred.mean(axis=1)
     if name == "sequence":

@@ -34,7 +34,7 @@ SYNC = {
 
 
 def identity(answers: Answers) -> Iterator[ReportBlock]:
-    """Yield what the study is, when it was run, and with which software."""
+    """The identity of the study, its dates and its software."""
     conduct = answers.conduct
     parts = []
     if conduct.identifier:
@@ -82,7 +82,7 @@ def _counted(values: Sequence[str | None]) -> str:
 
 
 def feedback_conditions(answers: Answers) -> Iterator[ReportBlock]:
-    """Yield what each feedback is."""
+    """The description of each feedback."""
     rows = tuple(answers.conduct.feedbacks.items())
     if rows:
         yield Heading("Feedbacks")

@@ -86,7 +86,7 @@ def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
 
 
 def reproducibility(options: AnalysisOptions) -> Iterator[ReportBlock]:
-    """Yield what reproduces the report."""
+    """The provenance that reproduces the report."""
     yield Heading("Reproducibility")
     yield Paragraph(
         f"{computed_with(options)} The same answers, seed and versions give the same "

@@ -58,7 +58,7 @@ class Film:
                 yield maker.draw(pose)
 
     def studio(self) -> tuple[PictureMaker, list[CameraPose]]:
-        """Return what draws, and where the camera is for each frame."""
+        """The painter, and the camera's place for each frame."""
         rng = np.random.default_rng([self.seed, 2])
         country = Country(self.scene, rng)
         return PictureMaker(country, self.width, self.height, rng), self._poses()

@@ -278,7 +278,7 @@ def _dashboard(width: int, height: int) -> Foreground:
 def make_foreground(
     vehicle: Vehicle, width: int, height: int, rng: np.random.Generator
 ) -> Foreground | None:
-    """Return what is seen in front of the camera on a vehicle."""
+    """The foreground of a camera on a vehicle."""
     if vehicle == "car":
         return _dashboard(width, height)
     if vehicle == "bicycle":
