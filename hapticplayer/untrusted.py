@@ -24,12 +24,6 @@ MAX_ATTACHED_BYTES = 256 << 20
 
 MAX_ATTACHED_FILES = 64
 
-MAX_CONNECTIONS, MAX_CONNECTIONS_OF_ONE = 64, 16
-"""Of a server, and of one address."""
-
-CONNECTION_S = 30.0
-"""How long a connection may wait for its next request, or take for one piece of an answer."""
-
 ANSWER_S = 5.0
 """How long a web server may say nothing before it is asked again."""
 

@@ -4,7 +4,6 @@ import ssl
 import threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
-from hapticplayer.cli.serve import wanted_bytes
 from hapticplayer.clock import SystemClock
 
 PIECE_BYTES = 16 << 10
@@ -87,7 +86,8 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _send_part(self, content):
         wanted = self.headers.get("Range", "") if self.server.gives_ranges else ""
-        begin, end = wanted_bytes(wanted, len(content)) or (0, len(content))
+        begin, _, last = wanted.removeprefix("bytes=").partition("-")
+        begin, end = int(begin or 0), min(int(last or len(content)) + 1, len(content))
         headers = {"ETag": f'"{len(content)}"'}
         if wanted:
             headers["Content-Range"] = f"bytes {begin}-{end - 1}/{len(content)}"

@@ -75,7 +75,6 @@ COMMANDS = (
     ),
     Command("pack", "write a sequence as one video file, to send to someone", ".pack"),
     Command("unpack", "make a sequence of a file that was packed", ".unpack"),
-    Command("serve", "let others play a packed file over the network", ".serve"),
     Command("export", "write a sequence's force for other programs", ".export"),
     Command("import-force", "give a sequence force made elsewhere", ".import_force"),
     Command("convert", "convert force from one format to another", ".convert"),

@@ -51,8 +51,8 @@ class ClipBytes(abc.ABC):
 
 
 def path_of(clip: Path | ClipBytes) -> Path:
-    """The path of a clip; of a remote one its name alone."""
-    return Path(clip.name) if isinstance(clip, ClipBytes) else clip
+    """The path of a clip; of a remote one its name, where no file of this machine is."""
+    return Path("remote:", clip.name) if isinstance(clip, ClipBytes) else clip
 
 
 AnyClip = str | os.PathLike[str] | ClipBytes

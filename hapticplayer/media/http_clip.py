@@ -2,7 +2,6 @@
 
 import io
 import itertools
-import math
 import os
 import threading
 from collections import OrderedDict
@@ -51,10 +50,8 @@ class HttpClip(ClipBytes):
         self._news = threading.Condition()
         self._wanted: dict[int, int] = {}  # block by reader, the latest last
         self._readers = itertools.count()
-        self._waits: dict[
-            int, tuple[int, float]
-        ] = {}  # block and since when, by reader
-        self._under_way = range(0)
+        self._waits: dict[int, int] = {}  # block by reader that waits for it
+        self._under_way, self._heard_s = range(0), 0.0
         self._failure: Message | None = None
         self._is_closed = False
         try:
@@ -97,13 +94,9 @@ class HttpClip(ClipBytes):
     def waiting(self) -> Message | None:
         """Why the next bytes do not come, None while they do."""
         with self._news:
-            since_s = min(
-                (since for _, since in self._waits.values()), default=math.inf
-            )
-            if self._failure is not None:
+            quiet_s = self._clock.now_s() - self._heard_s
+            if self._failure or not self._under_way or quiet_s < _NOTICED_S:
                 return self._failure
-        if self._clock.now_s() < since_s + _NOTICED_S:
-            return None
         return Message("{where}: waiting for the server", where=self._client.where)
 
     def close(self) -> None:
@@ -138,8 +131,8 @@ class HttpClip(ClipBytes):
     def _wait_for(self, reader: int, number: int) -> None:
         """Wait for a block, ahead of what nobody waits for."""
         begun_s = self._clock.now_s()
-        self._waits[reader] = (number, begun_s)
-        is_coming = any(block in self._under_way for block, _ in self._waits.values())
+        self._waits[reader] = number
+        is_coming = any(block in self._under_way for block in self._waits.values())
         if len(self._under_way) > FIRST_BLOCKS and not is_coming:
             self._client.abort()
         try:
@@ -210,7 +203,7 @@ class HttpClip(ClipBytes):
 
     def _fetch(self, blocks: range) -> None:
         with self._news:
-            self._under_way = blocks
+            self._under_way, self._heard_s = blocks, self._clock.now_s()
         try:
             for number, content in enumerate(
                 self._client.part(
@@ -227,7 +220,7 @@ class HttpClip(ClipBytes):
         with self._news:
             self._blocks[number] = content
             self._under_way = range(number + 1, self._under_way.stop)
-            self._failure = None
+            self._failure, self._heard_s = None, self._clock.now_s()
             while len(self._blocks) > KEPT_BLOCKS:
                 self._blocks.popitem(last=False)
             self._news.notify_all()

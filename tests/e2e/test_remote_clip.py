@@ -1,5 +1,6 @@
 """Playing a packed file from web servers, good and bad ones."""
 
+import os
 import shutil
 import socket
 import subprocess
@@ -15,6 +16,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.pack import pack
+from tests.e2e.command import hapticplayer, in_process, refused
 from tests.web_server import WebServer, wait_for
 
 CLOCK = SystemClock()
@@ -65,7 +67,7 @@ def nginx(packed, tmp_path_factory):
 
 
 def _is_root():
-    return shutil.os.geteuid() == 0
+    return os.geteuid() == 0
 
 
 def _refuses(port):
@@ -186,3 +188,47 @@ def test_force_is_withheld_from_another_video(server, packed):
         one.until(lambda now: now.phase is Phase.PLAYING and now.media_s > 0.5)
         assert not one.now.tick["force_n"].any()
         assert "not the video that the force was made for" in one.now.notices[0]
+
+
+@pytest.mark.parametrize("words", [(), ("--accept-changed-video",)])
+def test_a_network_is_used_only_when_it_is_allowed(server, words):
+    done = hapticplayer("play", "--headless", server.url(), *words)
+    assert "nothing is fetched from a network without --allow-network" in refused(
+        done, 2
+    )
+
+
+def test_a_server_that_is_not_there_is_one_sentence():
+    address = "http://127.0.0.1:9/s3cret/ride.mkv?key=s3cret"
+    done = hapticplayer("play", "--headless", "--allow-network", address)
+    said = refused(done)
+    assert "http://127.0.0.1:9: ride.mkv: cannot be reached" in said
+    assert "s3cret" not in said
+
+
+WATCH = """
+import os, sys
+def watch(name, arguments):
+    is_used = name in ("socket.connect", "socket.bind", "socket.getaddrinfo",
+                       "socket.gethostbyname", "socket.sendto", "urllib.Request")
+    if is_used or (name == "socket.__new__" and arguments[1] in (2, 10)):
+        with open(os.environ["WATCHED"], "a") as log:
+            log.write(f"{name} {arguments}\\n")
+sys.addaudithook(watch)
+"""
+
+
+@pytest.mark.parametrize("way", ["file", "folder", "address"])
+def test_playing_a_file_never_opens_a_socket(way, server, packed, demo, tmp_path):
+    (tmp_path / "sitecustomize.py").write_text(WATCH)
+    env = {"PYTHONPATH": str(tmp_path), "WATCHED": str(tmp_path / "watched")}
+    words = {
+        "file": [packed / "ride.mkv"],
+        "folder": [demo],
+        "address": [server.url(), "--allow-network"],
+    }
+    words = [*words[way], "--headless", "--mute", "--duration", "0.3"]
+    done = in_process("play", *words, env=env)
+    assert done.returncode == 0, done.stderr
+    # in all of its processes; that an address is noticed shows that they are watched
+    assert (tmp_path / "watched").exists() is (way == "address")

@@ -1,4 +1,4 @@
-"""`serve`, and `play` of an address, as a user runs them."""
+"""`serve`, as a user runs it."""
 
 import json
 import signal
@@ -13,7 +13,6 @@ from hapticplayer.playback.source import open_source
 from tests.e2e.command import (
     followed,
     hapticplayer,
-    in_process,
     played,
     refused,
     started,
@@ -90,43 +89,3 @@ def test_the_hand_gets_the_force_of_the_file(url, packed, tmp_path):
     assert np.median(np.linalg.norm(force_n - expected, axis=1)) < 0.01
     assert lines[-1]["frames"]["shown"] > 0
     assert "waiting" not in [line.get("name") for line in lines]
-
-
-@pytest.mark.parametrize("words", [(), ("--accept-changed-video",)])
-def test_a_network_is_used_only_when_it_is_allowed(url, words):
-    done = hapticplayer("play", "--headless", url, *words)
-    assert "nothing is fetched from a network without --allow-network" in refused(
-        done, 2
-    )
-
-
-def test_a_server_that_is_not_there_is_one_sentence():
-    address = "http://127.0.0.1:9/s3cret/ride.mkv?key=s3cret"
-    done = hapticplayer("play", "--headless", "--allow-network", address)
-    said = refused(done)
-    assert "http://127.0.0.1:9: ride.mkv: cannot be reached" in said
-    assert "s3cret" not in said
-
-
-WATCH = """
-import os, sys
-def watch(name, arguments):
-    is_used = name in ("socket.connect", "socket.bind", "socket.getaddrinfo",
-                       "socket.gethostbyname", "socket.sendto", "urllib.Request")
-    if is_used or (name == "socket.__new__" and arguments[1] in (2, 10)):
-        with open(os.environ["WATCHED"], "a") as log:
-            log.write(f"{name} {arguments}\\n")
-sys.addaudithook(watch)
-"""
-
-
-@pytest.mark.parametrize("way", ["file", "folder", "address"])
-def test_playing_a_file_never_opens_a_socket(way, url, packed, demo, tmp_path):
-    (tmp_path / "sitecustomize.py").write_text(WATCH)
-    env = {"PYTHONPATH": str(tmp_path), "WATCHED": str(tmp_path / "watched")}
-    words = {"file": [packed], "folder": [demo], "address": [url, "--allow-network"]}
-    words = [*words[way], "--headless", "--mute", "--duration", "0.3"]
-    done = in_process("play", *words, env=env)
-    assert done.returncode == 0, done.stderr
-    # in all of its processes; that an address is noticed shows that they are watched
-    assert (tmp_path / "watched").exists() is (way == "address")

@@ -2,7 +2,7 @@
 
 Whoever has the URL may watch: it holds a token of 128 bits, and nothing is encrypted.
 Only the file can be read, whole or in parts. A connection that asks for nothing, or takes
-nothing, is closed; so are those beyond the limits in `untrusted`.
+nothing, is closed; so are those beyond the limits below.
 """
 
 import argparse
@@ -39,12 +39,13 @@ from hapticplayer.model import ranges
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.store import DESCRIPTION, open_sequence
 from hapticplayer.sequence.unpack import require_packed
-from hapticplayer.untrusted import (
-    CONNECTION_S,
-    MAX_CONNECTIONS,
-    MAX_CONNECTIONS_OF_ONE,
-    open_regular,
-)
+from hapticplayer.untrusted import open_regular
+
+MAX_CONNECTIONS, MAX_CONNECTIONS_OF_ONE = 64, 16
+"""Of a server, and of one address."""
+
+CONNECTION_S = 30.0
+"""How long a connection may wait for its next request, or take for one piece of an answer."""
 
 LOOPBACK = "127.0.0.1"
 _ANY_ADDRESS = ("192.0.2.1", 9)  # of documentation (RFC 5737): nothing is sent there

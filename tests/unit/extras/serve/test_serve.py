@@ -8,10 +8,14 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from hapticplayer.cli.serve import FileServer, wanted_bytes
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.errors import NetworkError
-from hapticplayer.untrusted import CONNECTION_S, MAX_CONNECTIONS_OF_ONE
+from hapticplayer.extras.serve.command import (
+    CONNECTION_S,
+    MAX_CONNECTIONS_OF_ONE,
+    FileServer,
+    wanted_bytes,
+)
 from tests.web_server import wait_for
 
 

@@ -1,0 +1,1 @@
+"""A packed file for others on this machine or a local network."""
