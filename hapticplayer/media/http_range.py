@@ -186,8 +186,8 @@ class RangeClient:
     def _refuse_inward(self, address: str) -> None:
         """Let nobody outside send us to what only we can reach."""
         if self._target is self._first:
-            self._is_public = _is_public(address)
-        elif self._is_public and not _is_public(address):
+            self._is_public = is_public(address)
+        elif self._is_public and not is_public(address):
             raise self._refusal(Message("redirects to a private address"), _ASK)
 
     def _checked_size(self, response: HTTPResponse, begin: int, end: int) -> int:
@@ -269,7 +269,8 @@ def _target_of(url: str, shown: str = "") -> SplitResult:
     return parts._replace(fragment="")
 
 
-def _is_public(address: str) -> bool:
+def is_public(address: str) -> bool:
+    """Whether everybody on the internet can reach an address."""
     found = ipaddress.ip_address(address)
     mapped = getattr(found, "ipv4_mapped", None)
     return bool((mapped or found).is_global)

@@ -3,6 +3,7 @@
 import pytest
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.media import http_clip
 from hapticplayer.media.http_clip import HttpClip
 from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.pack import pack
@@ -36,12 +37,18 @@ def test_a_remote_clip_plays_and_is_not_remembered(window, source, wait_for):
     assert not window.extras.history.recent()
 
 
-def test_why_a_remote_clip_waits_is_shown(window, source, server, wait_for):
-    window.session.show_source(source)
+@pytest.fixture
+def little_memory(monkeypatch):
+    """What was read to open a clip is forgotten when it plays."""
+    monkeypatch.setattr(http_clip, "BLOCK_BYTES", 1000)
+    monkeypatch.setattr(http_clip, "KEPT_BLOCKS", 4)
+    monkeypatch.setattr(http_clip, "AHEAD_BLOCKS", 2)
+
+
+def test_why_a_remote_clip_waits_is_shown(
+    little_memory, window, source, server, wait_for
+):
     server.gate.clear()
-    remote = source.clip.remote
-    with remote._news:  # as if the clip were too large for memory
-        remote._blocks.clear()
-        remote._news.notify_all()
+    window.session.show_source(source)
     window.session.player.play()
     wait_for(lambda: "ride.mkv: waiting for the server" in window.session.last_problem)
