@@ -17,15 +17,15 @@ from hapticplayer import cli
 from hapticplayer.capture import formats
 from hapticplayer.capture.sync import methods
 from hapticplayer.devices import installed_devices
-from hapticplayer.interchange.force_formats import FORCE_FORMATS
-from hapticplayer.interchange.study_export import EXPORTERS
 from hapticplayer.motion import METHODS
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.rendering.condition import Parameter
 from hapticplayer.rendering.effects import EFFECTS
 from hapticplayer.rendering.events import DETECTORS
+from hapticplayer.sequence import force_formats as forces
 from hapticplayer.sequence.presets import PRESETS
 from hapticplayer.study.analysis.analysis import STATISTICS
+from hapticplayer.study.study_export import study_exporters
 
 ROOT = Path(__file__).resolve().parents[1]
 MARKED = re.compile(
@@ -139,7 +139,8 @@ def _short(reference: str) -> str:
 def study_exports() -> str:
     """Formats of `study export`."""
     return table(
-        "format | what", ((_code(one.name), one.text) for one in EXPORTERS.values())
+        "format | what",
+        ((_code(one.name), one.text) for one in study_exporters().values()),
     )
 
 
@@ -155,7 +156,7 @@ def force_formats() -> str:
                 "yes" if one.write else "no",
                 "yes" if one.read else "no",
             )
-            for one in FORCE_FORMATS.values()
+            for one in forces.force_formats().values()
         ),
     )
 

@@ -31,8 +31,8 @@ from app.widgets.layout import (
 from app.widgets.messages import JobBar, MessageBar
 from hapticplayer.clock import Clock
 from hapticplayer.errors import Message, Progress, joined, message_of
-from hapticplayer.interchange.study_export import EXPORTERS, export_study
 from hapticplayer.study.answers import Answers, read_answers
+from hapticplayer.study.study_export import export_study, study_exporters
 from hapticplayer.study.study_folder import Study, open_study
 
 SCHEME = "figure:"
@@ -202,7 +202,7 @@ class AnalysisPage(QWidget):
 
     def _export_menu(self) -> QMenu:
         menu = QMenu(self)
-        for name, one in EXPORTERS.items():
+        for name, one in study_exporters().items():
             chosen = menu.addAction(translated(one.text)).triggered
             chosen.connect(lambda _on, name=name: self._choose_data_folder(name))
         return menu

@@ -6,21 +6,24 @@ from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
 from app.widgets.texts import local
-from hapticplayer.interchange.force_files import ForceFormat
-from hapticplayer.interchange.force_formats import READ, WRITTEN
+from hapticplayer.sequence.force_files import ForceFormat
+from hapticplayer.sequence.force_formats import read_formats, written_formats
 
 
 def read_filter() -> str:
     """Return the kinds of files that hold a force track."""
     patterns = {
         one.name: " ".join(f"*{end}" for end in (one.suffix, *one.other_suffixes))
-        for one in READ.values()
+        for one in read_formats().values()
     }
     kinds = [
         QCoreApplication.translate("ForceTexts", "Force tracks ({patterns})").format(
             patterns=" ".join(patterns.values())
         ),
-        *(f"{translated(one.text)} ({patterns[one.name]})" for one in READ.values()),
+        *(
+            f"{translated(one.text)} ({patterns[one.name]})"
+            for one in read_formats().values()
+        ),
         QCoreApplication.translate("ForceTexts", "All files (*)"),
     ]
     return ";;".join(kinds)
@@ -30,7 +33,7 @@ def write_filters() -> dict[str, ForceFormat]:
     """Return the formats that are written, by their line in a file dialog."""
     return {
         f"{translated(one.text).replace('(', '').replace(')', '')} (*{one.suffix})": one
-        for one in WRITTEN.values()
+        for one in written_formats().values()
     }
 
 

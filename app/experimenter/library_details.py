@@ -31,10 +31,10 @@ from app.widgets.layout import (
 from app.widgets.tables import plain_table
 from app.widgets.texts import local
 from hapticplayer.errors import HapticPlayerError, Message, Progress, message_of
-from hapticplayer.interchange.force_files import ForceFormat, WriteChoices
-from hapticplayer.interchange.force_import import export_force, import_force
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import remove_track, rename_track
+from hapticplayer.sequence.force_files import ForceFormat, WriteChoices
+from hapticplayer.sequence.force_import import export_force, import_force
 from hapticplayer.sequence.library import Entry
 
 translate = QCoreApplication.translate

@@ -24,7 +24,6 @@ from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets.layout import is_seen
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
-from hapticplayer.interchange.lsl import LslStreams
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound import AudioFactory
 from hapticplayer.playback.sound_process import SoundProcess
@@ -36,7 +35,7 @@ from hapticplayer.study.preflight import (
     run_checks,
     volume_in_checks,
 )
-from hapticplayer.study.runner import Observer, SessionRunner
+from hapticplayer.study.runner import SessionRunner
 from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.session_setup import (
     StudySources,
@@ -44,6 +43,7 @@ from hapticplayer.study.session_setup import (
     load_study_sources,
     make_stage,
 )
+from hapticplayer.study.streams import Observer, open_stream
 from hapticplayer.study.study_folder import Study, begin_session, open_study
 from hapticplayer.study.ticks import next_record
 
@@ -245,7 +245,7 @@ def run(options: argparse.Namespace) -> int:
     try:
         study = open_study(options.study)
         study_sources = load_study_sources(study)
-        streams = LslStreams() if options.lsl or study.definition.lsl else None
+        streams = open_stream("lsl") if options.lsl or study.definition.lsl else None
         settings = Settings(default_path())
         application = make_application(settings)
         session = StudySession(

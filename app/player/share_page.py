@@ -28,10 +28,10 @@ from app.widgets.messages import JobRow, StatusLine
 from app.widgets.tables import plain_table
 from app.widgets.texts import capitalised, local
 from hapticplayer.errors import Progress
-from hapticplayer.interchange.sharing import share, shared_contents
 from hapticplayer.sequence.contents import MOTION_FILES, Contents, Part
 from hapticplayer.sequence.library import name_from
 from hapticplayer.sequence.pack import is_packed, outputs_of
+from hapticplayer.sequence.sharing import share, shared_contents
 
 translate = QCoreApplication.translate
 

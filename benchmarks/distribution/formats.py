@@ -19,14 +19,18 @@ import numpy as np
 from benchmarks.common import DATA, Report, on_one_thread
 from benchmarks.haptics.washout import ride_force
 from hapticplayer.capture import read_recording
-from hapticplayer.interchange.force_files import ReadChoices, WriteChoices
-from hapticplayer.interchange.force_formats import READ, WRITTEN, export_track
-from hapticplayer.interchange.milliseconds import Ticks, corners, end_ms
-from hapticplayer.interchange.thinning import thin
+from hapticplayer.extras.formats.thinning import thin
 from hapticplayer.model import ForceTrack, Mapping
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering import render_force
+from hapticplayer.sequence.force_files import ReadChoices, WriteChoices
+from hapticplayer.sequence.force_formats import (
+    export_track,
+    read_formats,
+    written_formats,
+)
+from hapticplayer.sequence.milliseconds import Ticks, corners, end_ms
 
 RIDES = ("bike", "car-turning", "horse")
 SECONDS, MOST_FELT_N = 60.0, 0.01
@@ -55,7 +59,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
     else:
         print(f"left out: {recording} is not there")
     costs = {
-        name: {kind: cost(track, kind) for kind in WRITTEN}
+        name: {kind: cost(track, kind) for kind in written_formats()}
         for name, track in tracks.items()
     }
     header = ["format", "kbit/s", "compressed", "RMS N", "largest N"]
@@ -86,7 +90,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
 
 def cost(track: ForceTrack, kind: str) -> dict[str, Any]:
     """Write a track and read it back."""
-    form, writing, reading = WRITTEN[kind], [], []
+    form, writing, reading = written_formats()[kind], [], []
     minutes = end_ms(track, None) / 60_000.0
     with tempfile.TemporaryDirectory() as folder:
         found: dict[str, Any] = {}
@@ -97,7 +101,7 @@ def cost(track: ForceTrack, kind: str) -> dict[str, Any]:
             with path.open("xb") as out:
                 form.write(track, out, WriteChoices())
             writing.append(time.process_time() - begin_s)
-            if kind in READ:
+            if kind in read_formats():
                 begin_s = time.process_time()
                 assert form.read is not None
                 form.read(path, ReadChoices())

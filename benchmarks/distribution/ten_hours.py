@@ -17,14 +17,14 @@ import numpy as np
 
 from benchmarks.common import Report
 from hapticplayer.errors import InputError
-from hapticplayer.interchange.force_files import WriteChoices
-from hapticplayer.interchange.force_formats import (
-    READ,
-    WRITTEN,
+from hapticplayer.model import ForceTrack
+from hapticplayer.sequence.force_files import WriteChoices
+from hapticplayer.sequence.force_formats import (
     export_track,
     read_force,
+    read_formats,
+    written_formats,
 )
-from hapticplayer.model import ForceTrack
 
 HOURS, MOST_MB = 10.0, 512.0
 
@@ -39,7 +39,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
     hours = 0.5 if options.quick else options.hours
     context = multiprocessing.get_context("spawn")
     rows: list[list[Any]] = []
-    for name in WRITTEN:
+    for name in written_formats():
         with context.Pool(1) as pool:
             found = pool.apply(measured, (name, hours))
         rows.append([name, *found.values()])
@@ -54,7 +54,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
 
 def measured(name: str, hours: float) -> dict[str, Any]:
     """Write, compare and read back in this process."""
-    track, form = bursts(hours), WRITTEN[name]
+    track, form = bursts(hours), written_formats()[name]
     found: dict[str, Any] = dict.fromkeys(("write_s", "read_s", "mb", "error_max_n"))
     refused = None
     with tempfile.TemporaryDirectory() as folder:
@@ -64,7 +64,7 @@ def measured(name: str, hours: float) -> dict[str, Any]:
             cost = export_track(track, path, form, WriteChoices())
             found["write_s"] = time.monotonic() - begin_s
             found |= {"mb": 1e-6 * cost["bytes"], "error_max_n": cost["error_max_n"]}
-            if name in READ:
+            if name in read_formats():
                 begin_s = time.monotonic()
                 read_force(path)
                 found["read_s"] = time.monotonic() - begin_s

@@ -77,8 +77,6 @@ COMMANDS = (
     Command("unpack", "make a sequence of a file that was packed", ".unpack"),
     Command("export", "write a sequence's force for other programs", ".export"),
     Command("import-force", "give a sequence force made elsewhere", ".import_force"),
-    Command("convert", "convert force from one format to another", ".convert"),
-    Command("validate", "check a file of force", ".validate"),
     Command("study", "run an experiment and keep its data", ".study"),
     Command("device", "haptic devices", ".device"),
     Command("doctor", "list what is missing, by package name", ".doctor"),

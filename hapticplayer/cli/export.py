@@ -22,10 +22,10 @@ from hapticplayer.cli.force_options import (
 )
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.record_reader import RecordReader
-from hapticplayer.interchange.exporters import RECORD_EXPORTERS
-from hapticplayer.interchange.force_files import NOT_MEASURED
-from hapticplayer.interchange.force_formats import WRITTEN, format_of
-from hapticplayer.interchange.force_import import export_force
+from hapticplayer.playback.record_exporters import RECORD_EXPORTERS
+from hapticplayer.sequence.force_files import NOT_MEASURED
+from hapticplayer.sequence.force_formats import format_of, written_formats
+from hapticplayer.sequence.force_import import export_force
 from hapticplayer.sequence.pack import CONTAINERS
 from hapticplayer.storage import FILE, refuse_existing
 
@@ -42,7 +42,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("-o", "--output", required=True, metavar="FILE")
     command.add_argument(
         "--format",
-        choices=list(dict.fromkeys([*WRITTEN, *RECORD_EXPORTERS])),
+        choices=list(dict.fromkeys([*written_formats(), *RECORD_EXPORTERS])),
         help=f"of a sequence: {written_text()}; of a record: "
         + "; ".join(f"{one.name}: {one.text}" for one in RECORD_EXPORTERS.values())
         + " (default: by the name of FILE; of a record csv)",

@@ -6,7 +6,7 @@ from typing import Any
 
 from hapticplayer.cli.common import add_number
 from hapticplayer.errors import UsageError, from_json
-from hapticplayer.interchange.force_files import (
+from hapticplayer.sequence.force_files import (
     FULL_SCALE_N,
     SAMPLE_RATE_HZ,
     STIFFNESS_N_PER_M,
@@ -14,21 +14,21 @@ from hapticplayer.interchange.force_files import (
     ReadChoices,
     WriteChoices,
 )
-from hapticplayer.interchange.force_formats import READ, WRITTEN
+from hapticplayer.sequence.force_formats import read_formats, written_formats
 
 _WRITE, _READ = WriteChoices(), ReadChoices()
 
 
 def written_text() -> str:
     """Return the formats that are written, for help."""
-    return "; ".join(f"{one.name}: {one.text}" for one in WRITTEN.values())
+    return "; ".join(f"{one.name}: {one.text}" for one in written_formats().values())
 
 
 def read_text() -> str:
     """Return the formats that are read, for help."""
     return "; ".join(
         f"{one.name} ({', '.join((one.suffix, *one.other_suffixes))}): {one.text}"
-        for one in READ.values()
+        for one in read_formats().values()
     )
 
 

@@ -7,10 +7,10 @@ from pathlib import Path
 from hapticplayer.cli.common import interruptible, say, say_aside, shown_progress
 from hapticplayer.cli.force_options import add_reading, read_choices, read_text
 from hapticplayer.errors import to_json
-from hapticplayer.interchange.force_formats import READ
-from hapticplayer.interchange.force_import import import_force
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.excursion import stored_texts
+from hapticplayer.sequence.force_formats import read_formats
+from hapticplayer.sequence.force_import import import_force
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -22,7 +22,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "--name", help="of the track, for `play --feedback` (default: that of FILE)"
     )
     command.add_argument(
-        "--format", choices=list(READ), help="(default: by the name of FILE)"
+        "--format", choices=list(read_formats()), help="(default: by the name of FILE)"
     )
     add_reading(command)
     command.add_argument("--json", action="store_true", help="print a report as JSON")

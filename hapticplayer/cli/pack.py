@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.cli.common import add_overwrite, interruptible, say, shown_progress
-from hapticplayer.interchange.sharing import share, shared_contents
 from hapticplayer.sequence.contents import Contents
 from hapticplayer.sequence.pack import container_of, is_packed, outputs_of
+from hapticplayer.sequence.sharing import share, shared_contents
 from hapticplayer.storage import FILE, refuse_existing
 
 

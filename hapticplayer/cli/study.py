@@ -11,7 +11,6 @@ from hapticplayer.cli import OpenWindow, study_analysis
 from hapticplayer.cli.common import add_device_name, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
-from hapticplayer.interchange.study_export import EXPORTERS, export_study
 from hapticplayer.study.answers import (
     collect_answers,
     is_simulated,
@@ -22,6 +21,7 @@ from hapticplayer.study.creation import create_study, sequence_folder, template_
 from hapticplayer.study.merging import merge_sessions
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import answered_trials
+from hapticplayer.study.study_export import export_study, study_exporters
 from hapticplayer.study.study_folder import (
     Study,
     delete_participant,
@@ -128,8 +128,8 @@ def _add_export(actions: Any) -> None:
     action.add_argument(
         "--format",
         default="csv",
-        choices=list(EXPORTERS),
-        help="; ".join(f"{name}: {one.text}" for name, one in EXPORTERS.items())
+        choices=list(study_exporters()),
+        help="; ".join(f"{name}: {one.text}" for name, one in study_exporters().items())
         + " (default: csv)",
     )
     _add_json(action)

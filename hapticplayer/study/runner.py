@@ -6,10 +6,7 @@ Every answer and event is on the disk before the next page is shown. The front e
 
 import enum
 from collections.abc import Callable, Mapping
-from typing import Any, Protocol
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any
 
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
@@ -31,6 +28,7 @@ from hapticplayer.study.steps import (
     steps_done,
     steps_of,
 )
+from hapticplayer.study.streams import Observer
 from hapticplayer.study.study_folder import Study, save_consent
 
 END = "end"
@@ -60,20 +58,6 @@ _IN_MODE = {
     StepMode.PAUSED: PageKind.PAUSED,
     StepMode.PROBLEM: PageKind.PROBLEM,
 }
-
-
-class Observer(Protocol):
-    """Receives events for other programs, without answers and codes."""
-
-    def marker(self, text: str, monotonic_s: float) -> None:
-        """Receive an event."""
-        ...
-
-    def force(
-        self, monotonic_s: NDArray[np.float64], force_n: NDArray[np.float32]
-    ) -> None:
-        """Receive forces (N, 3) sent to the device, with their times (N,), s."""
-        ...
 
 
 class SessionRunner:

@@ -7,11 +7,12 @@ from app.experimenter.analysis import AnalysisPage, AnalysisWindow
 from hapticplayer import cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
-from hapticplayer.interchange.study_export import EXPORTERS, Exporter
 from hapticplayer.simulation.participants import simulated_answers
+from hapticplayer.study import study_export
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.statistic import Statistic
 from hapticplayer.study.creation import create_study
+from hapticplayer.study.study_export import Exporter, study_exporters
 from hapticplayer.study.study_folder import open_study
 
 
@@ -78,7 +79,9 @@ def test_the_menu_opens_the_report_with_what_was_added(
 
     entry = Statistic("dummy", "Number of answers", lambda *_: {"n": {"n": 7.5}})
     monkeypatch.setitem(STATISTICS, "dummy", entry)
-    monkeypatch.setitem(EXPORTERS, "dummy", Exporter("dummy", "a number", write))
+    dummy = Exporter("dummy", "a number", write)
+    known = (*study_export.EXPORTERS, dummy)
+    monkeypatch.setattr(study_export, "EXPORTERS", known)
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: folder)
     window.study_menu.analyse()
     (report,) = window.findChildren(AnalysisWindow)
@@ -94,7 +97,7 @@ def test_the_menu_opens_the_report_with_what_was_added(
             names = [one.text() for one in action.menu().actions()]
     assert "&Analyse study\u2026" in names
     choices = {one.text(): one for one in page.export_button.menu().actions()}
-    assert list(choices) == [one.text for one in EXPORTERS.values()]
+    assert list(choices) == [one.text for one in study_exporters().values()]
     choices["a number"].trigger()
     (dialog,) = page.findChildren(QFileDialog)
     dialog.fileSelected.emit(str(tmp_path))
@@ -145,7 +148,7 @@ def test_the_work_can_be_stopped(make_page, wait_for, failures):
     assert failures == []
 
 
-@pytest.mark.parametrize("form", EXPORTERS)
+@pytest.mark.parametrize("form", study_exporters())
 def test_data_are_exported_beside_the_window(window, folder, tmp_path, wait_for, form):
     report = AnalysisWindow(open_study(folder), SystemClock(), window)
     report.page.export(form, tmp_path / "out")

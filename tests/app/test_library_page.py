@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QMessageBox
 from app.experimenter import library_details
 from app.experimenter.force_texts import read_filter, write_filters
 from app.experimenter.library_page import LibraryPage
-from hapticplayer.interchange.force_formats import FORCE_FORMATS, read_force
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
+from hapticplayer.sequence.force_formats import force_formats, read_force
 
 
 @pytest.fixture
@@ -181,6 +181,6 @@ def test_a_track_is_exported_and_its_cost_is_told(page, library, wait_for, tmp_p
 
 
 def test_every_format_is_offered_in_the_dialogs():
-    for name, form in FORCE_FORMATS.items():
+    for name, form in force_formats().items():
         assert (f"*{form.suffix}" in read_filter()) == (form.read is not None), name
         assert (form in write_filters().values()) == (form.write is not None), name

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from sitting import KEYS, Person
 
 from hapticplayer.errors import StudyError
-from hapticplayer.interchange.lsl import FORCE, MARKERS, LslStreams
+from hapticplayer.extras.research.lsl import FORCE, MARKERS, LslStreams
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.ticks import tick_chunks, tick_files
 

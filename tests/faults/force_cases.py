@@ -6,20 +6,20 @@ from pathlib import Path
 import numpy as np
 
 from hapticplayer.errors import InputError
-from hapticplayer.interchange.force_files import WriteChoices
-from hapticplayer.interchange.force_formats import (
-    READ,
-    WRITTEN,
+from hapticplayer.extras.formats.hjif_check import check
+from hapticplayer.model import ForceTrack
+from hapticplayer.sequence.force_files import WriteChoices
+from hapticplayer.sequence.force_formats import (
     export_track,
     read_force,
+    read_formats,
+    written_formats,
 )
-from hapticplayer.interchange.hjif_check import check
-from hapticplayer.model import ForceTrack
 from tests.faults.import_cases import READ as WAS_READ
 from tests.faults.import_cases import REFUSED, check_sentence, mutated
 
 MUTATIONS = 2000
-KINDS = tuple(name for name in READ if name in WRITTEN)
+KINDS = tuple(name for name in read_formats() if name in written_formats())
 _SWAPS = (
     (b"Curve", b"Transient"),
     (b"Curve", b"VectorialWave"),
@@ -40,7 +40,7 @@ def clean_file(name: str) -> bytes:
     track = ForceTrack(np.arange(400) / 199.0, 2.0 * wave)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "clean"
-        export_track(track, path, WRITTEN[name], WriteChoices())
+        export_track(track, path, written_formats()[name], WriteChoices())
         return path.read_bytes()
 
 
@@ -53,7 +53,7 @@ def judge(name: str, clean: bytes, number: int, folder: Path) -> str:
         content = content.replace(old, new)
     if number % 8:
         content = mutated({"a": content}, rng)["a"]
-    path = folder / f"damaged{READ[name].suffix}"
+    path = folder / f"damaged{read_formats()[name].suffix}"
     path.write_bytes(content)
     try:
         if name == "hjif":

@@ -15,8 +15,8 @@ from hapticplayer.cli import play
 from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.guides import guide_of
 from hapticplayer.errors import Message
-from hapticplayer.interchange import exporters
 from hapticplayer.model.ranges import Range
+from hapticplayer.playback import record_exporters
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering import (
@@ -250,7 +250,9 @@ def test_a_new_derived_condition_is_previewed_and_in_studies(
 
 
 def test_a_new_exporter_is_offered_and_used(monkeypatch, capsys):
-    dummy = exporters.RecordExporter("dots", "a dot per tick", lambda *_: {}, bool)
-    monkeypatch.setitem(exporters.RECORD_EXPORTERS, "dots", dummy)
+    dummy = record_exporters.RecordExporter(
+        "dots", "a dot per tick", lambda *_: {}, bool
+    )
+    monkeypatch.setitem(record_exporters.RECORD_EXPORTERS, "dots", dummy)
     assert cli.main(["export", "--help"]) == 0
     assert "dots: a dot per tick" in " ".join(capsys.readouterr().out.split())

@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from hapticplayer import cli
-from hapticplayer.interchange.force_formats import READ, WRITTEN
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.force_formats import read_formats, written_formats
 
-KINDS = [name for name in WRITTEN if name in READ and name != "funscript"]
+KINDS = [
+    name for name in written_formats() if name in read_formats() and name != "funscript"
+]
 
 
 @pytest.fixture
@@ -25,7 +27,7 @@ def report_of(capsys):
 def test_an_exported_track_comes_back_into_the_sequence(
     name, report_of, sequence_folder, tmp_path
 ):
-    path = tmp_path / f"out{WRITTEN[name].suffix}"
+    path = tmp_path / f"out{written_formats()[name].suffix}"
     report = report_of("export", sequence_folder, "--format", name, "-o", path)
     assert report["bytes"] == path.stat().st_size
     assert report["error_max_n"] <= 0.0101
@@ -38,11 +40,11 @@ def test_an_exported_track_comes_back_into_the_sequence(
     assert np.linalg.norm(error_n, axis=1).max() <= 0.0101
 
 
-@pytest.mark.parametrize("name", WRITTEN)
+@pytest.mark.parametrize("name", written_formats())
 def test_every_format_is_made_of_a_csv(name, report_of, tmp_path):
     source = tmp_path / "in.csv"
     source.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1.5,0\n1.5,0,0,0\n")
-    path = tmp_path / f"out{WRITTEN[name].suffix}"
+    path = tmp_path / f"out{written_formats()[name].suffix}"
     report = report_of("convert", source, path, "--to", name)
     assert report["bytes"] == path.stat().st_size > 0
     assert set(report) >= {"kbit_s", "kbit_s_compressed", "track_kbit_s", "notes"}

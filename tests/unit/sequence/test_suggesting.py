@@ -8,11 +8,10 @@ import pytest
 from hapticplayer.capture.vision import estimate, watching
 from hapticplayer.cli import main
 from hapticplayer.errors import InputError, StudyError, TelemetryError, UsageError
-from hapticplayer.interchange import sharing
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering import render_force
-from hapticplayer.sequence import open_sequence, store, suggesting
+from hapticplayer.sequence import open_sequence, sharing, store, suggesting
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.comparison import stored_rendering
 from hapticplayer.sequence.editing import set_mapping
@@ -115,7 +114,7 @@ def test_a_shared_video_names_it(folder, tmp_path):
     sharing.share(folder, tmp_path / "ride.mkv", with_motion=True)
 
     packed = read_packed(tmp_path / "ride.mkv")
-    assert sharing.ESTIMATED_NAME in packed.attached
+    assert "force_estimated.hjif" in packed.attached
     assert packed.sequence.motion.is_estimated
 
 

@@ -1,0 +1,1 @@
+"""Force for other programs: MPEG haptics and MPEG-V, AHAP, WAV, funscript."""

@@ -1,0 +1,1 @@
+"""Data of a study for other programs: BIDS, XDF, LSL."""

@@ -1,1 +1,0 @@
-"""Other people's formats: what a study or a record is for other programs."""

@@ -1,0 +1,56 @@
+"""Force tracks as CSV: `time_s,fx_n,fy_n,fz_n`, each force holds until the next one's time.
+
+A column `is_estimated` of ones marks a motion that nothing measured.
+"""
+
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer.capture.si_csv import (
+    ESTIMATED_COLUMNS,
+    FORCE_COLUMNS,
+    read_force_csv,
+)
+from hapticplayer.model import ForceTrack
+from hapticplayer.sequence.force_files import ForceFile, ReadChoices, WriteChoices
+from hapticplayer.sequence.milliseconds import Ticks, end_ms, pieces
+
+_HEAD = ",".join(FORCE_COLUMNS)
+_ESTIMATED_HEAD = ",".join(FORCE_COLUMNS + ESTIMATED_COLUMNS)
+
+
+def is_ours(head: bytes) -> bool:
+    """Whether a file begins as this program writes it."""
+    first = head.split(b"\n", 1)[0].rstrip(b"\r").decode(errors="replace")
+    return first in {_HEAD, _ESTIMATED_HEAD}
+
+
+def read(path: Path, choices: ReadChoices) -> ForceFile:
+    """Return the force of a file; see `read_force_csv`."""
+    return ForceFile(read_force_csv(path, choices.until_s), ())
+
+
+def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
+    """Write a row for each millisecond at which the force changes, and a zero at the end."""
+    head, mark = (_ESTIMATED_HEAD, ",1") if track.is_estimated else (_HEAD, "")
+    out.write(f"{head}\n".encode())
+    before_n = np.full((1, 3), np.nan)
+    until_ms = end_ms(track, choices.duration_s)
+    for first, last in pieces(until_ms):
+        ticks = np.arange(first, last)
+        force_n = track.at(ticks / 1000.0).astype(np.float32)
+        changed = np.any(np.diff(force_n, axis=0, prepend=before_n) != 0.0, axis=1)
+        out.write(_rows(ticks[changed], force_n[changed], mark))
+        before_n = force_n[-1:].astype(np.float64)
+    if before_n.any():
+        out.write(_rows(np.array([max(until_ms, 1)]), np.zeros((1, 3)), mark))
+
+
+def _rows(ticks: Ticks, force_n: NDArray[np.floating], mark: str) -> bytes:
+    return "".join(
+        f"{tick / 1000.0:.3f},{x:.7g},{y:.7g},{z:.7g}{mark}\n"
+        for tick, (x, y, z) in zip(ticks.tolist(), force_n.tolist(), strict=True)
+    ).encode()

@@ -1,0 +1,252 @@
+"""A study as tidy CSV tables, with a data dictionary."""
+
+import csv
+import io
+import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from hapticplayer import storage
+from hapticplayer.study.answers import Answers
+from hapticplayer.study.steps import answered_trials
+from hapticplayer.study.study_data import StudyData
+from hapticplayer.study.trial_force import LEAST_FORCE_N, MOST_ERROR, TrialForce
+
+
+class DataColumn(NamedTuple):
+    """A column: name, meaning, and unit or levels."""
+
+    name: str
+    meaning: str
+    levels: str = ""
+
+
+class DataTable(NamedTuple):
+    """A table: name of the file, columns, rows."""
+
+    name: str
+    columns: Sequence[DataColumn]
+    rows: Sequence[Sequence[Any]]
+
+
+_WHO = DataColumn("participant", "code of the participant")
+_WHERE = (
+    DataColumn("sequence", "key of the sequence"),
+    DataColumn("feedback", "key of the force condition"),
+)
+_IS_VALID = DataColumn("is_valid", "whether the playback was valid", "true|false")
+_PLAYED = (
+    DataColumn("media_s", "position reached", "s"),
+    DataColumn("frames_shown", "frames shown"),
+    DataColumn("frames_dropped", "frames dropped"),
+    DataColumn("silence_s", "audio dropouts", "s"),
+    DataColumn("missed", "missed periods of the 1 kHz haptic loop"),
+    DataColumn("ticks", "exchanges with the device"),
+)
+FELT = (
+    DataColumn(
+        "force_error",
+        "force sent less planned, RMS weighted by frequency, as a share of the planned force; empty where none was planned",
+        "1",
+    ),
+    DataColumn("force_error_n", "the same difference in newtons", "N"),
+    DataColumn("force_planned_n", "planned force, RMS weighted by frequency", "N"),
+    DataColumn("reach_m", "largest distance of the grip from the centre", "m"),
+    DataColumn(
+        "faded_s",
+        "time with less force than planned: entry, ramps, stops, fade at the edge of the workspace",
+        "s",
+    ),
+    DataColumn(
+        "saturated_share",
+        "share of the time in which the force cap took something",
+        "0 to 1",
+    ),
+    DataColumn(
+        "force_is_off",
+        f"force_error_n is above {LEAST_FORCE_N} N and above {MOST_ERROR} of force_planned_n",
+        "true|false",
+    ),
+)
+"""What the hand got in a trial, from the record of the device; empty without one."""
+
+
+def trial_force_cells(force: TrialForce | None) -> tuple[Any, ...]:
+    """Return the values of FELT."""
+    if force is None:
+        return (None,) * len(FELT)
+    numbers = (
+        *(force.error, force.error_n, force.planned_n),
+        *(force.reach_m, force.faded_s, force.saturated_share),
+    )
+    cells = (None if one is None else float(f"{one:.4g}") for one in numbers)
+    return (*cells, force.is_off)
+
+
+_TRIAL_COLUMNS = (
+    _WHO,
+    DataColumn("position", "place in this participant's order, from 1"),
+    DataColumn("attempt", "from 1; more if the trial was repeated"),
+    *_WHERE,
+    DataColumn("delay_s", "delay of the force", "s"),
+    DataColumn("gain", "of the force, 1 as recorded"),
+    DataColumn("repeat", "number of the repetition of this condition"),
+    _IS_VALID,
+    DataColumn("reasons", "why the playback was not valid, separated by semicolons"),
+    *_PLAYED,
+    DataColumn("response_s", "from the questions to the answer", "s"),
+    DataColumn("answers", "all answers as JSON"),
+    *FELT,
+)
+
+
+def write_csv(data: StudyData, folder: Path) -> None:
+    """Write all tables that are not empty, and the data dictionary.
+
+    Texts that have not been reviewed are left out.
+    """
+    answers = data.answers
+    made = [
+        participants(answers),
+        _ratings(answers),
+        _judgements(answers),
+        DataTable("trials.csv", _TRIAL_COLUMNS, list(_trial_rows(data))),
+        _texts(answers),
+    ]
+    tables = [table for table in made if table.rows]
+    for table in [*tables, _dictionary(tables, answers.conduct.feedbacks)]:
+        storage.write_private(folder / table.name, separated(table))
+
+
+def participants(answers: Answers) -> DataTable:
+    """Return the table of participants."""
+    columns = (
+        _WHO,
+        DataColumn("age", "age of the participant", "years"),
+        DataColumn("gender", "as answered"),
+        DataColumn("handedness", "hand that writes"),
+        DataColumn("used_device_before", "had used such a device before", "true|false"),
+        DataColumn("complete", "the session was completed", "true|false"),
+        DataColumn("simulated", "simulated participant", "true|false"),
+    )
+    rows = [
+        (
+            *(p.code, p.age, p.gender, p.handedness, p.used_device_before),
+            *(p.complete, p.simulated),
+        )
+        for p in answers.participants
+    ]
+    return DataTable("participants.csv", columns, rows)
+
+
+def _ratings(answers: Answers) -> DataTable:
+    columns = (
+        _WHO,
+        *_WHERE,
+        DataColumn("factor", "what was rated", "|".join(answers.factors)),
+        DataColumn(
+            "value", "rating; empty where it is missing", "1 not at all to 5 totally"
+        ),
+        _IS_VALID,
+    )
+    rows = [
+        (r.participant, r.sequence, r.feedback, r.factor, r.value, r.is_valid)
+        for r in answers.ratings
+    ]
+    return DataTable("ratings.csv", columns, rows)
+
+
+def _judgements(answers: Answers) -> DataTable:
+    columns = (
+        _WHO,
+        _WHERE[0],
+        DataColumn("delay_s", "delay of the force", "s"),
+        DataColumn("gain", "of the force, 1 as recorded"),
+        DataColumn("consistent", "felt as consistent with the video", "true|false"),
+        _IS_VALID,
+    )
+    rows = [
+        (j.participant, j.sequence, j.delay_s, j.gain, j.consistent, j.is_valid)
+        for j in answers.judgements
+    ]
+    return DataTable("judgements.csv", columns, rows)
+
+
+def _texts(answers: Answers) -> DataTable:
+    columns = (
+        _WHO,
+        DataColumn("question", "key in the definition"),
+        DataColumn("feedback", "subject of the question; empty for all"),
+        DataColumn("text", "as written; reviewed by a person"),
+    )
+    rows = [
+        (a.participant, a.question, a.feedback, a.text)
+        for a in answers.open_answers
+        if a.reviewed
+    ]
+    return DataTable("texts.csv", columns, rows)
+
+
+def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
+    """Yield a row for each answered attempt, including repeated ones."""
+    for session in data.sessions:
+        forces = data.trial_forces(session)
+        for trial in answered_trials(session.records):
+            condition = trial.condition
+            yield (
+                session.code,
+                trial.position,
+                trial.attempt,
+                condition.sequence,
+                condition.feedback,
+                condition.delay_s,
+                condition.gain,
+                condition.repeat,
+                trial.is_valid,
+                ";".join(trial.reasons),
+                *(trial.playback.get(column.name) for column in _PLAYED),
+                trial.response_s,
+                json.dumps(dict(trial.values), sort_keys=True),
+                *trial_force_cells(forces.get((trial.position, trial.attempt))),
+            )
+
+
+def _dictionary(tables: Iterable[DataTable], feedbacks: Mapping[str, str]) -> DataTable:
+    """Return the data dictionary: the meaning of each column."""
+    meanings = {
+        "feedback": "|".join(f"{key}: {text}" for key, text in feedbacks.items())
+    }
+    columns = (
+        DataColumn("file", "name of the table"),
+        DataColumn("column", "name of the column"),
+        DataColumn("meaning", "meaning of the column"),
+        DataColumn("unit_or_levels", "SI unit, or the possible values"),
+    )
+    rows = [
+        (t.name, c.name, c.meaning, c.levels or meanings.get(c.name, ""))
+        for t in tables
+        for c in t.columns
+    ]
+    return DataTable("data_dictionary.csv", columns, rows)
+
+
+def separated(table: DataTable, mark: str = ",", missing: str = "") -> bytes:
+    """Return a table as text.
+
+    Args:
+        table: to be written.
+        mark: delimiter.
+        missing: text for missing values.
+    """
+    out = io.StringIO()
+    writer = csv.writer(out, delimiter=mark, lineterminator="\n")
+    writer.writerow([column.name for column in table.columns])
+    writer.writerows([_cell(value, missing) for value in row] for row in table.rows)
+    return out.getvalue().encode(errors="replace")
+
+
+def _cell(value: Any, missing: str) -> Any:
+    if value is None or value == "":
+        return missing
+    return str(value).lower() if isinstance(value, bool) else value

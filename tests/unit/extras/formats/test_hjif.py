@@ -1,0 +1,225 @@
+"""hjif: what other software gets, and what is understood of its files."""
+
+import json
+
+import numpy as np
+import pytest
+
+from hapticplayer.errors import InputError
+from hapticplayer.extras.formats import hjif, hjif_read
+from hapticplayer.extras.formats.hjif_check import check
+from hapticplayer.extras.formats.hjif_wavelet import block_height
+from hapticplayer.model import ForceTrack
+from hapticplayer.sequence.force_files import ReadChoices, WriteChoices
+
+CHANNEL = {"id": 0, "description": "", "gain": 1.0, "mixing_coefficient": 1.0}
+CHANNEL |= {"body_part_mask": 0}
+
+
+def band(kind="Curve", effects=(), **more):
+    one = {"band_type": kind, "lower_frequency_limit": 0}
+    return {**one, "upper_frequency_limit": 300, "effects": list(effects), **more}
+
+
+def effect(*frames, position=0, **more):
+    names = ("relative_position", "amplitude_modulation", "frequency_modulation")
+    keys = [
+        {n: v for n, v in zip(names, f, strict=False) if v is not None} for f in frames
+    ]
+    return {"effect_type": "Basis", "position": position, "keyframes": keys, **more}
+
+
+def content(*bands, modality="Force", library=(), device=True, timescale=1000, **more):
+    devices = [{"id": 0, "name": "arm", "maximum_amplitude": 4.0}] if device else []
+    perception = {"id": 0, "avatar_id": 0, "description": ""}
+    perception |= {"perception_modality": modality, "reference_devices": devices}
+    perception |= {"effect_library": list(library)}
+    perception |= {"channels": [{**CHANNEL, **more, "bands": list(bands)}]}
+    root = {"version": "2023", "profile": "Main", "level": 1, "date": "2026-11-25"}
+    root |= {"description": "", "timescale": timescale, "avatars": [], "syncs": []}
+    return {**root, "perceptions": [perception]}
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(made, choices=None):
+        path = tmp_path / "other.hjif"
+        path.write_text(json.dumps(made))
+        return hjif_read.read(path, choices or ReadChoices())
+
+    return reader
+
+
+def at(track, *ms):
+    return track.at(np.array(ms) / 1000.0)
+
+
+STREAM = "x+2AI3Pgv1bYf71JUH4cDK6JQABdbpC/4Bz6gmgylI8qWfeuiABb2CX+to51Paicrk9VecfkTK1gJguez/gw"
+THIRD = (
+    "L+4AMAYyXRO68wq1TeWW6PLyAAut5ujl/vhvWKCfYdZvjTK3e7AAFH2RryIOQ7SGD/5E5TIj6Xil5AAD"
+    "k/9YsAAAEaw"
+)
+UP = {"direction": {"X": 0, "Y": 127, "Z": 0}}
+
+
+def test_a_curve_is_in_newtons_of_the_reference_device(read):
+    found = read(
+        content(band(effects=[effect((0, 0.0), (100, 0.5), (200, 0.5))]), **UP)
+    )
+    assert found.notes == ()
+    values = at(found.track, 0, 50, 100, 150, 200, 250)
+    np.testing.assert_allclose(values[:, 1], [0, 1, 2, 2, 2, 0], atol=1e-5)
+    assert not values[:, [0, 2]].any()
+
+
+def test_the_gain_scales_and_the_direction_turns(read):
+    way = {"X": 90, "Y": 0, "Z": -90}
+    found = read(
+        content(band(effects=[effect((0, 1.0), (9, 1.0))]), gain=0.5, direction=way)
+    )
+    side = 2.0 / np.sqrt(2.0)
+    np.testing.assert_allclose(at(found.track, 5)[0], [side, 0, -side], atol=1e-5)
+
+
+def test_an_effect_ends_where_the_next_begins(read):
+    two = [effect((0, 1.0), (100, 1.0)), effect((0, -0.5), (20, -0.5), position=50)]
+    found = read(content(band(effects=two), **UP))
+    values = at(found.track, 49, 50, 60, 80)[:, 1]
+    np.testing.assert_allclose(values, [4, -2, -2, 0], atol=1e-5)
+
+
+def test_a_cubic_curve_is_level_at_its_keyframes(read):
+    found = read(
+        content(band(effects=[effect((0, 0.0), (100, 1.0))], curve_type="Cubic"), **UP)
+    )
+    values = at(found.track, 25, 50, 75)[:, 1]
+    np.testing.assert_allclose(values, [0.625, 2.0, 3.375], atol=1e-5)
+
+
+def test_a_reference_effect_is_taken_from_the_library(read):
+    library = [{**effect((0, 0.25), (40, 0.25)), "id": 7}]
+    use = {"effect_type": "Reference", "id": 7, "position": 1000}
+    found = read(content(band(effects=[use]), library=library, **UP))
+    np.testing.assert_allclose(at(found.track, 990, 1010)[:, 1], [0, 1], atol=1e-5)
+
+
+def test_a_transient_is_two_periods_in_22_ms(read):
+    found = read(content(band("Transient", [effect((0, 0.5), position=100)]), **UP))
+    values = at(found.track, 99, 103, 111, 114, 123)[:, 1]
+    expected = 2.0 * np.sin(4.0 * np.pi * np.array([0, 3, 11, 14, 22]) / 22.0)
+    np.testing.assert_allclose(values, expected, atol=1e-4)
+
+
+def test_a_vectorial_wave_has_its_frequency_and_amplitude(read):
+    wave = effect((0, 0.5, 50), (1000, 0.5, 50))
+    found = read(content(band("VectorialWave", [wave]), **UP))
+    ms = np.arange(0, 1000)
+    expected = 2.0 * np.sin(2.0 * np.pi * 50.0 * ms / 1000.0)
+    np.testing.assert_allclose(at(found.track, *ms)[:, 1], expected, atol=1e-4)
+
+
+def test_a_chirp_runs_through_its_frequencies(read):
+    wave = effect((0, 1.0, 10), (2000, 1.0, 30))
+    found = read(content(band("VectorialWave", [wave]), **UP))
+    values = at(found.track, *range(2000))[:, 1]
+    rises = np.flatnonzero((values[:-1] < 0) & (values[1:] >= 0))
+    assert len(rises) == 39  # 40 periods: the mean of 10 and 30 Hz for 2 s
+    assert rises[1] - rises[0] > 2 * (rises[-1] - rises[-2])
+
+
+def test_vibration_takes_full_scale_and_direction_from_the_user(read):
+    choices = ReadChoices(full_scale_n=2.0, direction=(0.0, 0.0, 1.0))
+    made = content(band(effects=[effect((0, 1.0), (9, 1.0))]), modality="Vibrotactile")
+    found = read(made, choices)
+    np.testing.assert_allclose(at(found.track, 5)[0], [0, 0, 2], atol=1e-5)
+    assert len(found.notes) == 2
+
+
+def test_a_wavelet_block_is_an_envelope(read):
+    # written by the reference encoder for a sine of 200 Hz and amplitude 0.5
+    block = {"effect_type": "Basis", "position": 0, "wavelet_stream": STREAM}
+    wavelet = band("WaveletWave", [block], block_length=128)
+    wavelet["upper_frequency_limit"] = 8000
+    found = read(content(wavelet, **UP))
+    force_n = found.track.force_n[:, 1]
+    assert np.abs(force_n).max() == pytest.approx(0.5 * 4.0, rel=0.1)
+    assert any("envelope" in note for note in found.notes)
+
+
+@pytest.mark.parametrize(("stream", "height"), [(STREAM, 2.625), (THIRD, 2.5)])
+def test_the_height_of_a_block_is_that_of_the_reference(stream, height):
+    assert block_height(stream) == height  # printed by the reference decoder
+
+
+def test_unknown_parts_of_a_file_are_listed(read):
+    made = content(band(effects=[effect((0, 1.0), (9, 1.0))]), **UP)
+    made["perceptions"].append(
+        {**made["perceptions"][0], "perception_modality": "Wind"}
+    )
+    made["perceptions"][0]["channels"][0]["bands"][0]["effects"].append(
+        {"effect_type": "Composite", "position": 5}
+    )
+    notes = [str(note) for note in read(made).notes]
+    assert notes == [
+        "not read: effect Composite (1)",
+        "not read: perception Wind (1)",
+    ]
+
+
+def test_a_file_with_nothing_to_feel_is_refused(read):
+    with pytest.raises(InputError, match="perception Temperature"):
+        read(content(band(), modality="Temperature"))
+
+
+def test_a_written_file_passes_the_loader_rules(tmp_path, rng):
+    path = tmp_path / "own.hjif"
+    track = ForceTrack(np.arange(200) / 50.0, rng.normal(0, 1, (200, 3)))
+    with path.open("xb") as out:
+        hjif.write(track, out, WriteChoices())
+    assert check(path) == []
+    assert hjif.is_ours(path.read_bytes()[:400])
+
+
+def set_at(made, way, value):
+    for step in way[:-1]:
+        made = made[step]
+    made[way[-1]] = value
+
+
+PLACE = ("perceptions", 0, "channels", 0)
+
+
+@pytest.mark.parametrize(
+    ("way", "value", "is_refusal"),
+    [
+        (("version",), "2022", True),
+        (("profile",), "Other", True),
+        (("level",), 3, True),
+        (("timescale",), 96000, True),
+        (("perceptions", 0, "avatar_id"), 4, True),
+        ((*PLACE, "direction"), {"X": 100, "Y": 0, "Z": 0}, True),
+        ((*PLACE, "reference_device_id"), 9, True),
+        ((*PLACE, "bands", 0, "upper_frequency_limit"), -1, True),
+        ((*PLACE, "bands", 0, "effects", 0, "position"), 0.5, False),
+    ],
+)
+def test_the_rules_of_the_loader_are_told(tmp_path, way, value, is_refusal):
+    made = content(band(effects=[effect((0, 1.0), (9, 1.0))]), **UP)
+    path = tmp_path / "other.hjif"
+    path.write_text(json.dumps(made))
+    assert check(path) == []
+    set_at(made, way, value)
+    path.write_text(json.dumps(made))
+    assert [one.is_refusal for one in check(path)] == [is_refusal]
+
+
+@pytest.mark.parametrize("name", ["gain", "mixing_coefficient", "body_part_mask"])
+def test_a_channel_that_the_loader_drops_is_named(tmp_path, name):
+    made = content(band(), **UP)
+    del made["perceptions"][0]["channels"][0][name]
+    path = tmp_path / "other.hjif"
+    path.write_text(json.dumps(made))
+    (one,) = check(path)
+    assert not one.is_refusal
+    assert one.where == "perceptions[0], channels[0]"
+    assert name in one.what

@@ -1,0 +1,327 @@
+"""WAV, MPEG-V, funscript and AHAP: units, axes, and what others write."""
+
+import json
+import math
+import re
+import struct
+
+import numpy as np
+import pytest
+from scipy.io import wavfile
+from scipy.signal import resample_poly
+
+from hapticplayer.errors import InputError
+from hapticplayer.model import ForceTrack, MotionTrack, Reconstruction
+from hapticplayer.sequence.excursion import predict, travel_m
+from hapticplayer.sequence.force_files import ReadChoices, WriteChoices
+from hapticplayer.sequence.force_formats import (
+    export_track,
+    force_formats,
+    read_force,
+)
+
+RAMP = ForceTrack([0.0, 0.5, 1.0], [[0, 0, 0], [1, 2, -3], [0, 0, 0]])
+SEM = (
+    '<SEM xmlns="urn:mpeg:mpeg-v:2010:01-SEDL-NS" '
+    'xmlns:sev="urn:mpeg:mpeg-v:2010:01-SEV-NS" '
+    'xmlns:si="urn:mpeg:mpeg21:2003:01-DIA-XSI-NS" '
+    'xmlns:mpeg7="urn:mpeg:mpeg7:schema:2004" '
+    'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" si:timeScale="1000">{}</SEM>'
+)
+
+
+@pytest.fixture
+def written(tmp_path):
+    def write(name, track=RAMP, **choices):
+        path = tmp_path / f"track{force_formats()[name].suffix}"
+        export_track(track, path, force_formats()[name], WriteChoices(**choices))
+        return path
+
+    return write
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(content, suffix, **choices):
+        path = tmp_path / f"other{suffix}"
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return read_force(path, ReadChoices(**choices))
+
+    return reader
+
+
+def at(track, *seconds):
+    return track.at(np.array(seconds, dtype=float))
+
+
+@pytest.mark.parametrize("rate", [1000, 8000])
+def test_wav_is_read_by_others_and_carries_its_scale(written, rate):
+    path = written("wav", sample_rate_hz=rate)
+    found_rate, samples = wavfile.read(path)
+    assert (found_rate, samples.shape[1]) == (rate, 3)
+    np.testing.assert_allclose(samples[rate // 2] * 3.0, [1, 2, -3], rtol=1e-5)
+    assert b"newton = sample * 3.000; x, y, z" in path.read_bytes()[:200]
+
+
+@pytest.mark.parametrize("kind", [np.int16, np.int32, np.float32, np.uint8])
+def test_wav_of_others_acts_along_the_chosen_direction(tmp_path, kind):
+    wave = 0.5 * np.sin(2.0 * np.pi * 20.0 * np.arange(48000) / 48000.0)
+    if kind is np.uint8:
+        samples = np.round(128 + 127 * wave).astype(kind)
+    else:
+        most = 1.0 if kind is np.float32 else np.iinfo(kind).max
+        samples = (wave * most).astype(kind)
+    wavfile.write(tmp_path / "a.wav", 48000, samples)
+    found = read_force(
+        tmp_path / "a.wav", ReadChoices(full_scale_n=2.0, direction=(0.0, 0.0, 1.0))
+    )
+    force_n = at(found.track, 0.2125, 0.2375)  # a quarter of a period, and three
+    np.testing.assert_allclose(force_n, [[0, 0, 1], [0, 0, -1]], atol=0.02)
+    assert len(found.notes) == 3
+
+
+@pytest.mark.parametrize("rate", [8001, 12345, 44100, 48000])
+def test_wav_is_slowed_down_in_blocks_as_in_one(tmp_path, rng, monkeypatch, rate):
+    monkeypatch.setattr("hapticplayer.extras.formats.wav_read.SAMPLES_AT_ONCE", 20000)
+    samples = rng.normal(0.0, 0.1, (70001, 3)).astype(np.float32)
+    wavfile.write(tmp_path / "a.wav", rate, samples)
+    common = math.gcd(rate, 1000)
+    whole = resample_poly(samples, 1000 // common, rate // common, axis=0)
+    found = read_force(tmp_path / "a.wav").track
+    np.testing.assert_allclose(found.force_n, whole, atol=1e-6)
+    np.testing.assert_allclose(found.time_s, np.arange(len(whole)) / 1000.0)
+
+
+def test_wav_of_too_many_samples_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr("hapticplayer.extras.formats.wav_read.MAX_SAMPLES", 99)
+    wavfile.write(tmp_path / "a.wav", 1000, np.zeros(100, dtype=np.float32))
+    with pytest.raises(InputError, match="too many values"):
+        read_force(tmp_path / "a.wav")
+
+
+def test_wav_with_samples_that_are_no_numbers_is_refused(written):
+    path = written("wav")
+    content = bytearray(path.read_bytes())
+    content[-4:] = struct.pack("<f", float("nan"))
+    path.write_bytes(content)
+    with pytest.raises(InputError, match="no numbers"):
+        read_force(path)
+
+
+def test_mpegv_holds_newtons_and_milliseconds(written):
+    text = written("mpegv").read_text()
+    assert 'si:timeScale="1000"' in text
+    assert 'xsi:type="sev:PassiveKinestheticForceType" si:pts="0"' in text
+    assert "1.0000 2.0000 -3.0000" in text
+
+
+def test_mpegv_is_valid_by_the_schema_of_2010(written, shared_data):
+    etree = pytest.importorskip("lxml.etree")
+    schema = shared_data / "interchange" / "mpegv-2010" / "MPEG-V-SEV.xsd"
+    if not schema.is_file():
+        pytest.skip("the schema (interchange/mpegv-2010) is not in the shared data")
+    parser = etree.XMLParser(no_network=True, resolve_entities=False)
+    rules = etree.XMLSchema(etree.parse(str(schema), parser))
+    path = written("mpegv", motion=moving((1, 2, 3)))
+    assert rules.validate(etree.parse(str(path), parser))
+
+
+def test_mpegv_effects_of_others_are_read_and_the_rest_is_listed(read):
+    effects = (
+        '<Effect xsi:type="sev:PassiveKinestheticForceType" si:pts="1000" '
+        'duration="100" timeSamples="3"><sev:PassiveKinestheticForce mpeg7:dim="3 3">'
+        "0 2 0 0 4 0 0 0 0</sev:PassiveKinestheticForce></Effect>"
+        '<GroupOfEffects><Effect xsi:type="sev:ActiveKinestheticType" si:pts="2000" '
+        'duration="100"><sev:ActiveKinesthetic fx="1" fy="-1.5" fz="0.5"/></Effect>'
+        '<Effect xsi:type="sev:WindType" si:pts="0" duration="10"/></GroupOfEffects>'
+    )
+    found = read(SEM.format(effects), ".sem")
+    np.testing.assert_allclose(at(found.track, 1.0, 1.025, 1.075)[:, 1], [2, 3, 2])
+    np.testing.assert_allclose(at(found.track, 2.05)[0], [1, -1.5, 0.5])
+    assert [str(note) for note in found.notes] == ["not read: Wind (1)"]
+
+
+def test_mpegv_motion_and_vibration_become_force(read):
+    effects = (
+        '<Effect xsi:type="sev:RigidBodyMotionType" si:pts="0" duration="1000">'
+        '<sev:MoveToward directionH="0" directionV="0" acceleration="2.5"/></Effect>'
+        '<Effect xsi:type="sev:VibrationType" si:pts="2000" duration="1000" '
+        'intensity-value="50" intensity-range="0 100"/>'
+    )
+    found = read(SEM.format(effects), ".xml", full_scale_n=2.0)
+    np.testing.assert_allclose(at(found.track, 0.5)[0], [0, 0, -1.0], atol=1e-6)
+    assert np.abs(found.track.force_n[:, 1]).max() == pytest.approx(1.0, abs=1e-3)
+
+
+def test_effects_without_a_namespace_are_read(read):
+    found = read(
+        '<SEM><SensoryEffects><Effect type="vibration" timestamp="1500" '
+        'duration="700" intensity="50" location="center"/>'
+        '<Effect type="wind" timestamp="0" duration="10" intensity="60"/>'
+        "</SensoryEffects></SEM>",
+        ".xml",
+        full_scale_n=2.0,
+    )
+    np.testing.assert_allclose(at(found.track, 1.4, 2.3), np.zeros((2, 3)))
+    assert np.abs(found.track.force_n[:, 1]).max() == pytest.approx(1.0, abs=1e-3)
+    assert str(found.notes[-1]) == "not read: Wind (1)"
+
+
+def moving(acceleration_mps2, valid=True):
+    rows = np.tile(np.asarray(acceleration_mps2, dtype=float), (201, 1))
+    return MotionTrack(
+        time_s=np.arange(201) / 200.0,
+        acceleration_mps2=rows,
+        gravity_mps2=np.zeros((201, 3)),
+        accelerometer_gain=1.0,
+        quaternion_wxyz=np.tile([1.0, 0.0, 0.0, 0.0], (201, 1)),
+        gravity_sigma_mps2=None,
+        valid=np.full(201, valid),
+    )
+
+
+NO_FORCE = ForceTrack([0.0, 1.0], np.zeros((2, 3)))
+
+
+@pytest.mark.parametrize("way", [(0, 2, 0), (1, 0, 0), (0, 0, -3), (-1, -2, 1.5)])
+def test_mpegv_motion_is_the_acceleration_of_the_actor(written, read, way):
+    text = written("mpegv", NO_FORCE, motion=moving(way)).read_text()
+    alone = SEM.format("".join(re.findall("<Effect.*RigidBody.*</Effect>", text)))
+    force_n = at(read(alone, ".sem").track, 0.01, 0.5, 0.99)
+    right, front, up = 0.4 * np.array(way)
+    np.testing.assert_allclose(force_n, [[right, up, -front]] * 3, atol=0.02)
+    assert text.count("MoveToward") == 20
+
+
+def test_motion_beside_a_force_adds_nothing_to_it(written, read):
+    plain = written("mpegv").read_bytes()
+    path = written("mpegv", motion=moving((0, 2, 0)), overwrite=True)
+    both = read_force(path)
+    assert b"RigidBodyMotion" in path.read_bytes()
+    np.testing.assert_array_equal(both.track.force_n, read(plain, ".sem").track.force_n)
+    assert "left out (20)" in str(both.notes[0])
+
+
+@pytest.mark.parametrize("motion", [moving((0, 0, 0)), moving((1, 2, 3), False)])
+def test_motion_that_is_still_or_invalid_is_not_written(written, motion):
+    assert "Rigid" not in written("mpegv", motion=motion).read_text()
+
+
+def test_more_motion_than_is_read_is_refused(written, monkeypatch):
+    monkeypatch.setattr("hapticplayer.extras.formats.mpegv.MAX_TAGS", 60)
+    with pytest.raises(InputError, match="too long"):
+        written("mpegv", motion=moving((0, 2, 0)))
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        '<!DOCTYPE a [<!ENTITY b "c">]>',
+        '<!DOCTYPE a SYSTEM "http://127.0.0.1/x.dtd">',
+        '<!DOCTYPE a [<!ENTITY b SYSTEM "file:///etc/passwd">]>',
+    ],
+)
+def test_xml_with_a_document_type_is_refused(read, head):
+    with pytest.raises(InputError, match="not valid XML"):
+        read(head + SEM.format(""), ".xml")
+
+
+def positions(actions, time_s):
+    rows = [(one["at"] / 1000.0, one["pos"]) for one in actions]
+    return np.interp(time_s, *zip(*rows, strict=True))
+
+
+@pytest.mark.parametrize("version", ["1.0", "1.1", "2.0"])
+def test_a_funscript_holds_the_excursion_of_a_hand(written, version):
+    push = ForceTrack([0.0, 2.0], [[0, 2, -2], [0, 0, 0]], Reconstruction.HOLD)
+    path = written("funscript", push, duration_s=3.0, funscript_version=version)
+    content = json.loads(path.read_text())
+    time_s, place_m = travel_m(push, 3.0)
+    up = positions(content["actions"], time_s)
+    assert up.max() > 54.0  # pushed up
+    np.testing.assert_allclose(up, 50 + 50 * place_m[:, 1] / 0.04, atol=1.0)
+    if version == "2.0":
+        surge = content["channels"]["surge"]["actions"]
+        assert max(one["pos"] for one in surge) > 54  # forward is away from the user
+    assert ("axes" in content) == (version == "1.1")
+
+
+def test_the_excursion_is_the_one_that_is_predicted():
+    push = ForceTrack([0.2, 1.7], [[0, 3, 0], [0, 0, 0]], Reconstruction.HOLD)
+    _, place_m = travel_m(push, 3.0)
+    reach = predict(push, 3.0)["hands"]["normal"]["reach"]
+    assert np.linalg.norm(place_m, axis=1).max() / 0.04 == pytest.approx(
+        reach, rel=0.02
+    )
+
+
+def test_a_funscript_has_few_positions_and_all_axes_are_near(written, rng):
+    force_n = np.cumsum(rng.normal(0.0, 0.3, (2000, 3)), axis=0)
+    track = ForceTrack(np.arange(2000) / 20.0, 2.0 * np.sin(force_n))
+    content = json.loads(written("funscript", track).read_text())
+    time_s, place_m = travel_m(track, float(track.time_s[-1]))
+    axes = [content, *content["axes"]]
+    for one, column, sign in zip(axes, (1, 2, 0), (1, -1, -1), strict=True):
+        exact = 50 + 50 * sign * place_m[:, column] / 0.04
+        there = positions(one["actions"], time_s)
+        np.testing.assert_allclose(there, exact, atol=1.0)
+        assert len(one["actions"]) < len(time_s) / 2
+
+
+def test_a_funscript_of_too_many_positions_is_refused(written, monkeypatch):
+    monkeypatch.setattr("hapticplayer.extras.formats.funscript.MAX_ACTIONS", 5)
+    with pytest.raises(InputError, match="positions"):
+        written("funscript")
+
+
+def test_a_funscript_is_a_spring_set_point_on_three_axes(read):
+    content = {
+        "version": "1.1",
+        "actions": [{"at": 0, "pos": 50}, {"at": 1000, "pos": 100}],
+        "axes": [
+            {"id": "L1", "actions": [{"at": 0, "pos": 100}, {"at": 1000, "pos": 100}]},
+            {"id": "R0", "actions": [{"at": 0, "pos": 0}]},
+        ],
+    }
+    found = read(json.dumps(content), ".funscript", stiffness_n_per_m=50.0)
+    # 50 N/m over 40 mm is 2 N
+    np.testing.assert_allclose(at(found.track, 0.5)[0], [0, 1, -2], atol=1e-6)
+    notes = [str(note) for note in found.notes]
+    assert "set-point" in notes[0]
+    assert notes[1] == "not read: R0 (1)"
+
+
+def test_an_ahap_has_the_size_of_the_force(written):
+    content = json.loads(written("ahap").read_text())
+    curves = [
+        one["ParameterCurve"] for one in content["Pattern"] if "ParameterCurve" in one
+    ]
+    scale_n = float(content["Metadata"]["Description"].split()[-1])
+    points = [
+        (curve["Time"] + one["Time"], one["ParameterValue"] * scale_n)
+        for curve in curves
+        if curve["ParameterID"] == "HapticIntensityControl"
+        for one in curve["ParameterCurveControlPoints"]
+    ]
+    size_n = np.interp([0.25, 0.5, 0.75], *zip(*points, strict=True))
+    whole_n = np.sqrt(14.0)
+    np.testing.assert_allclose(size_n, [whole_n / 2, whole_n, whole_n / 2], atol=0.011)
+    assert all(len(one["ParameterCurveControlPoints"]) <= 16 for one in curves)
+
+
+def test_faster_force_is_sharper(written, tmp_path):
+    values = []
+    for hertz in (2.0, 20.0):
+        wave = np.sin(2.0 * np.pi * hertz * np.arange(3000) / 1000.0)
+        track = ForceTrack(np.arange(3000) / 1000.0, np.outer(wave, [0, 2, 0]))
+        path = written("ahap", track)
+        curves = [
+            one.get("ParameterCurve", {})
+            for one in json.loads(path.read_text())["Pattern"]
+        ]
+        sharp = next(
+            c for c in curves if c.get("ParameterID") == "HapticSharpnessControl"
+        )
+        values.append(sharp["ParameterCurveControlPoints"][0]["ParameterValue"])
+        path.unlink()
+    np.testing.assert_allclose(values, np.log10([2.0, 20.0]) / 2.0, atol=0.03)
