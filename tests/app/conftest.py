@@ -147,6 +147,13 @@ def dressed(application, settings):
 
 
 @pytest.fixture
+def spoken(application) -> Iterator[Callable[[str], None]]:
+    """Set the language; English again afterwards."""
+    yield lambda code: languages.install(application, code)
+    languages.install(application, languages.ENGLISH)
+
+
+@pytest.fixture
 def make_window(application, qtbot, settings) -> Iterator[MakeWindow]:
     """Make a shown window with a player of its own; closed after the test."""
     made = []

@@ -2,7 +2,6 @@
 
 import pytest
 
-from app.bridge import languages
 from app.experimenter.library_page import LibraryPage
 from app.player.health import sync
 from app.plots.playhead_plot import PlayheadPlot
@@ -10,12 +9,6 @@ from app.widgets.texts import date_text, local, quoted
 from hapticplayer.model import SyncStats
 
 DAYS = {"en": "2026-07-09", "de": "09.07.2026", "fr": "09/07/2026"}
-
-
-@pytest.fixture
-def spoken(application):
-    yield lambda code: languages.install(application, code)
-    languages.install(application, languages.ENGLISH)
 
 
 @pytest.mark.parametrize(

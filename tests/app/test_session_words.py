@@ -4,7 +4,6 @@ import pytest
 
 from app.bridge import languages
 from app.experimenter.start_panel import reason_text
-from app.player.remake import apply_appearance
 from hapticplayer.haptics.contract import Cause
 
 REASONS = [
@@ -30,16 +29,6 @@ REASONS = [
     "sync:sound",
     "fault:unplugged",
 ]
-
-
-@pytest.fixture
-def spoken(application, settings):
-    def speak(language: str) -> None:
-        settings.keep("language", language)
-        apply_appearance(application, settings)
-
-    yield speak
-    speak(languages.ENGLISH)
 
 
 @pytest.mark.parametrize("language", list(languages.NAMES))

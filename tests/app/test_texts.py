@@ -1,17 +1,8 @@
 """Texts that several pages show."""
 
-import pytest
-
-from app.bridge import languages
 from app.bridge.jobs import JobState
 from app.widgets.texts import breakable, job_text
 from hapticplayer.errors import Message
-
-
-@pytest.fixture
-def spoken(application):
-    yield lambda code: languages.install(application, code)
-    languages.install(application, languages.ENGLISH)
 
 
 def test_french_has_a_space_before_its_colon_that_does_not_break(spoken):

@@ -24,12 +24,6 @@ FOREIGN = [code for code in languages.NAMES if code != languages.ENGLISH]
 
 
 @pytest.fixture
-def spoken(application):
-    yield lambda code: languages.install(application, code)
-    languages.install(application, languages.ENGLISH)
-
-
-@pytest.fixture
 def german(make_window, settings, application):
     """A window that speaks German."""
     settings.keep("language", "de")

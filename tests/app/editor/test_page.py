@@ -1,7 +1,5 @@
 """The editor of effects over a sequence: what it shows, plays and stops."""
 
-import shutil
-
 import numpy as np
 import pytest
 from faces import make_player
@@ -9,51 +7,16 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.editor.page import EditorPage
-from app.editor.playing import PlayerSetup
 from app.experimenter.library_page import LibraryPage
-from hapticplayer.clock import SystemClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering.effects import Effect, EffectList
-from hapticplayer.sequence.editing import set_effects
 from tests.conftest import clip_of
 
 EFFECTS = EffectList(
     (Effect("gain", 0.2, 1.0), Effect("mute", 0.5, 0.8), Effect("sine", 1.2, 1.9))
 )
-
-
-@pytest.fixture(scope="module")
-def edited(sequence, tmp_path_factory):
-    """The sequence with three effects, of which two overlap."""
-    target = tmp_path_factory.mktemp("edited") / "ride"
-    shutil.copytree(sequence, target)
-    set_effects(target, EFFECTS)
-    return target
-
-
-@pytest.fixture
-def folder(edited, tmp_path):
-    """A copy of it for one test."""
-    return shutil.copytree(edited, tmp_path / "edited")
-
-
-@pytest.fixture
-def make_page(application, qtbot, settings, wait_for):
-    made = []
-
-    def make(folder, device="none", player=make_player):
-        page = EditorPage(folder, PlayerSetup(SystemClock(), device, settings, player))
-        qtbot.addWidget(page)
-        made.append(page)
-        page.show()
-        wait_for(lambda: page.loaded is not None or bool(page.messages.text()))
-        return page
-
-    yield make
-    for page in made:
-        page.reject()
 
 
 def frame_level(page) -> float:
@@ -156,7 +119,7 @@ def test_a_playing_force_is_felt_and_escape_ends_it(make_page, folder, wait_for)
 
     wait_for(lambda: felt() > 0.5)
     QTest.keyClick(page.windowHandle(), Qt.Key.Key_Escape)
-    wait_for(lambda: player.snapshot().mode is Mode.TRIPPED)
+    wait_for(lambda: player.snapshot().tick["mode"] == Mode.TRIPPED)
     assert player.snapshot().tick["force_n"].tolist() == [0.0, 0.0, 0.0]
     assert page.isVisible()
     wait_for(lambda: page.play_bar.stop_button.text() == "Re-arm")

@@ -1,62 +1,23 @@
 """Edits are seen, felt and compared while the clip plays."""
 
-import shutil
-
 import numpy as np
 import pytest
-from faces import make_player
 
 from app.editor.comparison import Comparison
 from app.editor.live_force import LiveForce
-from app.editor.page import EditorPage
-from app.editor.playing import PlayerSetup
-from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
 from hapticplayer.rendering.effects import NO_EFFECTS, Effect, EffectList
 from hapticplayer.sequence import open_sequence
-from hapticplayer.sequence.editing import rendering_of, set_effects
+from hapticplayer.sequence.editing import rendering_of
 from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.sequence.presets import render_preset
 
-SAVED = EffectList((Effect("gain", 0.2, 0.6),))
+EFFECTS = EffectList((Effect("gain", 0.2, 0.6),))
 PULSE = Effect("pulse", 0.5, 1.5, parameters={"amplitude": 2.0}, direction=(1, 0, 0))
 
 
-@pytest.fixture(scope="module")
-def edited(sequence, tmp_path_factory):
-    target = tmp_path_factory.mktemp("edited") / "ride"
-    shutil.copytree(sequence, target)
-    set_effects(target, SAVED)
-    return target
-
-
-@pytest.fixture
-def folder(edited, tmp_path):
-    """A copy of it for one test."""
-    return shutil.copytree(edited, tmp_path / "edited")
-
-
-@pytest.fixture
-def make_page(application, qtbot, settings, wait_for, folder):
-    made = []
-
-    def make(device="none"):
-        setup = PlayerSetup(SystemClock(), device, settings, make_player)
-        page = EditorPage(folder, setup)
-        clean = page.document.stack.setClean
-        qtbot.addWidget(page, before_close_func=lambda _: clean())  # else it asks
-        made.append(page)
-        page.show()
-        wait_for(lambda: page.live is not None and not page.live.is_busy)
-        return page
-
-    yield make
-    for page in made:
-        page.reject()
-
-
 def test_an_edit_is_rendered_as_it_will_be_saved(make_page, folder, wait_for):
-    page = make_page()
+    page = make_page(folder)
     stored = page.loaded.source.tracks["realistic"]
     assert page.playing.track is stored
     assert page.lanes.track is stored
@@ -78,8 +39,8 @@ def test_an_edit_is_rendered_as_it_will_be_saved(make_page, folder, wait_for):
     assert page.lanes.track is stored
 
 
-def test_the_force_without_effects_lies_behind_it(make_page, wait_for):
-    page = make_page()
+def test_the_force_without_effects_lies_behind_it(make_page, folder, wait_for):
+    page = make_page(folder)
     wait_for(lambda: page.lanes.before is not None)
     plain = rendering_of(open_sequence(page.folder)).track(NO_EFFECTS)
     assert np.array_equal(page.lanes.before.force_n, plain.force_n)
@@ -90,8 +51,8 @@ def test_the_force_without_effects_lies_behind_it(make_page, wait_for):
     assert page.lanes.grab().toImage() != with_both
 
 
-def test_figures_of_both_are_predicted_once_edits_rest(make_page, wait_for):
-    page = make_page()
+def test_figures_of_both_are_predicted_once_edits_rest(make_page, folder, wait_for):
+    page = make_page(folder)
     page.editing.add(PULSE, "Add")
     wait_for(lambda: page.comparison.after is not None)
     wait_for(lambda: page.comparison.after.rms_n > page.comparison.before.rms_n + 0.3)
@@ -142,8 +103,8 @@ def test_a_track_that_cannot_be_rendered_is_reported(application, qtbot):
     assert [str(one) for one in said] == ["the motion track is empty"]
 
 
-def test_a_loop_follows_the_effect_and_goes_there(make_page):
-    page = make_page()
+def test_a_loop_follows_the_effect_and_goes_there(make_page, folder):
+    page = make_page(folder)
     page.editing.add(PULSE, "Add")
     page.play_bar.loop.click()
     player = page.playing.session.player
@@ -156,8 +117,8 @@ def test_a_loop_follows_the_effect_and_goes_there(make_page):
 
 
 @pytest.mark.realtime
-def test_a_slider_is_felt_while_the_clip_plays(make_page, wait_for):
-    page = make_page("simulated")
+def test_a_slider_is_felt_while_the_clip_plays(make_page, folder, wait_for):
+    page = make_page(folder, "simulated")
     player = page.playing.session.player
     wait_for(lambda: player.snapshot().tick is not None)
     page.editing.add(PULSE, "Add")

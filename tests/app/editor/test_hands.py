@@ -1,50 +1,23 @@
 """Effects edited on the time line by mouse and keys, offered, saved and kept."""
 
-import shutil
-
 import numpy as np
 import pytest
-from faces import make_player
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent, QDropEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.editor.kind_list import MIME
-from app.editor.page import EditorPage
-from app.editor.playing import PlayerSetup
-from hapticplayer.clock import SystemClock
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence, store, verify_sequence
-from hapticplayer.sequence.editing import set_effects
 
 FRAME_S = 0.04
 EFFECTS = EffectList((Effect("gain", 0.2, 0.6), Effect("sine", 1.2, 1.6)))
 
 
-@pytest.fixture(scope="module")
-def edited(sequence, tmp_path_factory):
-    target = tmp_path_factory.mktemp("edited") / "ride"
-    shutil.copytree(sequence, target)
-    set_effects(target, EFFECTS)
-    return target
-
-
 @pytest.fixture
-def folder(edited, tmp_path):
-    """A copy of it for one test."""
-    return shutil.copytree(edited, tmp_path / "edited")
-
-
-@pytest.fixture
-def page(application, qtbot, settings, wait_for, folder):
-    made = EditorPage(folder, PlayerSetup(SystemClock(), "none", settings, make_player))
-    # else it asks
-    qtbot.addWidget(made, before_close_func=lambda _: made.document.stack.setClean())
-    made.show()
-    wait_for(lambda: made.loaded is not None)
-    yield made
-    made.reject()
+def page(make_page, folder):
+    return make_page(folder)
 
 
 def drag(lanes, at, by_px, steps=4) -> None:
