@@ -1,6 +1,30 @@
-"""The tables of documents are those of the registries."""
+"""Documents: their tables are current, and no block or cell is too long to read."""
 
-from tools import tables
+import itertools
+import re
+from pathlib import Path
+
+import pytest
+
+from tools import performance_page, tables
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").glob("*.md"))]
+MOST_OF_A_BLOCK, MOST_OF_A_CELL = 800, 300
+"""Characters."""
+FENCED = re.compile(r"^( *)```.*?^\1```", re.DOTALL | re.MULTILINE)
+TABLE_LINE = re.compile(r"^(?:\||<!--).*$", re.MULTILINE)
+ITEM = re.compile(r"^ *(?:[-*]|\d+\.) ", re.MULTILINE)
+CELL_END = re.compile(r"(?<!\\)\|")
+
+
+def prose(page):
+    """Paragraphs and items of lists, without code and tables."""
+    text = FENCED.sub("", page.read_text(encoding="utf-8"))
+    text = TABLE_LINE.sub("", text)
+    for block in re.split(r"\n\s*\n", text):
+        starts = [0, *(match.start() for match in ITEM.finditer(block)), len(block)]
+        yield from (block[a:b] for a, b in itertools.pairwise(starts))
 
 
 def test_tables_of_documents_are_current():
@@ -8,7 +32,23 @@ def test_tables_of_documents_are_current():
     assert not changed, "run: python -m tools.tables"
 
 
+def test_page_of_results_is_current():
+    page = performance_page.PAGE.read_text(encoding="utf-8")
+    assert page == performance_page.page(), "run: python -m tools.performance_page"
+
+
 def test_every_table_stands_in_a_document():
-    pages = sorted((tables.ROOT / "docs").glob("*.md"))
-    text = "".join(page.read_text(encoding="utf-8") for page in pages)
+    text = "".join(page.read_text(encoding="utf-8") for page in PAGES)
     assert not [name for name in tables.TABLES if f"<!-- table: {name} -->" not in text]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_a_reader_meets_no_block_of_more_than_800_characters(page):
+    assert not [block for block in prose(page) if len(block) > MOST_OF_A_BLOCK]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_a_reader_meets_no_cell_of_more_than_300_characters(page):
+    lines = page.read_text(encoding="utf-8").splitlines()
+    cells = [cell for x in lines if x.startswith("|") for cell in CELL_END.split(x)]
+    assert not [cell for cell in cells if len(cell) > MOST_OF_A_CELL]
