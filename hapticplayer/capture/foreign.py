@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from hapticplayer.capture.csv_table import foreign_digits, header_fault, nul_bytes
 from hapticplayer.capture.source import LogSource, is_plain_text
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.untrusted import open_regular
 
 _NEW_EXCEL = "xl/"
@@ -130,6 +130,12 @@ def unknown(source: LogSource) -> InputError:
             "holds no log of a known format",
             where=where,
             remedy="give the folder or zip that the logger has written, or a sequence",
+        )
+    if source.is_binary:
+        return TelemetryError(
+            "holds no motion that can be read",
+            where=where,
+            remedy="give the log of a motion sensor with --imu LOG",
         )
     head = source.head(source.names[0])
     if dated := _DATE.search(head):

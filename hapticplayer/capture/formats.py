@@ -69,8 +69,6 @@ _HERE = "hapticplayer.capture"
 FORMATS: tuple[RecordingFormat, ...] = (
     RecordingFormat("gopro", Message("GoPro"), f"{_HERE}.gopro:READER",
         "the track `GoPro MET`; `DEVC` of raw GPMF", "at the first frame of the video; raw GPMF without STMP: where the first payload begins", "recordings of HERO5, 6, 7, 8, 9, 13 (time lapse) and Fusion; documentation of MAX and HERO11"),
-    RecordingFormat("camera", Message("another camera"), f"{_HERE}.other_cameras:READER",
-        "`telemetry-parser`, if installed", "at the first sample, from which telemetry-parser counts", "the library on a HERO5 clip; no clip of another camera"),
     RecordingFormat("si-csv", Message("CSV in SI units"), f"{_HERE}.si_csv:READER",
         "`time_s,ax,...`", "where `time_s` is 0", "itself"),
     RecordingFormat("sensor-logger", Message("Sensor Logger"), f"{_HERE}.logs.sensor_logger:READER",

@@ -8,20 +8,27 @@ floats). A position is never sent: it is 0.
 import math
 import struct
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple, Protocol
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.device import Vector
 from hapticplayer.model.rig import RigMotion
-
-if TYPE_CHECKING:
-    from hapticplayer.devices.rig.settings import RigSettings
 
 _OUTSIM = struct.Struct("<I12f3i")
 _OUTSIM_ID = struct.Struct("<i")
 _BEAMNG = struct.Struct("<4s21f")
 _CODEMASTERS = struct.Struct("<66f")
 _NOWHERE = (0.0, 0.0, 0.0)
+
+
+class PacketChoices(Protocol):
+    """What a person may choose about packets; see `RigSettings`."""
+
+    @property
+    def id(self) -> int: ...
+
+    @property
+    def forward_first(self) -> bool: ...
 
 
 class RigFormat(NamedTuple):
@@ -35,7 +42,7 @@ class RigFormat(NamedTuple):
 
     name: str
     port: int
-    encode: Callable[[RigMotion, float, "RigSettings"], bytes]
+    encode: Callable[[RigMotion, float, PacketChoices], bytes]
 
 
 def in_world(motion: RigMotion, vector: Vector) -> Vector:
@@ -49,7 +56,7 @@ def in_world(motion: RigMotion, vector: Vector) -> Vector:
     return (c * x - s * y, s * x + c * y, z)
 
 
-def outsim(motion: RigMotion, time_s: float, settings: "RigSettings") -> bytes:
+def outsim(motion: RigMotion, time_s: float, settings: PacketChoices) -> bytes:
     """Return LFS's OutSimPack; angular rate, acceleration and velocity in the world."""
     packet = _OUTSIM.pack(
         int(1e3 * time_s) & 0xFFFF_FFFF,
@@ -64,7 +71,7 @@ def outsim(motion: RigMotion, time_s: float, settings: "RigSettings") -> bytes:
     return packet + _OUTSIM_ID.pack(settings.id) if settings.id else packet
 
 
-def beamng(motion: RigMotion, _time_s: float, _settings: "RigSettings") -> bytes:
+def beamng(motion: RigMotion, _time_s: float, _settings: PacketChoices) -> bytes:
     """Return BeamNG's MotionSim packet; the acceleration is in the vehicle."""
     return _BEAMNG.pack(
         b"BNG1",
@@ -78,11 +85,11 @@ def beamng(motion: RigMotion, _time_s: float, _settings: "RigSettings") -> bytes
     )
 
 
-def codemasters(motion: RigMotion, time_s: float, settings: "RigSettings") -> bytes:
+def codemasters(motion: RigMotion, time_s: float, settings: PacketChoices) -> bytes:
     """Return Codemasters' "extradata=3" packet: x right, y up, z forward.
 
     Two sources contradict each other on which unit vector comes first; see
-    `RigSettings.forward_first`. Heave is only in the velocity.
+    `PacketChoices.forward_first`. Heave is only in the velocity.
     """
     values = [0.0] * 66
     values[0] = values[1] = time_s

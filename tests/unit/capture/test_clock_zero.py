@@ -1,15 +1,12 @@
 """What the offset of a person refers to: each format's clock zero, as documented."""
 
 import re
-import sys
 from dataclasses import replace
 
 import pytest
 
 from hapticplayer.capture import formats, read_recording
-from hapticplayer.capture.assemble import assemble
-from hapticplayer.capture.choices import LogChoices, parse_choices
-from hapticplayer.capture.other_cameras import read_other_camera
+from hapticplayer.capture.choices import parse_choices
 from tests.faults.import_formats import FORMATS, put
 from tests.faults.import_signal import Sampled, sample
 
@@ -18,7 +15,6 @@ LATE_S = 2.5
 
 WRITTEN = {  # the format's name: what writes it, and the time of the first sample
     "gopro": ("GoPro, raw", LATE_S),
-    "camera": (None, LATE_S),  # telemetry-parser's own times
     "si-csv": ("own CSV", LATE_S),
     "sensor-logger": ("Sensor Logger Android", LATE_S),  # its seconds_elapsed
     "phyphox": ("phyphox tab", LATE_S),
@@ -35,15 +31,6 @@ WRITTEN = {  # the format's name: what writes it, and the time of the first samp
     "xsens-mt": ("Xsens MTw", 0.0),
     "csv": ("generic CSV", LATE_S),
 }
-CHILD = """
-import json, sys, numpy as np
-count = np.arange(2000)
-noise = 0.01 * (count[:, None] % (5, 6, 7))
-accel, rate = noise + (0.0, 0.0, 9.8), noise
-np.savez(sys.argv[2], time_s=2.5 + count / 200.0, specific_force_mps2=accel,
-         angular_rate_degps=rate)
-print(json.dumps({"camera": "Sony", "model": "FX3"}))
-"""
 
 
 def late(apart: bool) -> Sampled:
@@ -56,20 +43,12 @@ def late(apart: bool) -> Sampled:
     )
 
 
-@pytest.mark.parametrize("name", [one.name for one in formats.recording_formats()])
+@pytest.mark.parametrize("name", [one.name for one in formats.FORMATS])
 def test_clock_reads_zero_where_the_table_says(tmp_path, name):
     key, first_s = WRITTEN[name]
-    if key is None:
-        path, axes = tmp_path / "clip.mp4", LogChoices(axes="x,y,z")
-        path.write_text("video")
-        command = (sys.executable, "-c", CHILD)
-        recording = assemble(
-            read_other_camera(path, axes, command=command), axes, str(path)
-        )
-    else:
-        one = FORMATS[key]
-        path = put(one.write(late(one.apart)), tmp_path / "in")
-        recording = read_recording(path, parse_choices(one.choices))
+    one = FORMATS[key]
+    path = put(one.write(late(one.apart)), tmp_path / "in")
+    recording = read_recording(path, parse_choices(one.choices))
     assert recording.imu.time_s[0] == pytest.approx(first_s, abs=1e-3)
 
 

@@ -110,18 +110,6 @@ def test_real_recordings_need_no_repair():
         assert not any("filled" in note for note in recording.notes), name
 
 
-def test_dji_is_refused_with_the_reason(tmp_path, monkeypatch):
-    """No DJI clip is at hand: its data track is known by the name in its handler."""
-    path = tmp_path / "dji.mp4"
-    path.write_bytes(b"\0\0\0\x18ftypmp42" + bytes(300))
-    for module in ("gopro", "other_cameras"):
-        name = f"hapticplayer.capture.{module}.data_track_names"
-        monkeypatch.setattr(name, lambda _path: ("DJI meta",))
-    with pytest.raises(TelemetryError, match="stores orientations only") as caught:
-        read_recording(path)
-    assert "--imu LOG" in str(caught.value)
-
-
 def test_orientations_without_accelerations_are_refused():
     """What a DJI-like GPMF would be: quaternions only."""
     payload = device("Osmo", sensor("CORI", np.tile([1.0, 0, 0, 0], (30, 1))))

@@ -31,13 +31,13 @@ from hapticplayer.capture.limits import (
 )
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, SensorStream
-from hapticplayer.capture.telemetry_child import COLUMNS
 from hapticplayer.errors import InputError, Message, TelemetryError
+from hapticplayer.extras.cameras.telemetry_child import COLUMNS
 from hapticplayer.media.telemetry import data_track_names
 from hapticplayer.model.arrays import Floats
 from hapticplayer.untrusted import open_regular
 
-_COMMAND = (sys.executable, "-P", "-m", "hapticplayer.capture.telemetry_child")
+_COMMAND = (sys.executable, "-P", "-m", "hapticplayer.extras.cameras.telemetry_child")
 _MIN_SHARE = 0.98
 """Of the samples that must have acceleration and rate."""
 

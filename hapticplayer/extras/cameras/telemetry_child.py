@@ -1,6 +1,6 @@
 """Reads one video with `telemetry-parser`, in a process of its own.
 
-    python -m hapticplayer.capture.telemetry_child VIDEO OUT.npz MEMORY_BYTES CPU_S
+    python -m hapticplayer.extras.cameras.telemetry_child VIDEO OUT.npz MEMORY_BYTES CPU_S
 
 The library is native code that has panicked on damaged files, so it runs isolated, with
 limits. Writes time_s, specific_force_mps2 and angular_rate_degps, NaN where a sample has

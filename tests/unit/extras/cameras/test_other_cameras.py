@@ -7,10 +7,11 @@ import textwrap
 import numpy as np
 import pytest
 
+from hapticplayer.capture import read_recording
 from hapticplayer.capture.assemble import assemble
 from hapticplayer.capture.choices import LogChoices
-from hapticplayer.capture.other_cameras import read_other_camera
 from hapticplayer.errors import TelemetryError, UsageError
+from hapticplayer.extras.cameras.other_cameras import read_other_camera
 
 AXES = LogChoices(axes="x,y,z")
 LIBRARY = """
@@ -34,7 +35,7 @@ LIBRARY = """
                 while True: pass
             accl = None if self.kind == "gimbal" else (0.1, 0.2, 9.8)
             return [
-                dict(timestamp_ms=5.0 * k, gyro=(9.0, 0.0, 0.01 * (k % 7)),
+                dict(timestamp_ms=2500.0 + 5.0 * k, gyro=(9.0, 0.0, 0.01 * (k % 7)),
                      accl=None if self.kind == "half" and k % 2 else
                      accl and (*accl[:2], accl[2] + 0.01 * (k % 5)))
                 for k in range(2000)
@@ -59,6 +60,7 @@ def test_video_becomes_a_log_in_si(camera):
     log = assemble(read_other_camera(camera, AXES), AXES, str(camera))
     assert log.camera == "Sony FX3"
     assert log.imu.rate_hz == pytest.approx(200.0)
+    assert log.imu.time_s[0] == pytest.approx(2.5, abs=1e-3)  # the library's own clock
     np.testing.assert_allclose(log.imu.specific_force_mps2[0], [0.1, 0.2, 9.8])
     assert log.imu.angular_rate_radps[0, 0] == pytest.approx(np.radians(9.0))
 
@@ -116,3 +118,15 @@ def test_the_scratch_copy_is_removed(camera, tmp_path, monkeypatch):
     with pytest.raises(TelemetryError):
         read_other_camera(camera, AXES)
     assert list(scratch.iterdir()) == []
+
+
+def test_dji_is_refused_with_the_reason(tmp_path, monkeypatch):
+    """No DJI clip is at hand: its data track is known by the name in its handler."""
+    path = tmp_path / "dji.mp4"
+    path.write_bytes(b"\0\0\0\x18ftypmp42" + bytes(300))
+    for module in ("capture.gopro", "extras.cameras.other_cameras"):
+        name = f"hapticplayer.{module}.data_track_names"
+        monkeypatch.setattr(name, lambda _path: ("DJI meta",))
+    with pytest.raises(TelemetryError, match="stores orientations only") as caught:
+        read_recording(path)
+    assert "--imu LOG" in str(caught.value)

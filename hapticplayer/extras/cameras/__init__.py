@@ -1,0 +1,1 @@
+"""Telemetry of cameras beyond GoPro."""
