@@ -163,7 +163,7 @@ def _check_python() -> MachineCheck:
         sys.version_info >= OLDEST_PYTHON,
         required=True,
         detail=f"{platform.python_version()} ({sys.executable})",
-        remedy=f"use Python {oldest} or newer, as in Debian 12",
+        remedy=f"use Python {oldest} or newer, as in Debian 12 and 13",
     )
 
 

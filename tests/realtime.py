@@ -7,6 +7,7 @@ names it; was it not, the test fails at once.
 import contextlib
 import fcntl
 from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,11 @@ WAIT_LIMIT_S = HEARTBEAT_RAMP_S / 2
 RERUN = "rerun"
 LOCKS = (Path(__file__), Path(__file__).with_name("conftest.py"))
 """Files that all processes of a run have open, and nobody writes."""
+
+
+def plain_witness() -> AbstractContextManager[Witness]:
+    """A witness that costs 1 % of each core."""
+    return machine_witness(SLEEP_S)
 
 
 def fault_of(seen: Seen) -> str:
@@ -77,10 +83,11 @@ class RealTime:
         self,
         judge: Callable[[Seen], str] = fault_of,
         locks: tuple[Path, Path] = LOCKS,
+        watch: Callable[[], AbstractContextManager[Any]] = plain_witness,
     ) -> None:
-        self._judge, self._locks = judge, locks
+        self._judge, self._locks, self._watch = judge, locks, watch
         self._stack = contextlib.ExitStack()
-        self._witness: Witness | None = None
+        self._witness: Any = None
         self.reruns: list[tuple[str, str]] = []
 
     @pytest.hookimpl(tryfirst=True)
@@ -106,7 +113,7 @@ class RealTime:
 
     def _attempt(self, item: Any, nextitem: Any, *, alone: bool) -> tuple[Any, Seen]:
         if self._witness is None:
-            self._witness = self._stack.enter_context(machine_witness(SLEEP_S))
+            self._witness = self._stack.enter_context(self._watch())
             self._room = Room(*self._locks)
             self._stack.callback(self._room.close)
         with self._room.entered(alone=alone):

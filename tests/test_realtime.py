@@ -1,9 +1,15 @@
 """Reruns of real-time tests, and the judge who allows them."""
 
+import os
+import subprocess
+import sys
+from contextlib import nullcontext
+
 import pytest
 
+from hapticplayer.clock import SystemClock
 from tests.realtime import RealTime, fault_of
-from tools.witness import Seen
+from tools.witness import Seen, machine_witness
 
 TRIED = """
     import pytest
@@ -15,6 +21,19 @@ TRIED = """
             tries.write(".")
             assert tries.tell() == {attempt}, "too early"
 """
+
+
+class Silent(nullcontext):
+    """A witness that has seen nothing."""
+
+    def __enter__(self):
+        return self
+
+    def forget(self):
+        pass
+
+    def seen(self):
+        return Seen([])
 
 
 @pytest.fixture
@@ -29,7 +48,7 @@ def outcome(pytester):
         (pytester.path / "tries").unlink(missing_ok=True)
         pytester.makepyfile(TRIED.format(attempt=attempt))
         return pytester.runpytest_inprocess(
-            "-p", "no:xdist", plugins=[RealTime(lambda _: fault, locks)]
+            "-p", "no:xdist", plugins=[RealTime(lambda _: fault, locks, Silent)]
         )
 
     return run
@@ -78,3 +97,20 @@ def test_a_test_that_passes_is_not_judged(outcome):
 )
 def test_a_machine_is_at_fault_for_a_long_stall_or_wait(stalls, waits, fault):
     assert fault_of(Seen([[], stalls], waits)) == fault
+
+
+@pytest.mark.realtime
+def test_two_busy_loops_on_one_core_are_seen_to_wait():
+    clock, core = SystemClock(), min(os.sched_getaffinity(0))
+    busy = f"import os; os.sched_setaffinity(0, {{{core}}})\nwhile True: pass"
+    with machine_witness() as witness:
+        loops = [subprocess.Popen([sys.executable, "-c", busy]) for _ in range(2)]
+        try:
+            end_s = clock.now_s() + 60.0
+            while "no core" not in fault_of(Seen([[]], witness.seen().waits)):
+                assert clock.now_s() < end_s
+                clock.sleep_until(clock.now_s() + 0.05)
+        finally:
+            for loop in loops:
+                loop.kill()
+                loop.wait()
