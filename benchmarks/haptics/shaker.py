@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from benchmarks.common import Report
 from benchmarks.stage import need, sound_server
-from hapticplayer.devices.transducer.driver import BLOCK
-from hapticplayer.devices.transducer.settings import shaker_settings
-from hapticplayer.devices.transducer.signal import SAMPLE_HZ, ShakerSignal
+from hapticplayer.extras.shakers.driver import BLOCK
+from hapticplayer.extras.shakers.settings import shaker_settings
+from hapticplayer.extras.shakers.signal import SAMPLE_HZ, ShakerSignal
 from hapticplayer.model import ForceTrack
 from tools.shaker_sound import (
     End,

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from hapticplayer.cli.common import agreed, complain, interruptible, peak_text, say
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import find_device
-from hapticplayer.devices.transducer.settings import ShakerSettings
 from hapticplayer.errors import DeviceError, Message
+from hapticplayer.extras.shakers.settings import ShakerSettings
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.rig.loop import REFUSED, SENT
 from hapticplayer.model import ForceTrack

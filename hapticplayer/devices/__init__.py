@@ -10,15 +10,9 @@ from functools import cache
 from typing import Any, Protocol, runtime_checkable
 
 from hapticplayer.devices.capabilities import (
-    BUTTPLUG,
     FALCON,
-    INVERSE3,
     RIG,
-    RUMBLE,
-    SHAKER,
     SIMULATED,
-    TCODE,
-    WHEEL,
 )
 from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.errors import DeviceError, Message, joined
@@ -150,7 +144,6 @@ def _parsed(options: str, text: str) -> DeviceOptions:
 
 
 _SIMULATION = "hapticplayer.simulation"
-_GUIDES = "hapticplayer.devices.guides"
 _BUILT_IN = (
     DeviceEntry(
         "simulated",
@@ -160,7 +153,7 @@ _BUILT_IN = (
         f"{_SIMULATION}.falcon.remote:RemoteFalcon",
         f"{_SIMULATION}.falcon.remote:silence",
         server=f"{_SIMULATION}.falcon",
-        guide=f"{_GUIDES}:SIMULATED",
+        guide="hapticplayer.devices.guides:SIMULATED",
     ),
     DeviceEntry(
         "falcon",
@@ -172,7 +165,7 @@ _BUILT_IN = (
         direct="hapticplayer.devices.falcon.reach:real",
         options="hapticplayer.devices.falcon:falcon_options",
         patience_s=45.0,  # ten uploads, should the first nine fail
-        guide=f"{_GUIDES}:FALCON",
+        guide="hapticplayer.devices.falcon.guide:FALCON",
     ),
     DeviceEntry(
         "falcon-simulated",
@@ -187,76 +180,6 @@ _BUILT_IN = (
         patience_s=45.0,
     ),
     DeviceEntry(
-        "inverse3",
-        Message("Inverse3"),
-        "Haply Inverse3 through the Inverse Service of this machine",
-        INVERSE3,
-        "hapticplayer.devices.inverse3.driver:make",
-        "hapticplayer.devices.inverse3.driver:silence",
-        options="hapticplayer.devices.inverse3.driver:inverse3_options",
-        guide=f"{_GUIDES}:INVERSE3",
-    ),
-    DeviceEntry(
-        "inverse3-simulated",
-        Message("Inverse3 on a simulated service"),
-        "the Inverse3's own driver on a simulated service, for developers",
-        INVERSE3,
-        f"{_SIMULATION}.inverse3.driver:make",
-        f"{_SIMULATION}.falcon.remote:silence",
-        server=f"{_SIMULATION}.inverse3",
-        is_for_developers=True,
-    ),
-    DeviceEntry(
-        "wheel",
-        Message("Wheel"),
-        "wheel or joystick with a motor (Linux): one axis, no newtons",
-        WHEEL,
-        "hapticplayer.devices.evdev.driver:make_wheel",
-        "hapticplayer.devices.evdev.driver:silence_wheel",
-        options="hapticplayer.devices.evdev.options:wheel_options",
-        guide=f"{_GUIDES}:WHEEL",
-    ),
-    DeviceEntry(
-        "rumble",
-        Message("Rumble"),
-        "game pad or joystick that the kernel can rumble (Linux): vibration only",
-        RUMBLE,
-        "hapticplayer.devices.evdev.driver:make_rumble",
-        "hapticplayer.devices.evdev.driver:silence_rumble",
-        options="hapticplayer.devices.evdev.options:rumble_options",
-        guide=f"{_GUIDES}:RUMBLE",
-    ),
-    DeviceEntry(
-        "shaker",
-        Message("Shaker"),
-        "bass shakers and voice coils on a sound card",
-        SHAKER,
-        "hapticplayer.devices.transducer.driver:make",
-        "hapticplayer.devices.transducer.silence:silence",
-        options="hapticplayer.devices.transducer.settings:shaker_settings",
-        guide=f"{_GUIDES}:SHAKER",
-    ),
-    DeviceEntry(
-        "buttplug",
-        Message("Intiface"),
-        "toys through Intiface (Buttplug): vibration only",
-        BUTTPLUG,
-        "hapticplayer.devices.buttplug:make",
-        "hapticplayer.devices.buttplug:silence",
-        options="hapticplayer.devices.buttplug:buttplug_options",
-        guide=f"{_GUIDES}:BUTTPLUG",
-    ),
-    DeviceEntry(
-        "tcode",
-        Message("TCode"),
-        "a board that takes TCode by UDP or a serial port: vibration only",
-        TCODE,
-        "hapticplayer.devices.tcode:make",
-        "hapticplayer.devices.tcode:silence",
-        options="hapticplayer.devices.tcode:tcode_options",
-        guide=f"{_GUIDES}:TCODE",
-    ),
-    DeviceEntry(
         "rig",
         Message("Motion rig"),
         "software of a motion rig, spoken to as a game does by UDP",
@@ -264,7 +187,7 @@ _BUILT_IN = (
         "hapticplayer.devices.rig.sender:make",
         options="hapticplayer.devices.rig.settings:rig_settings",
         loop="hapticplayer.haptics.rig.loop:RigLoop",
-        guide=f"{_GUIDES}:RIG",
+        guide="hapticplayer.devices.rig.guide:RIG",
     ),
 )
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}

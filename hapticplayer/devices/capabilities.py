@@ -38,29 +38,3 @@ RIG = DeviceCapabilities(
     latency_s=0.0,  # not known: the software of the rig decides
     signal=Signal.MOTION,
 )
-
-WHEEL = DeviceCapabilities(
-    axes=1,
-    peak_force_n=FULL_N,  # nominal: all that its motor can
-    continuous_force_n=FULL_N,
-    workspace_radius_m=0.04,  # nominal: it stays in the middle
-    rate_hz=250.0,  # USB wheels take 100 to 500 updates a second
-    latency_s=0.008,
-    has_newtons=False,
-)
-
-RUMBLE = VIBRATION
-
-TCODE = replace(VIBRATION, rate_hz=50.0, latency_s=0.030)
-BUTTPLUG = replace(VIBRATION, rate_hz=20.0, latency_s=0.050)
-
-INVERSE3 = DeviceCapabilities(
-    axes=3,
-    peak_force_n=9.0,  # not known; about 10 N by hearsay
-    continuous_force_n=3.0,  # not known; assumed, a third of the peak
-    workspace_radius_m=0.10,  # the sphere of the vendor's demonstration
-    rate_hz=1000.0,
-    latency_s=0.002,
-)
-
-SHAKER = replace(VIBRATION, rate_hz=1000.0, latency_s=0.080, has_own_clock=True)

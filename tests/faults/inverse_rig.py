@@ -8,10 +8,10 @@ from collections import deque
 
 from haptic_rig import DriverGrip
 
-from hapticplayer.devices.inverse3.driver import Inverse3Driver
 from hapticplayer.errors import DeviceError
+from hapticplayer.extras.inverse3.driver import Inverse3Driver
+from hapticplayer.extras.inverse3.simulated.service import Service, simulation_of
 from hapticplayer.haptics.limiter import ZERO
-from hapticplayer.simulation.inverse3.service import Service, simulation_of
 
 
 class VirtualLink:

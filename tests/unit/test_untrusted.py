@@ -154,10 +154,10 @@ OWN = {
     ("hapticplayer/storage.py", "os.open"): "to sync, to lock, and new files",
     ("hapticplayer/study/study_folder.py", "os.open"): "a folder, to lock it",
     ("hapticplayer/study/journal.py", "os.open"): "to append, and to lock",
-    ("hapticplayer/devices/evdev/ports.py", "os.open"): "a device",
-    ("hapticplayer/devices/evdev/ports.py", "read_text"): "files of the system",
-    ("hapticplayer/devices/tcode.py", "os.open"): "a serial port",
-    ("hapticplayer/devices/transducer/coils.py", "read_text"): "files of the system",
+    ("hapticplayer/extras/wheels/ports.py", "os.open"): "a device",
+    ("hapticplayer/extras/wheels/ports.py", "read_text"): "files of the system",
+    ("hapticplayer/extras/toys/tcode.py", "os.open"): "a serial port",
+    ("hapticplayer/extras/shakers/coils.py", "read_text"): "files of the system",
 }
 READERS = {"open", "os.open", "io.open", "np.load", "np.loadtxt", "np.fromfile"}
 READING_METHODS = {

@@ -8,12 +8,12 @@ import pytest
 
 from hapticplayer.devices import DEVICES, find_device, guides
 from hapticplayer.devices.checks import Check, receiver, service, until_unmet, usable
-from hapticplayer.devices.evdev.ports import InputDevice
 from hapticplayer.devices.falcon.transport import FalconAddress, FalconForbiddenError
 from hapticplayer.devices.guides import checks_of, guide_of, hold_text
-from hapticplayer.devices.transducer import cards
-from hapticplayer.devices.transducer.settings import shaker_settings
 from hapticplayer.errors import Message
+from hapticplayer.extras.shakers import cards
+from hapticplayer.extras.shakers.settings import shaker_settings
+from hapticplayer.extras.wheels.ports import InputDevice
 
 REMEDY = Message("do it")
 

@@ -19,15 +19,16 @@ from falcon_rig import FalconGrip
 from inverse_rig import VirtualLink
 
 from hapticplayer.clock import ManualClock, SystemClock
-from hapticplayer.devices import DEVICES, buttplug, find_device, tcode
+from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.falcon.silence import Silencer
-from hapticplayer.devices.inverse3.driver import Inverse3Driver
-from hapticplayer.devices.inverse3.protocol import command
-from hapticplayer.devices.transducer.driver import ALIVE_S, ShakerDriver
-from hapticplayer.devices.transducer.silence import silence as silence_shaker
+from hapticplayer.extras.inverse3.driver import Inverse3Driver
+from hapticplayer.extras.inverse3.protocol import command
+from hapticplayer.extras.inverse3.simulated.service import Service, simulation_of
+from hapticplayer.extras.shakers.driver import ALIVE_S, ShakerDriver
+from hapticplayer.extras.shakers.silence import silence as silence_shaker
+from hapticplayer.extras.toys import buttplug, tcode
 from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
-from hapticplayer.simulation.inverse3.service import Service, simulation_of
 from tests.doubles import DirectWriter
 
 ROOT = Path(__file__).parents[4]
@@ -118,7 +119,7 @@ class EventDevice(World):
         self.patch = pytest.MonkeyPatch()
         self.kernel = FakeInput(self.clock, self.patch)
         self.name, self.is_stuck = name, False
-        self.device = DEVICES[name].make(-1)
+        self.device = installed_devices()[name].make(-1)
         self.device.make_writer = lambda port: Stuckable(port, self)
 
     def press(self, _buttons):
@@ -137,7 +138,7 @@ class EventDevice(World):
         return self.kernel.felt == (0, 0)
 
     def guard(self):
-        return DEVICES[self.name].silence(-1)
+        return installed_devices()[self.name].silence(-1)
 
     def kill(self):
         """Nothing: the effect goes on until it ends by itself."""
@@ -204,7 +205,7 @@ class Shaker(World):
     def __init__(self):
         super().__init__()
         self.card = FakeCard(self.clock)
-        settings = DEVICES["shaker"].settings
+        settings = installed_devices()["shaker"].settings
         self.device = ShakerDriver(settings, self.clock, self.card.stream)
 
     def wait(self):
@@ -238,7 +239,7 @@ class Toy(World):
         self.server = FakeIntiface()
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self.lines = ours, theirs
-        self.device = DEVICES["buttplug"].make(ours.fileno())
+        self.device = installed_devices()["buttplug"].make(ours.fileno())
         self.device.open_port = lambda: buttplug.ButtplugPort(
             self.server.where, ours.fileno(), self.clock, overdue_s=0.01
         )
@@ -284,7 +285,7 @@ class Board(World):
         self.where = f"127.0.0.1:{self.end.getsockname()[1]}"
         self.strength, self.sender, self.is_stuck = 0, None, False
         self.babbles = False
-        self.device = DEVICES["tcode"].make(-1)
+        self.device = installed_devices()["tcode"].make(-1)
         self.options = tcode.tcode_options(self.where)
         self.device.open_port = lambda: tcode.open_board(self.options)
         self.device.make_writer = lambda port: Stuckable(port, self)
@@ -329,7 +330,7 @@ class Process(World):
 
     def __init__(self, name):
         self.clock = SystemClock()
-        entry = DEVICES[name]
+        entry = installed_devices()[name]
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         control, their_control = socket.socketpair(
             socket.AF_UNIX, socket.SOCK_SEQPACKET

@@ -1,0 +1,1 @@
+"""Toys that vibrate, with the strength of the force."""

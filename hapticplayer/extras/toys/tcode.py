@@ -1,0 +1,181 @@
+"""TCode 0.3: boards that vibrate, by UDP or on a serial port.
+
+Source: multiaxis/TCode-Specification. A line such as "V05000I20" sets channel V0 to half
+within 20 ms; "DSTOP" stops everything. Boards answer nothing and keep their last target
+for ever, so `DSTOP` is sent on every way out, and by the guard.
+"""
+
+import contextlib
+import os
+import re
+import socket
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from hapticplayer.devices.options import (
+    DeviceOptions,
+    Fields,
+    fields_of,
+    host_and_port,
+)
+from hapticplayer.devices.paced import FULL_LEVEL, PacedDriver, Rumble, silencer
+from hapticplayer.errors import DeviceError
+from hapticplayer.extras.toys.extension import TCODE
+from hapticplayer.model.device import DeviceCapabilities, Vector
+
+DEFAULT = "127.0.0.1:8000"
+REFRESH_S = 0.5
+STOP = b"DSTOP\n"
+_FULL, _RAMP_MS = 9999, 20
+_MOST_READ = 256
+_SERIAL_BAUD = "B115200"
+
+
+@dataclass(frozen=True, slots=True)
+class TcodeOptions(DeviceOptions):
+    """HOST:PORT or a serial port, and which channel of it vibrates."""
+
+    capabilities: DeviceCapabilities = TCODE
+    address: str = DEFAULT
+    channel: str = "V0"
+
+
+class TcodeTranslator:
+    """A force as the strength of one channel (`paced.Translator`)."""
+
+    def __init__(self, channel: str) -> None:
+        self._channel, self._rumble = channel, Rumble()
+        self.off = f"{channel}0000\n".encode() + STOP
+
+    def command(self, force_n: Vector, now_s: float) -> bytes:
+        """Return the line for a force."""
+        level = self._rumble.levels(force_n, now_s)[0]
+        if not level:
+            return self.off
+        share = level * _FULL // FULL_LEVEL
+        return f"{self._channel}{share:04}I{_RAMP_MS}\n".encode()
+
+    def buttons(self, report: bytes) -> int | None:
+        """Return that none is pressed; a board says nothing but greetings."""
+        return 0 if report.isascii() else None
+
+
+class TCodePort:
+    """A board at the other end of a descriptor (`paced.Port`)."""
+
+    is_quiet = True
+
+    def __init__(
+        self, descriptor: int, where: str, translator: TcodeTranslator
+    ) -> None:
+        self.translator, self._where = translator, where
+        self._descriptor: int | None = descriptor
+        os.set_blocking(descriptor, False)
+
+    def write(self, command: bytes) -> None:
+        """Send lines; what a full buffer refuses is sent again later."""
+        with self._failing_at_once(), contextlib.suppress(BlockingIOError):
+            os.write(self._open(), command)
+
+    def read(self) -> bytes:
+        """The decoded reply."""
+        with self._failing_at_once(), contextlib.suppress(BlockingIOError):
+            return os.read(self._open(), _MOST_READ)
+        return b""
+
+    def close(self) -> None:
+        """Let go."""
+        if self._descriptor is not None:
+            os.close(self._descriptor)
+            self._descriptor = None
+
+    def _open(self) -> int:
+        if self._descriptor is None:
+            raise self._gone()
+        return self._descriptor
+
+    @contextlib.contextmanager
+    def _failing_at_once(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as problem:
+            self.close()  # a datagram's failure is reported once
+            raise self._gone() from problem
+
+    def _gone(self) -> DeviceError:
+        return DeviceError(
+            "nothing takes TCode at {where} any more; connect it and choose the device "
+            "again",
+            where=self._where,
+        )
+
+
+def tcode_options(text: str) -> TcodeOptions:
+    """What follows "tcode:", such as "/dev/ttyUSB0,channel=V1"; raises DeviceError."""
+    return TcodeOptions(
+        **fields_of("tcode", text, _board, {"channel": ("channel", _channel)})
+    )
+
+
+def _board(part: str) -> Fields:
+    if not part.startswith("/"):
+        host_and_port(part)
+    return {"address": part}
+
+
+def _channel(_name: str, text: str) -> str:
+    if not re.fullmatch(r"[LRVA]\d", text):
+        raise DeviceError("use L, R, V or A and a digit, such as V0")
+    return text
+
+
+def open_board(options: TcodeOptions) -> TCodePort:
+    """The board, open; raises DeviceError."""
+    where = options.address
+    try:
+        descriptor = _serial(where) if where.startswith("/") else _udp(where)
+    except OSError as problem:
+        raise DeviceError(
+            "{where} cannot be opened: {reason}; see whether the board is connected and "
+            "you may use it",
+            where=where,
+            reason=problem.strerror or str(problem),
+        ) from problem
+    return TCodePort(descriptor, where, TcodeTranslator(options.channel))
+
+
+def _udp(where: str) -> int:
+    host, port = host_and_port(where)
+    family, kind, protocol, _, address = socket.getaddrinfo(
+        host, port, type=socket.SOCK_DGRAM
+    )[0]
+    with socket.socket(family, kind, protocol) as end:
+        end.connect(address)
+        return end.detach()
+
+
+def _serial(where: str) -> int:
+    """Open 115200 8N1, raw; the line keeps its level, which would reset a board."""
+    import termios  # not on Windows
+
+    descriptor = os.open(where, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+    try:
+        state = termios.tcgetattr(descriptor)
+        baud = getattr(termios, _SERIAL_BAUD)
+        control = termios.CS8 | termios.CREAD | termios.CLOCAL
+        state[:6] = [0, 0, control, 0, baud, baud]
+        termios.tcsetattr(descriptor, termios.TCSANOW, state)
+    except termios.error as problem:
+        os.close(descriptor)
+        raise OSError(*problem.args) from problem
+    return descriptor
+
+
+def make(_line: int, options: TcodeOptions) -> PacedDriver:
+    """The driver of a board."""
+    return PacedDriver("tcode", TCODE, lambda: open_board(options), REFRESH_S)
+
+
+def silence(_line: int, options: TcodeOptions) -> Callable[[], bool]:
+    """What stops a board, for the guard."""
+    return silencer(lambda: open_board(options))

@@ -1,0 +1,194 @@
+"""Intiface and TCode: the newest strength counts, and everything ends in a stop."""
+
+import math
+import os
+import pty
+import re
+import socket
+import threading
+import tty
+
+import pytest
+from fake_intiface import NEW_TOY, FakeIntiface
+from hypothesis import given
+from hypothesis import strategies as st
+
+from hapticplayer.clock import ManualClock, SystemClock
+from hapticplayer.devices.capabilities import TCODE
+from hapticplayer.devices.paced import PacedDriver
+from hapticplayer.errors import DeviceError, HapticPlayerError
+from hapticplayer.extras.toys import buttplug, tcode
+from tests.doubles import DirectWriter
+
+ZERO = (0.0, 0.0, 0.0)
+HALF = (0.0, 2.25, 0.0)
+
+
+def wait_until(condition, device=None, force_n=ZERO):
+    clock = SystemClock()
+    until_s = clock.now_s() + 60.0
+    while not condition():
+        assert clock.now_s() < until_s, "never"
+        if device is not None:
+            device.exchange(force_n, clock.now_s())
+        clock.sleep_until(clock.now_s() + 0.001)
+
+
+@pytest.fixture
+def intiface(request):
+    made = FakeIntiface(**getattr(request, "param", {}))
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def toy(intiface):
+    made = buttplug.make(-1, buttplug.buttplug_options(intiface.where))
+    made.open()
+    yield made
+    made.close()
+
+
+@pytest.mark.parametrize(
+    "intiface", [{"version": 4}, {"version": 3}], ids=["v4", "v3"], indirect=True
+)
+def test_both_versions_shake_all_motors_and_nothing_else(intiface, toy):
+    wait_until(lambda: len(intiface.strength) == 2, toy, HALF)
+    wait_until(lambda: intiface.strength[2] == pytest.approx(0.5, abs=0.01), toy, HALF)
+    assert intiface.strength[0] == pytest.approx(0.5, abs=0.03)
+    assert 1 not in intiface.strength  # a motor that turns
+    wait_until(lambda: not intiface.strength, toy)
+    stops = {"StopCmd", "StopAllDevices"}
+    assert {name for name, _ in intiface.heard} & stops
+
+
+def test_a_toy_is_told_no_faster_than_it_can_take(intiface, monkeypatch):
+    monkeypatch.setitem(NEW_TOY, "DeviceMessageTimingGap", 80)
+    device = buttplug.make(-1, buttplug.buttplug_options(intiface.where))
+    device.open()
+    count = len(intiface.heard)
+    forces = iter(range(10**9))
+
+    def six():
+        device.exchange((2.0 + math.sin(next(forces)), 0.0, 0.0), SystemClock().now_s())
+        return len(intiface.heard) - count >= 12
+
+    wait_until(six)
+    device.close()
+    firsts = intiface.arrived_s[count:][::2]
+    # two motors a time; the sixth comes no earlier than five gaps after the first
+    assert firsts[5] - firsts[0] >= 5 * 0.08 - 0.02
+
+
+@pytest.mark.parametrize("intiface", [{"max_ping_ms": 200}], indirect=True)
+def test_pings_come_from_the_loop_and_end_with_it(intiface, toy):
+    wait_until(lambda: intiface.pings >= 4 and intiface.strength, toy, HALF)
+    wait_until(lambda: not intiface.strength)  # the loop stands still
+
+
+def test_a_server_without_answers_grows_old(intiface, toy):
+    wait_until(lambda: intiface.strength, toy, HALF)
+    intiface.answers = False
+
+    def is_old():
+        now_s = SystemClock().now_s()
+        reading = toy.exchange((1.0 + now_s % 1.0, 0.0, 0.0), now_s)
+        return now_s - reading.replied_s > 0.2
+
+    wait_until(is_old)
+
+
+@pytest.mark.parametrize("intiface", [{"toys": 0}], indirect=True)
+def test_without_a_toy_it_says_what_to_do(intiface):
+    with pytest.raises(DeviceError, match="connect one in Intiface"):
+        buttplug.make(-1, buttplug.buttplug_options(intiface.where)).open()
+
+
+def test_without_a_server_it_says_what_to_do():
+    with socket.socket() as unused:
+        unused.bind(("127.0.0.1", 0))
+        where = f"127.0.0.1:{unused.getsockname()[1]}"
+    with pytest.raises(DeviceError, match=r"Intiface does not answer at .*; start it"):
+        buttplug.make(-1, buttplug.buttplug_options(where)).open()
+
+
+@pytest.mark.parametrize(
+    "devices",
+    [{"0": 5}, {"0": {"DeviceIndex": 0}}, {"0": {"DeviceIndex": "x"}}, 7, "ab"],
+)
+def test_a_device_that_is_described_wrongly_is_refused(devices):
+    with pytest.raises(DeviceError):
+        buttplug.motors_of({"Devices": devices}, 4)
+
+
+@given(st.text() | st.binary())
+def test_whatever_a_server_says_is_no_button(text):
+    heard = buttplug.ButtplugTranslator([], 4).buttons(text)
+    assert heard in (0, None)
+
+
+@given(st.tuples(*3 * [st.floats(-9.0, 9.0)]))
+def test_a_line_of_tcode_is_what_the_specification_says(force_n):
+    line = tcode.TcodeTranslator("V0").command(force_n, 0.0).decode()
+    size = math.hypot(*force_n)
+    if match := re.fullmatch(r"V0(\d{4})I(\d+)\n", line):
+        assert int(match[1]) / 1e4 == pytest.approx(min(1.0, size / 4.5), abs=0.003)
+    else:
+        assert line == "V00000\nDSTOP\n"
+        assert size < 0.01
+
+
+def board_of(port, channel=""):
+    def open_port():
+        return tcode.open_board(tcode.tcode_options(f"127.0.0.1:{port}{channel}"))
+
+    return PacedDriver("tcode", TCODE, open_port, tcode.REFRESH_S, DirectWriter)
+
+
+@pytest.fixture
+def receiver():
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
+        end.bind(("127.0.0.1", 0))
+        end.settimeout(30)
+        yield end
+
+
+def test_by_udp_every_datagram_is_whole_lines_and_the_last_stops(receiver):
+    clock = ManualClock()
+    board = board_of(receiver.getsockname()[1], ",channel=A1")
+    board.open()
+    for k in range(200):
+        board.exchange((2.0 + math.sin(k), 0.0, 0.0), clock.now_s())
+        clock.advance(0.001)
+    board.close()
+    receiver.setblocking(False)
+    lines = []
+    while not lines or not lines[-1].endswith(b"DSTOP\n"):
+        lines.append(receiver.recv(200))
+    assert 9 <= len(lines) <= 11  # fifty a second, and the stop
+    assert all(line.startswith(b"A1") and line.endswith(b"\n") for line in lines)
+
+
+@pytest.mark.parametrize("text", ["127.0.0.1", "a:b", "127.0.0.1:8000,channel=Z9"])
+def test_a_board_that_cannot_be_is_named(text):
+    with pytest.raises(HapticPlayerError):
+        tcode.open_board(tcode.tcode_options(text))
+    with pytest.raises(DeviceError, match=r"cannot be opened: .*; see whether"):
+        tcode.open_board(tcode.tcode_options("/dev/not-there"))
+
+
+def test_a_serial_board_gets_bytes_as_they_are():
+    ours, theirs = pty.openpty()
+    tty.setraw(ours)
+    board = tcode.open_board(tcode.tcode_options(os.ttyname(theirs)))
+    heard = bytearray()
+    reader = threading.Thread(target=lambda: heard.extend(os.read(ours, 100)))
+    board.write(b"V05000I20\n")
+    reader.start()
+    reader.join(30)
+    assert bytes(heard) == b"V05000I20\n"
+    os.write(ours, b"hello\n")
+    wait_until(lambda: board.read() != b"")
+    board.close()
+    os.close(ours)
+    os.close(theirs)
