@@ -98,7 +98,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="also accept an intact image that is not among the known ones",
     )
     _add_yes(upload)
-    slow = "draw a slow circle of 0.8 N, or move a rig gently, after asking"
+    slow = "move or vibrate a device gently, after asking"
     _add_yes(add("test", slow, test_forces, motion=True))
     measure = add(
         "measure",

@@ -17,6 +17,8 @@ from hapticplayer.model.device import MOST_CHANNELS, ChannelLevel
 from hapticplayer.model.timing import PlaybackClock
 
 RING_TICKS = 1 << 15  # 32 s: a reader may sleep that long without losing a tick
+SENT, REFUSED = 1, 2
+"""Bits of `buttons` where motion is sent: a packet belongs to the tick; nobody listens."""
 TICK_FIELDS = struct.Struct("<dd18fIBBH")
 _CLOCK = struct.Struct("<qqdddd")  # track id, epoch, the four numbers of the clock
 _SLOTS_AT = (64, 128)

@@ -80,6 +80,7 @@ class DeviceTest:
         problem: what is wrong with the device, "" for nothing.
         mode, cause: of its loop, last.
         was_stopped: whether a person has stopped it.
+        loudest: of the sound channels that were played, see `Loudest.described`.
         player: what moves the device; None while nothing does.
 
     Raises:
@@ -94,15 +95,17 @@ class DeviceTest:
         name: str,
         make: MakePlayer = ForcePlayer,
         latch: StopLatch | None = None,
+        homing_s: float = HOMING_S,
     ) -> None:
         self._latch = latch or StopLatch()
         entry = find_device(name)
         self._tells_latency = guide_of(entry).tells_latency
         self._clock, self._make = clock, make
-        self._patience_s = entry.patience_s + HOMING_S
+        self._patience_s = entry.patience_s + homing_s
         parts = parts_of(name)
         self.part, self._next = parts[0], list(parts[1:])
         self._before_s, self.end_s = 0.0, sum(one.end_s for one in parts)
+        self.loudest: list[dict[str, Any]] = []
         self.problem: Message | str = ""
         self.mode, self.cause, self.was_stopped = Mode.IDLE, Cause.NONE, False
         self.player: ForcePlayer | None = None
@@ -200,6 +203,7 @@ class DeviceTest:
         if player is None:
             return
         self._before_s += player.media_s
+        self.loudest += player.loudest.described()
         self.problem = self.problem or player.problem
         if self.problem or player.mode is Mode.TRIPPED:
             self._next.clear()

@@ -10,8 +10,8 @@ from typing import Any
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import Message, UsageError
+from hapticplayer.haptics.block import REFUSED
 from hapticplayer.haptics.processes import HapticsProcesses
-from hapticplayer.haptics.rig.loop import REFUSED
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import (
     Feedback,

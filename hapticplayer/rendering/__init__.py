@@ -11,7 +11,7 @@ from hapticplayer.rendering.condition import (
     ParameterKind,
 )
 from hapticplayer.rendering.coverage import coverage_notice, refuse_late
-from hapticplayer.rendering.demonstration import circle, demonstration
+from hapticplayer.rendering.demonstration import demonstration
 from hapticplayer.rendering.derived import shifted_and_scaled
 from hapticplayer.rendering.feedback import (
     FEEDBACKS,
@@ -40,7 +40,6 @@ __all__ = [
     "adapted",
     "at_point",
     "chosen_feedback",
-    "circle",
     "condition_named",
     "coverage_notice",
     "demonstration",

@@ -5,7 +5,6 @@ clip, so that no participant rates surprise. Strengths come gentle first; each f
 falls as half a cosine, slowly enough to let go.
 """
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -18,7 +17,6 @@ from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 RISE_S, HOLD_S, REST_S = 0.6, 0.8, 0.8
 LEAD_S = 1.0
 STRENGTHS = (0.25, 0.5, 1.0)
-CIRCLE_N, CIRCLE_TURN_S = 0.8, 8.0
 _STEP_S = 0.01
 _DIRECTIONS: dict[str, tuple[float, float, float]] = {
     "right": (1.0, 0.0, 0.0),
@@ -78,17 +76,3 @@ def demonstration(
     made = {"made": "demonstration"}
     track = ForceTrack(times, force.astype(np.float32), provenance=made)
     return track, tuple(steps)
-
-
-def circle() -> ForceTrack:
-    """Return a force of 0.8 N that turns once, slowly, right and up first.
-
-    It fades in and out over its first and last quarter of a turn.
-    """
-    times = np.arange(0.0, CIRCLE_TURN_S + 2 * _STEP_S, _STEP_S)
-    ends = np.minimum(times, CIRCLE_TURN_S - times) / (CIRCLE_TURN_S / 4.0)
-    size = CIRCLE_N * np.clip(ends, 0.0, 1.0)
-    angle = 2.0 * math.pi * times / CIRCLE_TURN_S
-    turning = (size * np.cos(angle), size * np.sin(angle), 0.0 * size)
-    force = np.stack(turning, axis=1).astype(np.float32)
-    return ForceTrack(times, force, provenance={"made": "circle"})

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from app.player.device_page import DevicePage
 from app.player.force_words import homing_text, step_text
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import DEVICES
+from hapticplayer.devices import installed_devices
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.processes import Health
 from hapticplayer.rendering.demonstration import LEAD_S, DemonstrationStep
@@ -98,7 +98,9 @@ def test_a_falcon_that_is_not_homed_leads_to_the_homing_page(
 def test_every_step_has_words():
     names = ["right", "left", "up", "down", "towards you", "away from you", "vibration"]
     steps = [DemonstrationStep(0.0, 1.0, name, 2.25) for name in names]
-    falcon, wheel = (DEVICES[name].capabilities for name in ("falcon", "wheel"))
+    falcon, wheel = (
+        installed_devices()[name].capabilities for name in ("falcon", "wheel")
+    )
     assert len({step_text(step, falcon) for step in steps}) == len(names)
     assert all(step_text(step, falcon).endswith(", 2.2\u00a0N") for step in steps)
     assert step_text(steps[0], wheel) == "To the right, 50 % of its strength"

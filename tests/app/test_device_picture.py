@@ -14,12 +14,12 @@ from app.plots.device_picture import (
     WheelPicture,
     picture_of,
 )
-from hapticplayer.devices import DEVICES
+from hapticplayer.devices import installed_devices
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model.device import ChannelLevel
 
-RECORDS = {name: one.capabilities for name, one in DEVICES.items()}
+RECORDS = {name: one.capabilities for name, one in installed_devices().items()}
 
 
 def ticks(count=3, **fields):

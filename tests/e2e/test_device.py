@@ -79,20 +79,17 @@ def test_firmware_is_kept_only_with_consent_and_if_valid(device, tmp_path):
 
 
 @pytest.mark.realtime
-def test_the_test_asks_and_then_draws_a_circle_below_1_newton(device):
+def test_the_test_asks_and_then_pushes_gently(device):
     test = ("test", "--device", "simulated", "--json")
-    assert "0.8 N" in device(*test, status=2).stderr
+    assert "up to 1.1 N" in device(*test, status=2).stderr
     for _ in range(5):  # a busy machine lets the force ramp down in between
         report = report_of(device(*test, "--yes"))
-        assert report["largest_force_n"] <= 0.8
-        if report["moved_along_the_force"] > 0.9 and report["largest_force_n"] > 0.7:
+        assert report["largest_force_n"] <= 1.125 + 1e-3
+        if report["moved_along_the_force"] > 0.9 and report["largest_force_n"] > 1.0:
             break
-    assert report["largest_force_n"] > 0.7
+    assert report["largest_force_n"] > 1.0
     assert report["moved_along_the_force"] > 0.9
-    x, y, z = report["travel_mm"]
-    assert 4.0 < x < 20.0
-    assert 4.0 < y < 20.0
-    assert z < 2.0
+    assert all(4.0 < travel < 20.0 for travel in report["travel_mm"])
 
 
 @pytest.mark.realtime

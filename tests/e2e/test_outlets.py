@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.cli import device_forces
 from hapticplayer.clock import SystemClock
 from hapticplayer.model import RigTrack
+from hapticplayer.playback import device_test
 from hapticplayer.simulation.rig.receiver import PacketReceiver
 from tests.e2e.command import DISPLAYS, command_line, hapticplayer
 
@@ -114,7 +114,7 @@ def test_a_rig_is_tested_and_left_in_neutral(rigs, monkeypatch):
     time_s, motion = np.arange(0.0, 1.5, 0.01), np.zeros((150, 15))
     motion[20:60, 2] = 0.4  # up
     track = RigTrack(time_s, motion)
-    monkeypatch.setattr(device_forces, "rig_demonstration", lambda: (track, ()))
+    monkeypatch.setattr(device_test, "rig_demonstration", lambda: (track, ()))
     name = rigs.devices[0]
     done = hapticplayer("device", "test", "--device", name, "--yes", "--json")
     assert done.returncode == 0, done.stderr

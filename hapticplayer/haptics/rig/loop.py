@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from hapticplayer.clock import Clock
 from hapticplayer.devices.rig.sender import RigSender
 from hapticplayer.errors import DeviceError, message_of
-from hapticplayer.haptics.block import LoopBlock
+from hapticplayer.haptics.block import REFUSED, SENT, LoopBlock
 from hapticplayer.haptics.follower import TrackFollower
 from hapticplayer.haptics.guard import CHECK_PERIOD_S, LoopProcess
 from hapticplayer.haptics.lifeline import Lifeline
@@ -25,9 +25,6 @@ from hapticplayer.model.rig import RigMotion
 
 REST_PERIOD_S = 0.020
 """While nothing is sent; the fade that follows begins at neutral anyway."""
-
-SENT, REFUSED = 1, 2
-"""Bits of a tick: a packet belongs to it; nobody listens at its destination."""
 
 
 @dataclass

@@ -25,7 +25,9 @@ def others():
         Message("Push it in."),
         checks=lambda _: [Check(Message("Ticket"), False, Message("Pay it."))],
     )
-    seat = replace(DEVICES["rumble"], name="seat", guide=f"{guides.__name__}:SEAT")
+    seat = replace(
+        installed_devices()["rumble"], name="seat", guide=f"{guides.__name__}:SEAT"
+    )
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(guides, "SEAT", guide, raising=False)
         patch.setitem(DEVICES, "seat", seat)

@@ -6,14 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from hapticplayer.devices import DEVICES, find_device, guides
+from hapticplayer.devices import find_device, guides, installed_devices
 from hapticplayer.devices.checks import Check, receiver, service, until_unmet, usable
+from hapticplayer.devices.falcon import guide
 from hapticplayer.devices.falcon.transport import FalconAddress, FalconForbiddenError
 from hapticplayer.devices.guides import checks_of, guide_of, hold_text
 from hapticplayer.errors import Message
-from hapticplayer.extras.shakers import cards
-from hapticplayer.extras.shakers.settings import shaker_settings
-from hapticplayer.extras.wheels.ports import InputDevice
 
 REMEDY = Message("do it")
 
@@ -28,13 +26,13 @@ def port_of(end):
 
 
 def test_every_device_has_a_guide_of_its_own():
-    real = [one for one in DEVICES.values() if not one.is_for_developers]
+    real = [one for one in installed_devices().values() if not one.is_for_developers]
     for entry in real:
-        guide = guide_of(entry)
+        page = guide_of(entry)
         assert entry.guide, entry.name
-        assert len(guide.what) > 20, entry.name
-        assert hold_text(guide, entry.capabilities).endswith("."), entry.name
-    assert guide_of(DEVICES["falcon-simulated"]).what.startswith("the Falcon's own")
+        assert len(page.what) > 20, entry.name
+        assert hold_text(page, entry.capabilities).endswith("."), entry.name
+    assert guide_of(find_device("falcon-simulated")).what.startswith("the Falcon's own")
 
 
 def test_a_service_is_reached_at_its_port_or_is_not():
@@ -73,28 +71,13 @@ def test_permission_is_that_of_this_user(tmp_path, monkeypatch):
     }
 
 
-def test_a_wheel_needs_its_driver_and_the_group(monkeypatch):
-    found = []
-    monkeypatch.setattr(guides, "list_devices", lambda _effect: found)
-    assert states("wheel") == {"Wheel or joystick with a motor": False}
-    found.append(InputDevice("event7", "G29"))
-    monkeypatch.setattr(os, "access", lambda *_: False)
-    assert states("wheel:event7,axis=y") == {
-        "G29": True,
-        "Permission for /dev/input/event7": False,
-    }
-    assert states("rumble:event8") == {"Game pad that Linux can rumble": False}
-    (_, permission) = checks_of(find_device("wheel"))
-    assert "group input" in permission.remedy
-
-
 def test_a_falcon_needs_cable_rule_and_firmware(monkeypatch, tmp_path):
     found = []
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
-    monkeypatch.setattr(guides, "list_falcons", lambda: found)
+    monkeypatch.setattr(guide, "list_falcons", lambda: found)
     assert states("falcon") == {"Falcon on USB": False}
     found.append(FalconAddress("ABC", 3, 7))
-    monkeypatch.setattr(guides, "NODE", f"{tmp_path}/{{:03}}-{{:03}}")
+    monkeypatch.setattr(guide, "NODE", f"{tmp_path}/{{:03}}-{{:03}}")
     (tmp_path / "003-007").touch()
     monkeypatch.setattr(os, "access", lambda *_: False)
     rule = checks_of(find_device("falcon:ABC"))[-1]
@@ -107,36 +90,15 @@ def test_a_falcon_needs_cable_rule_and_firmware(monkeypatch, tmp_path):
     def refuse():
         raise refused
 
-    monkeypatch.setattr(guides, "list_falcons", refuse)
+    monkeypatch.setattr(guide, "list_falcons", refuse)
     for refused in (FalconForbiddenError("libusb is missing"), OSError(5, "broken")):
         (check,) = checks_of(find_device("falcon"))
         assert (check.is_met, check.remedy) == (False, str(refused.args[-1]))
 
 
-def test_a_sound_card_is_looked_for_in_a_process_of_its_own(monkeypatch):
-    check = cards.check_card(shaker_settings("there is no such card,channels=3+4"))
-    assert check.what == "Sound output 'there is no such card' with the channels 3+4"
-    assert check.is_met is False
-    assert "cannot be opened with 4 channels" in check.remedy
-    monkeypatch.setattr(cards, "ANSWER_S", 0.0)
-    assert "restart it" in cards.check_card(shaker_settings("")).remedy
-
-
-def test_a_card_that_opens_is_found(monkeypatch, capsys):
-    monkeypatch.setattr(cards, "CardStream", lambda *_: None)
-    assert cards.main("pulse") == 0
-    assert capsys.readouterr().out == '""'
-
-
 def test_checks_after_an_unmet_one_are_left_out():
     steps = [Check(REMEDY, met) for met in (True, None, False, True)]
     assert until_unmet(steps) == steps[:3]
-
-
-def test_a_shaker_is_tested_channel_by_channel():
-    parts = guides.SHAKER.parts(shaker_settings("pulse,channels=3+4,gain=2"))
-    assert [label for label, _ in parts] == ["3", "4"]
-    assert find_device(parts[1][1]).chosen.startswith("pulse,channels=4,")
 
 
 def test_guides_are_not_loaded_with_the_registry():

@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
-from hapticplayer.devices import DEVICES
+from hapticplayer.devices import installed_devices
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import RigTrack
 from hapticplayer.playback.device_test import HOMING_S, DeviceTest, parts_of
 from hapticplayer.playback.latch import StopLatch
+from hapticplayer.playback.meters import Loudest
 
 
 class Player:
@@ -22,7 +23,7 @@ class Player:
         self.device, self.end_s, self._clock = device, float(track.time_s[-1]), clock
         self.mode, self.cause, self.problem, self.levels = Mode.IDLE, Cause.NONE, "", ()
         self.media_s, self.is_homed, self.age_s = 0.0, True, 0.0015
-        self.done = []
+        self.done, self.loudest = [], Loudest()
         self.made.append(self)
 
     @property
@@ -72,11 +73,11 @@ def finish(test, clock=None, most=2000):
 
 
 def test_every_device_is_tested_gently_and_for_a_bounded_time():
-    for name in (n for n, one in DEVICES.items() if not one.takes_motion):
+    for name in (n for n, one in installed_devices().items() if not one.takes_motion):
         (part, *others) = parts_of(name)
         assert part.end_s + sum(one.end_s for one in others) < 25.0, name
         largest_n = np.linalg.norm(part.track.force_n, axis=1).max()
-        record = DEVICES[name].capabilities
+        record = installed_devices()[name].capabilities
         limit = 0.25 if record.axes else 0.5
         assert 0.0 < largest_n <= limit * min(4.5, record.peak_force_n) + 1e-6, name
         rise_npms = np.abs(np.diff(part.track.force_n, axis=0)).max() / 10.0
@@ -156,7 +157,9 @@ def test_a_device_that_is_never_ready_is_given_up(begin, manual_clock):
     begin_s = manual_clock.now_s()
     finish(test, manual_clock)
     taken_s = manual_clock.now_s() - begin_s
-    assert taken_s == pytest.approx(DEVICES["falcon"].patience_s + HOMING_S, abs=0.2)
+    assert taken_s == pytest.approx(
+        installed_devices()["falcon"].patience_s + HOMING_S, abs=0.2
+    )
     assert "set it up first" in test.problem
     assert Player.made[0].done[-1] == "close"
 

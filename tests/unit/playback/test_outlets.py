@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import DeviceError, UsageError
+from hapticplayer.haptics.block import REFUSED
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.processes import Health
-from hapticplayer.haptics.rig.loop import REFUSED
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
 from hapticplayer.model.device import ChannelLevel

@@ -10,7 +10,7 @@ from hapticplayer.haptics.limiter import Limits
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
-from hapticplayer.rendering import adapted, circle, demonstration
+from hapticplayer.rendering import adapted, demonstration
 from hapticplayer.rendering.demonstration import RISE_S
 
 FALCON = DEVICES["falcon"].capabilities
@@ -55,16 +55,6 @@ def test_a_device_with_fewer_axes_is_shown_only_what_it_has():
     assert {s.direction for s in steps} == {"vibration"}
     assert len(steps) == 3
     assert track.peak_n() == pytest.approx(DEFAULT_FORCE_LIMIT_N)
-
-
-def test_the_circle_goes_round_below_1_newton():
-    track = circle()
-    size = np.linalg.norm(track.force_n, axis=1)
-    assert size.max() == pytest.approx(0.8)
-    assert not size[[0, -1]].any()
-    angle = np.unwrap(np.arctan2(track.force_n[1:-2, 1], track.force_n[1:-2, 0]))
-    assert angle[-1] - angle[0] == pytest.approx(2 * np.pi, abs=0.05)
-    assert not track.force_n[:, 2].any()
 
 
 def test_a_track_for_a_falcon_stays_the_same_object():

@@ -14,10 +14,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hapticplayer.clock import ManualClock, SystemClock
-from hapticplayer.devices.capabilities import TCODE
 from hapticplayer.devices.paced import PacedDriver
 from hapticplayer.errors import DeviceError, HapticPlayerError
 from hapticplayer.extras.toys import buttplug, tcode
+from hapticplayer.extras.toys.extension import TCODE
 from tests.doubles import DirectWriter
 
 ZERO = (0.0, 0.0, 0.0)

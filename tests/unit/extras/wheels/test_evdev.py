@@ -2,6 +2,7 @@
 
 import ctypes
 import math
+import os
 
 import pytest
 from fake_input import Constant, Effect, FakeInput, InputEvent, Rumble
@@ -10,10 +11,11 @@ from hypothesis import strategies as st
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices import find_device
-from hapticplayer.devices.capabilities import RUMBLE, WHEEL
+from hapticplayer.devices.guides import checks_of
 from hapticplayer.devices.paced import PacedDriver
 from hapticplayer.errors import DeviceError
-from hapticplayer.extras.wheels import effects, ports
+from hapticplayer.extras.wheels import effects, guide, ports
+from hapticplayer.extras.wheels.extension import RUMBLE, WHEEL
 from hapticplayer.extras.wheels.options import wheel_options
 from hapticplayer.rendering.demonstration import demonstration
 from tests.doubles import DirectWriter
@@ -228,3 +230,22 @@ def test_a_pad_rumbles_as_strongly_as_the_force(kernel, clock):
     pad.close()
     assert strong == pytest.approx(0x8080, abs=0x101)
     assert weak < 0x300
+
+
+def _states(name):
+    return {str(check.what): check.is_met for check in checks_of(find_device(name))}
+
+
+def test_a_wheel_needs_its_driver_and_the_group(monkeypatch):
+    found = []
+    monkeypatch.setattr(guide, "list_devices", lambda _effect: found)
+    assert _states("wheel") == {"Wheel or joystick with a motor": False}
+    found.append(ports.InputDevice("event7", "G29"))
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    assert _states("wheel:event7,axis=y") == {
+        "G29": True,
+        "Permission for /dev/input/event7": False,
+    }
+    assert _states("rumble:event8") == {"Game pad that Linux can rumble": False}
+    (_, permission) = checks_of(find_device("wheel"))
+    assert "group input" in permission.remedy

@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices.rig.settings import rig_settings
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.block import REFUSED, SENT
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.messages import MessageKind, MessageSocket
-from hapticplayer.haptics.rig.loop import REFUSED, SENT, RigGuard, RigLoop
+from hapticplayer.haptics.rig.loop import RigGuard, RigLoop
 from hapticplayer.haptics.rig.step import CAPS, NEUTRAL_S, RAMP_S, TAKE_OVER_S
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
