@@ -7,7 +7,7 @@ counted; a strict table, whose columns are named, is rejected at the first one.
 
 import io
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import BinaryIO
 
@@ -24,6 +24,7 @@ LOG_COLUMNS = (TIME, "ax", "ay", "az", "gx", "gy", "gz")
 FIELD_COLUMNS = ("mx", "my", "mz")
 CHUNK_BYTES = 1 << 22
 
+_MIN_ROWS = 2
 _SAMPLE_LINES = 60
 
 
@@ -41,7 +42,6 @@ class Shape:
         skip_lines: of the header.
         marks: text in the lines besides numbers, and its replacement.
         names: of all cells, for a strict table.
-        min_rows: required number.
     """
 
     width: int
@@ -52,7 +52,6 @@ class Shape:
     skip_lines: int = 0
     marks: tuple[tuple[bytes, bytes], ...] = ()
     names: tuple[str, ...] = ()
-    min_rows: int = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,42 +96,29 @@ class Numbers:
         raise IndexError(row)
 
 
-Selection = Callable[[Floats, Sequence[int]], Floats]
-"""Returns the rows to keep of some, with the numbers of their lines."""
-
-
-def read_table(
-    source: LogSource, name: str, shape: Shape, select: Selection | None = None
-) -> Numbers:
+def read_table(source: LogSource, name: str, shape: Shape) -> Numbers:
     """Return the wanted columns of a member of a recording.
 
     Args:
         source: of the recording.
         name: of the member.
         shape: of its rows.
-        select: called with the rows of each chunk; the lines of `Numbers` are those
-            of all rows.
 
     Raises:
         InputError: when there are too few rows, too many, or too many damaged ones;
             of a strict table naming the line and the column at fault.
     """
     with source.opened(name) as stream:
-        return read_numbers(stream, shape, source.where(name), select)
+        return read_numbers(stream, shape, source.where(name))
 
 
-def read_numbers(
-    stream: BinaryIO, shape: Shape, where: str, select: Selection | None = None
-) -> Numbers:
+def read_numbers(stream: BinaryIO, shape: Shape, where: str) -> Numbers:
     """Return the wanted columns of all rows; see `read_table`."""
     parser = _ChunkParser(shape, where)
-    parts = []
-    for chunk in parser.chunks(stream):
-        part = parser.parse(chunk)
-        parts.append(select(part, parser.lines[-1]) if select and len(part) else part)
+    parts = [parser.parse(chunk) for chunk in parser.chunks(stream)]
     values = _joined(parts, len(shape.columns))
     damaged = parser.damaged
-    if len(values) < shape.min_rows or len(damaged) > MAX_DAMAGED_SHARE * len(values):
+    if len(values) < _MIN_ROWS or len(damaged) > MAX_DAMAGED_SHARE * len(values):
         if parser.fault:
             raise parser.fault
         more = (

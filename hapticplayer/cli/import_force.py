@@ -3,13 +3,14 @@
 import argparse
 import json
 from pathlib import Path
+from typing import Any
 
 from hapticplayer.cli.common import interruptible, say, say_aside, shown_progress
 from hapticplayer.cli.force_options import add_reading, read_choices, read_text
-from hapticplayer.errors import to_json
+from hapticplayer.errors import UsageError, to_json
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.excursion import stored_texts
-from hapticplayer.sequence.force_formats import read_formats
+from hapticplayer.sequence.force_formats import format_of, read_force, read_formats
 from hapticplayer.sequence.force_import import import_force
 
 
@@ -17,7 +18,15 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     command.set_defaults(run=run)
     command.add_argument("file", metavar="FILE", help=read_text())
-    command.add_argument("sequence", metavar="SEQUENCE", help="gets the track")
+    command.add_argument(
+        "sequence", metavar="SEQUENCE", nargs="?", help="gets the track"
+    )
+    command.add_argument(
+        "--check",
+        action="store_true",
+        help="only say what of FILE would be read and what not; status 2 if it is not "
+        "all, 1 if FILE would be refused",
+    )
     command.add_argument(
         "--name", help="of the track, for `play --feedback` (default: that of FILE)"
     )
@@ -30,6 +39,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Add the track, and say what was assumed and what was not understood."""
+    if options.check:
+        return _check(options)
+    if options.sequence is None:
+        raise UsageError("import-force needs a SEQUENCE, or --check")
     path, folder = Path(options.file), Path(options.sequence)
     name = options.name or path.name.split(".")[0][:40]
     with interruptible(), shown_progress() as progress:
@@ -58,3 +71,31 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         say_aside(note)
     say(f"{folder}: track {name!r}, force peak {made['peak_n']:.2f} N")
     return 0
+
+
+def _check(options: argparse.Namespace) -> int:
+    """Say what would be read and what not; 2 if a part would be lost."""
+    if options.sequence is not None or options.name is not None:
+        raise UsageError("--check takes no SEQUENCE and no --name")
+    path = Path(options.file)
+    form = format_of(path, options.format)
+    found = read_force(path, read_choices(options), form.name)
+    report: dict[str, Any] = {
+        "file": str(path),
+        "format": form.name,
+        "end_s": found.track.end_s,
+        "peak_n": found.track.peak_n(),
+        "assumed": [to_json(note) for note in found.assumed],
+        "unread": [to_json(note) for note in found.unread],
+    }
+    if options.json:
+        say(json.dumps(report))
+    else:
+        say(
+            f"{path}: {form.name}, force until {report['end_s']:.3f} s, peak "
+            f"{report['peak_n']:.2f} N"
+        )
+        for note in found.notes:
+            say(f"{path}: {note}")
+        say(f"{path}: {'only a part' if found.unread else 'all'} of it would be read")
+    return 2 if found.unread else 0

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_bytes import ClipBytes, path_of
 from hapticplayer.media.clip_info import ClipInfo, probe
@@ -16,6 +15,7 @@ from hapticplayer.model import Feedback, ForceTrack, MotionTrack, rendered_feedb
 from hapticplayer.playback.video_check import VideoCheck
 from hapticplayer.rendering import coverage_notice, no_feedback, refuse_late
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.force_csv import read_force_csv
 from hapticplayer.sequence.packed import read_packed, side_car_of
 from hapticplayer.sequence.store import DESCRIPTION, Sequence
 

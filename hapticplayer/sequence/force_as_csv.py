@@ -9,17 +9,17 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.si_csv import (
-    ESTIMATED_COLUMNS,
+from hapticplayer.model import ForceTrack
+from hapticplayer.sequence.force_csv import (
+    ESTIMATED_COLUMN,
     FORCE_COLUMNS,
     read_force_csv,
 )
-from hapticplayer.model import ForceTrack
 from hapticplayer.sequence.force_files import ForceFile, ReadChoices, WriteChoices
 from hapticplayer.sequence.milliseconds import Ticks, end_ms, pieces
 
 _HEAD = ",".join(FORCE_COLUMNS)
-_ESTIMATED_HEAD = ",".join(FORCE_COLUMNS + ESTIMATED_COLUMNS)
+_ESTIMATED_HEAD = f"{_HEAD},{ESTIMATED_COLUMN}"
 
 
 def is_ours(head: bytes) -> bool:
@@ -30,7 +30,7 @@ def is_ours(head: bytes) -> bool:
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
     """Return the force of a file; see `read_force_csv`."""
-    return ForceFile(read_force_csv(path, choices.until_s), ())
+    return ForceFile(read_force_csv(path, choices.until_s))
 
 
 def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:

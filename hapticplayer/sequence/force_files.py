@@ -6,12 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import Message
 from hapticplayer.model import ForceTrack, MotionTrack
-from hapticplayer.model.limits import MAX_FORCE_N
 from hapticplayer.model.ranges import Range
 from hapticplayer.storage import IsOurs
 
@@ -73,11 +69,18 @@ class ForceFile(NamedTuple):
 
     Attributes:
         track: in frame D, media time.
-        notes: what was assumed, and what was not understood.
+        assumed: what the file does not say.
+        unread: what was not understood, and has no force.
     """
 
     track: ForceTrack
-    notes: tuple[Message, ...]
+    assumed: tuple[Message, ...] = ()
+    unread: tuple[Message, ...] = ()
+
+    @property
+    def notes(self) -> tuple[Message, ...]:
+        """All of it, for people."""
+        return (*self.assumed, *self.unread)
 
 
 class Loss(NamedTuple):
@@ -134,17 +137,3 @@ class ForceFormat:
     loss: MeasureLoss
     other_suffixes: tuple[str, ...] = ()
     takes_motion: bool = False
-
-
-def refuse_large(
-    force_n: NDArray[np.floating], where: str, remedy: Message | None = None
-) -> None:
-    """Raise InputError for forces beyond any device."""
-    largest_n = float(np.abs(force_n).max(initial=0.0))
-    if not largest_n <= MAX_FORCE_N:
-        raise InputError(
-            "holds a force of {largest_n:.3g} N, beyond any device",
-            where=where,
-            remedy=remedy or Message("give the forces in newton"),
-            largest_n=largest_n,
-        )

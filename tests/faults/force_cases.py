@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 
 from hapticplayer.errors import InputError
-from hapticplayer.extras.formats.hjif_check import check
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence.force_files import WriteChoices
 from hapticplayer.sequence.force_formats import (
@@ -56,8 +55,6 @@ def judge(name: str, clean: bytes, number: int, folder: Path) -> str:
     path = folder / f"damaged{read_formats()[name].suffix}"
     path.write_bytes(content)
     try:
-        if name == "hjif":
-            check(path)
         track = read_force(path, name=name).track
     except InputError as error:
         check_sentence(str(error))

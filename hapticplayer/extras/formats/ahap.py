@@ -18,12 +18,8 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.formats.thinning import Polyline, thinned
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence.force_files import (
-    Loss,
-    WriteChoices,
-    origin,
-    refuse_large,
-)
+from hapticplayer.model.limits import refuse_large_force
+from hapticplayer.sequence.force_files import Loss, WriteChoices, origin
 from hapticplayer.sequence.milliseconds import end_ms, pieces
 from hapticplayer.untrusted import parse_json, read_regular
 
@@ -47,7 +43,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     Raises:
         InputError: for forces beyond any device, or a curve of too many points.
     """
-    refuse_large(track.force_n, "ahap")
+    refuse_large_force(track.force_n, "ahap")
     until_ms = end_ms(track, choices.duration_s)
     # corners may lie above the largest force by the tolerance
     scale_n = math.ceil((track.peak_n() + choices.tolerance_n) * 1000.0) / 1000.0

@@ -13,14 +13,11 @@ _HERE = "hapticplayer.extras.formats"
 
 
 def commands() -> "tuple[Command, ...]":
-    """The commands `convert` and `validate`."""
+    """The command `convert`."""
     from hapticplayer.cli import Command
 
     summary = "convert force from one format to another"
-    return (
-        Command("convert", summary, f"{_HERE}.convert"),
-        Command("validate", "check a file of force", f"{_HERE}.validate"),
-    )
+    return (Command("convert", summary, f"{_HERE}.convert"),)
 
 
 def attachments() -> "tuple[ForceAttachment, ...]":

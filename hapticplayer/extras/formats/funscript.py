@@ -20,6 +20,7 @@ from hapticplayer.extras.formats.thinning import Polyline, thin
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import refuse_large_force
 from hapticplayer.sequence.excursion import travel_m
 from hapticplayer.sequence.force_files import (
     MAX_SECONDS,
@@ -28,7 +29,6 @@ from hapticplayer.sequence.force_files import (
     ReadChoices,
     WriteChoices,
     origin,
-    refuse_large,
 )
 from hapticplayer.sequence.milliseconds import Ticks, end_ms
 from hapticplayer.untrusted import ANOTHER
@@ -56,7 +56,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     Raises:
         InputError: for forces beyond any device.
     """
-    refuse_large(track.force_n, "funscript")
+    refuse_large_force(track.force_n, "funscript")
     time_s, place_m = travel_m(track, end_ms(track, choices.duration_s) / 1000.0)
     axes = {
         name: _actions(time_s, 50.0 * sign * place_m[:, column] / REACH_M)
@@ -122,13 +122,15 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
         "the hand at the centre",
         stiffness=choices.stiffness_n_per_m,
     )
-    notes = [Message("not read: {what} ({count})", what=n, count=1) for n in unread]
+    notes = tuple(
+        Message("not read: {what} ({count})", what=n, count=1) for n in unread
+    )
     track = ForceTrack(
         time_s,
         force_n.astype(np.float32),
         provenance={"source": path.name, "reader": "funscript set-point"},
     )
-    return ForceFile(track, (stiffness, *notes))
+    return ForceFile(track, (stiffness,), notes)
 
 
 def _positions(one: Fields) -> tuple[Floats, Floats]:

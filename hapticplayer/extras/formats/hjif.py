@@ -16,8 +16,9 @@ from hapticplayer import __version__
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.extras.formats.thinning import Polyline, thinned
 from hapticplayer.model import ForceTrack
+from hapticplayer.model.limits import refuse_large_force
 from hapticplayer.sequence import Sequence
-from hapticplayer.sequence.force_files import WriteChoices, origin, refuse_large
+from hapticplayer.sequence.force_files import WriteChoices, origin
 from hapticplayer.sequence.milliseconds import end_ms
 
 MARK = b"written by hapticplayer"
@@ -38,7 +39,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     Raises:
         InputError: for forces beyond any device, or more keyframes than are read.
     """
-    refuse_large(track.force_n, "hjif")
+    refuse_large_force(track.force_n, "hjif")
     largest_n = float(np.abs(track.force_n).max())
     digits = math.ceil(
         math.log10(

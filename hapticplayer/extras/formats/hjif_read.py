@@ -15,11 +15,8 @@ from hapticplayer.extras.formats.hjif_signals import EffectCurve
 from hapticplayer.extras.formats.json_fields import Fields, read_crowd
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence.force_files import (
-    ForceFile,
-    ReadChoices,
-    refuse_large,
-)
+from hapticplayer.model.limits import refuse_large_force
+from hapticplayer.sequence.force_files import ForceFile, ReadChoices
 from hapticplayer.untrusted import ANOTHER
 
 FORCE = ("Force", "Kinesthetic")
@@ -99,13 +96,15 @@ class _ChannelReader:
         kept = time_s >= 0.0
         if not kept.any():
             raise InputError("ends before 0 s", where=str(path), remedy=ANOTHER)
-        refuse_large(force_n, str(path), Message("give another full scale"))
+        refuse_large_force(force_n, str(path), Message("give another full scale"))
         track = ForceTrack(
             time_s[kept],
             force_n[kept].astype(np.float32),
             provenance={"source": path.name, "reader": "hjif"},
         )
-        return ForceFile(track, (*dict.fromkeys(self._bands.assumed), *unread))
+        return ForceFile(
+            track, tuple(dict.fromkeys(self._bands.assumed)), tuple(unread)
+        )
 
     def _scale_n(
         self, channel: Fields, modality: str, devices: dict[int, Fields]

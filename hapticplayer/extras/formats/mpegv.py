@@ -16,7 +16,8 @@ from hapticplayer.errors import InputError
 from hapticplayer.extras.formats.mpegv_read import MAX_BYTES, MAX_ROWS, MAX_TAGS
 from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence.force_files import WriteChoices, origin, refuse_large
+from hapticplayer.model.limits import refuse_large_force
+from hapticplayer.sequence.force_files import WriteChoices, origin
 from hapticplayer.sequence.milliseconds import Ticks, end_ms, pieces
 
 _STEPS_MS = (50, 40, 20, 10, 8, 5, 4, 2, 1)
@@ -43,7 +44,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     Raises:
         InputError: for forces beyond any device, or more effects than are read.
     """
-    refuse_large(track.force_n, "mpegv")
+    refuse_large_force(track.force_n, "mpegv")
     until_ms = end_ms(track, choices.duration_s)
     rows = tags = 0
     out.write(_HEAD.replace(_MARK, _MARK + origin(track)).encode())

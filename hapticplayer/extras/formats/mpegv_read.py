@@ -23,12 +23,8 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.formats.hjif_signals import STEP_S
 from hapticplayer.model import ForceTrack, Mapping
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence.force_files import (
-    MAX_SECONDS,
-    ForceFile,
-    ReadChoices,
-    refuse_large,
-)
+from hapticplayer.model.limits import refuse_large_force
+from hapticplayer.sequence.force_files import MAX_SECONDS, ForceFile, ReadChoices
 from hapticplayer.untrusted import ANOTHER, read_regular
 
 MAX_BYTES = 24 << 20
@@ -125,13 +121,13 @@ class _EffectReader:
         if not parts:
             raise self._refusal(Message("holds no force that is understood"))
         time_s, force_n = _summed(parts)
-        refuse_large(force_n, self._where)
+        refuse_large_force(force_n, self._where)
         track = ForceTrack(
             time_s,
             force_n.astype(np.float32),
             provenance={"source": name, "reader": "mpegv"},
         )
-        return ForceFile(track, (*self._notes, *unread))
+        return ForceFile(track, tuple(self._notes), tuple(unread))
 
     def _moves(self, notes: list[Message]) -> list[tuple[Floats, Floats]]:
         """The force that motion adds: nothing beside a force."""

@@ -13,7 +13,8 @@ import numpy as np
 from hapticplayer.errors import InputError
 from hapticplayer.extras.formats.wav_read import FLOAT, MARK, MAX_SAMPLES
 from hapticplayer.model import ForceTrack
-from hapticplayer.sequence.force_files import WriteChoices, origin, refuse_large
+from hapticplayer.model.limits import refuse_large_force
+from hapticplayer.sequence.force_files import WriteChoices, origin
 from hapticplayer.sequence.milliseconds import end_ms, pieces
 
 
@@ -28,7 +29,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     Raises:
         InputError: for forces beyond any device, or a track that is too long.
     """
-    refuse_large(track.force_n, "wav")
+    refuse_large_force(track.force_n, "wav")
     scale_n = max(0.01, math.ceil(float(np.abs(track.force_n).max()) * 1000.0) / 1000.0)
     comment = MARK + f"{scale_n:.3f}; x, y, z{origin(track)}".encode()
     comment += b"\0" * (2 - len(comment) % 2)

@@ -17,12 +17,8 @@ from numpy.typing import NDArray
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence.force_files import (
-    Direction,
-    ForceFile,
-    ReadChoices,
-    refuse_large,
-)
+from hapticplayer.model.limits import refuse_large_force
+from hapticplayer.sequence.force_files import Direction, ForceFile, ReadChoices
 from hapticplayer.untrusted import ANOTHER, open_regular
 
 MAX_BYTES, MAX_SAMPLES = 160 << 20, 9_000_000
@@ -63,6 +59,7 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
 def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
     data = _data(reader, str(path))
     notes: list[Message] = []
+    unread: list[Message] = []
     scale_n = data.scale_n
     if scale_n is None:
         scale_n = choices.full_scale_n
@@ -70,7 +67,7 @@ def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
     rate = data.form.rate_hz
     if rate > 8 * _LOOP_HZ:
         rate = _LOOP_HZ
-        notes.append(Message("sound above {limit_hz} Hz was left out", limit_hz=500))
+        unread.append(Message("sound above {limit_hz} Hz was left out", limit_hz=500))
     way = None
     if data.form.channels != 3:
         way = choices.direction
@@ -86,7 +83,8 @@ def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
     for made in (force_n, time_s):
         made.setflags(write=False)  # so that the track takes them as they are
     source = {"source": path.name, "reader": "wav"}
-    return ForceFile(ForceTrack(time_s, force_n, provenance=source), tuple(notes))
+    track = ForceTrack(time_s, force_n, provenance=source)
+    return ForceFile(track, tuple(notes), tuple(unread))
 
 
 class _Form(NamedTuple):
@@ -194,7 +192,7 @@ def _force_n(
         last = min(len(force_n), row + size * up // down)
         skipped = (first - begin) * up // down
         part = scale_n * samples[skipped : skipped + last - row]
-        refuse_large(part, where, Message("give another full scale"))
+        refuse_large_force(part, where, Message("give another full scale"))
         force_n[row:last] = part if way is None else part * np.array(way)
     return force_n
 

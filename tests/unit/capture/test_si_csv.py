@@ -1,15 +1,14 @@
-import tracemalloc
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from hapticplayer.capture import csv_table, read_recording
+from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
-from hapticplayer.capture.si_csv import READER, read_force_csv, write_imu_csv
+from hapticplayer.capture.si_csv import READER, write_imu_csv
 from hapticplayer.capture.source import open_file
 from hapticplayer.errors import InputError
-from hapticplayer.model import ImuLog, Reconstruction, Sampling
+from hapticplayer.model import ImuLog, Sampling
 
 
 def read_imu(path: Path) -> ImuLog:
@@ -311,71 +310,3 @@ def test_rough_ride_passes_the_unit_check(tmp_path):
     path = tmp_path / "log.csv"
     write_imu_csv(path, ImuLog(np.arange(400) / 200, force, rate))
     assert len(read_imu(path)) == 400
-
-
-def test_force_track_holds_each_value(tmp_path):
-    lines = ["time_s,fx_n,fy_n,fz_n", "0.5,1,0,0", "1.5,0,-2,0.25"]
-    track = read_force_csv(write(tmp_path / "force.csv", lines))
-    assert track.reconstruction is Reconstruction.HOLD
-    np.testing.assert_array_equal(
-        track.at(np.array([0.4, 0.5, 1.4999, 1.5, 99.0])),
-        [[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, -2, 0.25], [0, -2, 0.25]],
-    )
-    assert track.provenance["source"] == "force.csv"
-
-
-FORCE_HEADER = "time_s,fx_n,fy_n,fz_n"
-
-
-def test_a_dense_force_track_keeps_what_the_loop_takes(tmp_path, monkeypatch):
-    """Rows every 2.5 us, of a force that rises by 1 N a second."""
-    monkeypatch.setattr(csv_table, "CHUNK_BYTES", 1 << 16)
-    steps = np.arange(200_000)
-    rows = (f"{2.5e-6 * k:.7f},{2.5e-6 * k:.7f},0,0" for k in steps)
-    path = write(tmp_path / "force.csv", [FORCE_HEADER, *rows, "900,2,0,0"])
-    tracemalloc.start()
-    try:
-        track = read_force_csv(path, until_s=0.4)
-        peak_bytes = tracemalloc.get_traced_memory()[1]
-    finally:
-        tracemalloc.stop()
-    assert peak_bytes < 2_000_000  # all rows take 6.4 MB
-    assert len(track.time_s) <= 0.4 * 1e4 + 100  # one more for each piece
-    assert (track.time_s[0], track.time_s[-1]) == (0.0, 900.0)
-    ticks_s = np.arange(0.0, 0.4, 1e-3)
-    np.testing.assert_allclose(track.at(ticks_s)[:, 0], ticks_s, atol=1.1e-4)
-
-
-@pytest.mark.parametrize(
-    ("line", "sentence"),
-    [("0.1,1,0,0", "line 3002, column time_s: the time decreases"),
-     ("3,nan,0,0", "line 3002, column fx_n"), ("3,x,0,0", "line 3002, column fx_n"),
-     ("3,1e9,0,0", "force of 1e\\+09 N")],
-)  # fmt: skip
-def test_rows_after_the_clip_are_checked(tmp_path, monkeypatch, line, sentence):
-    monkeypatch.setattr(csv_table, "CHUNK_BYTES", 1000)
-    rows = [f"{1e-3 * k:.3f},1,0,0" for k in range(3000)]
-    path = write(tmp_path / "force.csv", [FORCE_HEADER, *rows, line, "4,0,0,0"])
-    with pytest.raises(InputError, match=sentence):
-        read_force_csv(path, until_s=0.5)
-
-
-def test_times_of_a_force_track_may_be_enormous(tmp_path):
-    lines = ["time_s,fx_n,fy_n,fz_n", "-1e308,1,0,0", "1e308,0,0,0"]
-    track = read_force_csv(write(tmp_path / "force.csv", lines))
-    np.testing.assert_array_equal(track.at(np.array([0.0])), [[1, 0, 0]])
-
-
-@pytest.mark.parametrize(
-    ("lines", "sentence"),
-    [
-        (["time_s,fx_n,fy_n,fz_n"], "has 0 rows"),
-        (["time_s,fx,fy,fz", "0,1,0,0"], "begin the file with time_s,fx_n,fy_n,fz_n"),
-        (["time_s,fx_n,fy_n,fz_n", "0,1,0,0", "0,1,0,0"], "line 3, column time_s"),
-        (["time_s,fx_n,fy_n,fz_n", "0,1,0,1e5"], "beyond any device"),
-        (["time_s,fx_n,fy_n,fz_n", "0,1,0,1e39"], "beyond any device"),
-    ],
-)
-def test_bad_force_track_is_refused(tmp_path, lines, sentence):
-    with pytest.raises(InputError, match=sentence):
-        read_force_csv(write(tmp_path / "force.csv", lines))

@@ -1,4 +1,4 @@
-"""`export`, `import-force`, `convert` and `validate` from the command line."""
+"""`export`, `import-force` and `convert` from the command line."""
 
 import json
 
@@ -31,7 +31,7 @@ def test_an_exported_track_comes_back_into_the_sequence(
     report = report_of("export", sequence_folder, "--format", name, "-o", path)
     assert report["bytes"] == path.stat().st_size
     assert report["error_max_n"] <= 0.0101
-    assert report_of("validate", path)["refused"] is False
+    assert report_of("import-force", "--check", path)["unread"] == []
     added = report_of("import-force", path, sequence_folder, "--name", "back")
     assert added["feedback"] == "back"
     tracks = open_sequence(sequence_folder).tracks
@@ -81,11 +81,23 @@ def test_the_tolerance_is_kept_and_saves_bytes(report_of, sequence_folder, tmp_p
     assert rough["bytes"] < fine["bytes"]
 
 
-def test_a_file_that_the_loader_refuses_is_told(capsys, tmp_path):
+def test_a_check_says_which_parts_of_a_file_would_be_lost(capsys, tmp_path):
+    path = tmp_path / "ride.sem"
+    effect = '<Effect type="{}" timestamp="0" duration="900">{}</Effect>'
+    kinds = effect.format("Vibration", "") + effect.format("Wind", "")
+    path.write_text(f"<SEM>{kinds}</SEM>")
+    assert cli.main(["import-force", "--check", str(path)]) == 2
+    said = capsys.readouterr().out
+    assert "mpegv, force until 0.900 s, peak 0." in said
+    assert "not read: Wind (1)" in said
+    assert "only a part of it would be read" in said
+
+
+def test_a_check_refuses_what_an_import_would_refuse(capsys, tmp_path):
     path = tmp_path / "bad.hjif"
     path.write_text('{"version":"2020"}')
-    assert cli.main(["validate", str(path)]) == 1
-    assert "refused: file: profile, level" in capsys.readouterr().out
+    assert cli.main(["import-force", "--check", str(path)]) == 1
+    assert "holds no perceptions" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
@@ -97,6 +109,8 @@ def test_a_file_that_the_loader_refuses_is_told(capsys, tmp_path):
         (["convert", "x.hjif", "y.csv", "--direction", "0,0,0"], 2, "three numbers"),
         (["convert", "none.hjif", "y.csv"], 1, "no such file"),
         (["import-force", "away.csv", "{folder}"], 1, "no such file"),
+        (["import-force", "away.csv"], 2, "needs a SEQUENCE"),
+        (["import-force", "--check", "away.csv", "{folder}"], 2, "no SEQUENCE"),
     ],
 )
 def test_an_impossible_command_is_refused_in_one_sentence(

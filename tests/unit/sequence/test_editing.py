@@ -7,7 +7,6 @@ import pytest
 
 from hapticplayer import storage
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.si_csv import read_force_csv
 from hapticplayer.errors import Cancelled, SequenceError, UsageError, no_progress
 from hapticplayer.model import ClockMap, Mapping
 from hapticplayer.sequence import (
@@ -18,6 +17,7 @@ from hapticplayer.sequence import (
 )
 from hapticplayer.sequence.build import write_sequence
 from hapticplayer.sequence.comparison import previewed_rendering
+from hapticplayer.sequence.force_csv import read_force_csv
 
 
 @pytest.fixture

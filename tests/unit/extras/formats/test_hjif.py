@@ -7,7 +7,6 @@ import pytest
 
 from hapticplayer.errors import InputError
 from hapticplayer.extras.formats import hjif, hjif_read
-from hapticplayer.extras.formats.hjif_check import check
 from hapticplayer.extras.formats.hjif_wavelet import block_height
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence.force_files import ReadChoices, WriteChoices
@@ -171,55 +170,16 @@ def test_a_file_with_nothing_to_feel_is_refused(read):
         read(content(band(), modality="Temperature"))
 
 
-def test_a_written_file_passes_the_loader_rules(tmp_path, rng):
+def test_a_written_file_has_what_the_reference_loader_needs(tmp_path, rng):
     path = tmp_path / "own.hjif"
     track = ForceTrack(np.arange(200) / 50.0, rng.normal(0, 1, (200, 3)))
     with path.open("xb") as out:
         hjif.write(track, out, WriteChoices())
-    assert check(path) == []
+    made = json.loads(path.read_text())
+    (perception,) = made["perceptions"]
+    channel = perception["channels"][0]
+    assert made.keys() >= {"version", "profile", "level", "date", "timescale", "syncs"}
+    assert perception.keys() >= {"id", "avatar_id", "perception_modality"}
+    assert channel.keys() >= {"gain", "mixing_coefficient", "body_part_mask", "bands"}
+    assert type(channel["bands"][0]["upper_frequency_limit"]) is int
     assert hjif.is_ours(path.read_bytes()[:400])
-
-
-def set_at(made, way, value):
-    for step in way[:-1]:
-        made = made[step]
-    made[way[-1]] = value
-
-
-PLACE = ("perceptions", 0, "channels", 0)
-
-
-@pytest.mark.parametrize(
-    ("way", "value", "is_refusal"),
-    [
-        (("version",), "2022", True),
-        (("profile",), "Other", True),
-        (("level",), 3, True),
-        (("timescale",), 96000, True),
-        (("perceptions", 0, "avatar_id"), 4, True),
-        ((*PLACE, "direction"), {"X": 100, "Y": 0, "Z": 0}, True),
-        ((*PLACE, "reference_device_id"), 9, True),
-        ((*PLACE, "bands", 0, "upper_frequency_limit"), -1, True),
-        ((*PLACE, "bands", 0, "effects", 0, "position"), 0.5, False),
-    ],
-)
-def test_the_rules_of_the_loader_are_told(tmp_path, way, value, is_refusal):
-    made = content(band(effects=[effect((0, 1.0), (9, 1.0))]), **UP)
-    path = tmp_path / "other.hjif"
-    path.write_text(json.dumps(made))
-    assert check(path) == []
-    set_at(made, way, value)
-    path.write_text(json.dumps(made))
-    assert [one.is_refusal for one in check(path)] == [is_refusal]
-
-
-@pytest.mark.parametrize("name", ["gain", "mixing_coefficient", "body_part_mask"])
-def test_a_channel_that_the_loader_drops_is_named(tmp_path, name):
-    made = content(band(), **UP)
-    del made["perceptions"][0]["channels"][0][name]
-    path = tmp_path / "other.hjif"
-    path.write_text(json.dumps(made))
-    (one,) = check(path)
-    assert not one.is_refusal
-    assert one.where == "perceptions[0], channels[0]"
-    assert name in one.what

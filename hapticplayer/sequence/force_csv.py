@@ -1,0 +1,201 @@
+"""Reads force tracks as CSV: `time_s,fx_n,fy_n,fz_n`, in frame D and SI.
+
+Each force holds from its time until the next one's. A column `is_estimated` of ones is
+added where nothing measured the motion.
+"""
+
+import io
+import math
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from hapticplayer.errors import InputError, Message
+from hapticplayer.model import ForceTrack, Reconstruction
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_SAMPLES, refuse_large_force
+from hapticplayer.untrusted import open_regular
+
+FORCE_COLUMNS = ("time_s", "fx_n", "fy_n", "fz_n")
+ESTIMATED_COLUMN = "is_estimated"
+CHUNK_BYTES = 1 << 22
+
+# The haptic loop takes a value every millisecond; denser rows cost memory only.
+_STEP_S = 1e-4
+_MAX_LINE_BYTES = 4096
+_REMOVE = Message("remove the line or correct the number")
+
+
+def read_force_csv(
+    path: str | os.PathLike[str], until_s: float = math.inf
+) -> ForceTrack:
+    """Return the force in a file.
+
+    Args:
+        path: of the file.
+        until_s: later rows are checked, and only the last one is kept.
+
+    Raises:
+        InputError: with file, line, column and what to do.
+    """
+    with open_regular(path) as stream:
+        values = _Rows(Path(path), until_s).read(stream)
+    is_estimated = bool(values[:, len(FORCE_COLUMNS) :].any())
+    return ForceTrack(
+        time_s=values[:, 0],
+        force_n=values[:, 1:4].astype(np.float32),
+        reconstruction=Reconstruction.HOLD,
+        provenance={"source": Path(path).name, "reader": "force csv"}
+        | ({"feedback": "estimated"} if is_estimated else {}),
+    )
+
+
+class _Rows:
+    """Checks the rows of a file chunk by chunk, and keeps those that are felt."""
+
+    def __init__(self, path: Path, until_s: float) -> None:
+        self._path, self._until_s = path, until_s
+        self._names: tuple[str, ...] = ()
+        self._last = np.empty((0, 0))
+        self._count = 0
+
+    def read(self, stream: BinaryIO) -> Floats:
+        """Return time, force and mark of the rows that are kept."""
+        self._check_header(stream.readline(_MAX_LINE_BYTES))
+        parts = [self._kept(*self._parsed(chunk, n)) for chunk, n in _chunks(stream)]
+        parts = [part for part in parts if len(part)]
+        if not self._count:
+            raise self._fault(
+                None, "", Message("has no rows"), Message("export the force again")
+            )
+        if not parts or parts[-1][-1, 0] != self._last[0, 0]:
+            parts.append(self._last)
+        return np.concatenate(parts)
+
+    def _check_header(self, line: bytes) -> None:
+        text = line.removeprefix(b"\xef\xbb\xbf").decode(errors="replace")
+        names = tuple(cell.strip(' \t\r\n"') for cell in text.split(","))
+        if names not in {FORCE_COLUMNS, (*FORCE_COLUMNS, ESTIMATED_COLUMN)}:
+            header = f"{','.join(FORCE_COLUMNS)}[,{ESTIMATED_COLUMN}]"
+            raise self._fault(
+                1,
+                "",
+                Message("the header is {header!r}", header=text.strip()[:80]),
+                Message("begin the file with {header}", header=header),
+            )
+        self._names = names
+
+    def _parsed(self, chunk: bytes, first: int) -> tuple[Floats, list[int] | range]:
+        """Return the numbers of whole lines, with the number of each line."""
+        chunk = chunk.replace(b"\r", b"").replace(b'"', b"")
+        texts = chunk.split(b"\n") if b"\n\n" in chunk else None
+        lines: list[int] | range = range(first, first + chunk.count(b"\n") + 1)
+        if texts is None and b"_" not in chunk:
+            try:
+                values = np.loadtxt(
+                    io.BytesIO(chunk), delimiter=",", comments=None, ndmin=2
+                )
+            except ValueError:  # found again below, with its line
+                pass
+            else:
+                if values.shape == (len(lines), len(self._names)):
+                    return values, lines
+        numbered = [
+            (number, text)
+            for number, text in zip(lines, texts or chunk.split(b"\n"), strict=True)
+            if text.strip()
+        ]
+        rows = [self._row(text, number) for number, text in numbered]
+        values = np.array(rows).reshape(-1, len(self._names))
+        return values, [number for number, _ in numbered]
+
+    def _row(self, line: bytes, number: int) -> list[float]:
+        cells = line.decode(errors="replace").split(",")
+        if len(cells) != len(self._names):
+            what = Message(
+                "has {count} columns, the header has {expected}",
+                count=len(cells),
+                expected=len(self._names),
+            )
+            raise self._fault(number, "", what, Message("remove or complete the line"))
+        row = []
+        for name, cell in zip(self._names, cells, strict=True):
+            try:
+                if not cell.isascii() or "_" in cell:
+                    raise ValueError(cell)  # noqa: TRY301 - Python's own digits
+                row.append(float(cell))
+            except ValueError:
+                what = Message("{text!r} is not a number", text=cell.strip()[:30])
+                raise self._fault(number, name, what, _REMOVE) from None
+        return row
+
+    def _kept(self, values: Floats, lines: list[int] | range) -> Floats:
+        """Return the rows before the end; of those in one slot of time the last one."""
+        if not len(values):
+            return values
+        self._count += len(values)
+        if self._count > MAX_SAMPLES:
+            what = Message("has more than {most} rows", most=MAX_SAMPLES)
+            raise self._fault(None, "", what, Message("cut it into parts"))
+        self._check_finite(values, lines)
+        self._check_order(values[:, 0], lines)
+        refuse_large_force(values[:, 1:4], str(self._path))
+        with np.errstate(over="ignore"):
+            slots = np.floor(values[:, 0] / _STEP_S)
+        kept = np.append(slots[1:] > slots[:-1], True) & (values[:, 0] < self._until_s)
+        kept[0] |= not len(self._last)
+        self._last = values[-1:].copy()
+        return values[kept]
+
+    def _check_finite(self, values: Floats, lines: list[int] | range) -> None:
+        bad = np.argwhere(~np.isfinite(values))
+        if len(bad):
+            row, column = (int(place) for place in bad[0])
+            number = float(values[row, column])
+            what = Message("{text} is not a finite number", text=number)
+            raise self._fault(lines[row], self._names[column], what, _REMOVE)
+
+    def _check_order(self, time_s: Floats, lines: list[int] | range) -> None:
+        last_s = self._last[0, 0] if len(self._last) else -math.inf
+        before_s = np.concatenate([[last_s], time_s[:-1]])
+        late = np.flatnonzero(time_s <= before_s)
+        if not len(late):
+            return
+        row = int(late[0])
+        is_repeated = time_s[row] == before_s[row]
+        what = Message(
+            "the time {fault} ({time_s} s after {last_s} s)",
+            fault=Message("repeats") if is_repeated else Message("decreases"),
+            time_s=float(time_s[row]),
+            last_s=float(before_s[row]),
+        )
+        remedy = Message("sort the file by time and remove duplicates")
+        raise self._fault(lines[row], "time_s", what, remedy)
+
+    def _fault(
+        self, line: int | None, column: str, what: str, remedy: str
+    ) -> InputError:
+        where: str = str(self._path)
+        if line is not None:
+            where = Message("{file}, line {line}", file=where, line=line)
+        if column:
+            where = Message("{line}, column {column}", line=where, column=column)
+        return InputError(what, where=where, remedy=remedy)
+
+
+def _chunks(stream: BinaryIO) -> Iterator[tuple[bytes, int]]:
+    """Yield whole lines after the header, and the number of the first of them."""
+    rest, number = b"", 2
+    while content := stream.read(CHUNK_BYTES):
+        whole, newline, rest = (rest + content).rpartition(b"\n")
+        if newline:
+            yield whole, number
+            number += whole.count(b"\n") + 1
+        elif len(rest) > _MAX_LINE_BYTES:
+            rest = rest[:_MAX_LINE_BYTES]  # refused below: no row is so long
+            break
+    if rest:
+        yield rest, number
