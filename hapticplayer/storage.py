@@ -13,6 +13,7 @@ import json
 import os
 import shutil
 import tempfile
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -30,6 +31,7 @@ _HEAD_BYTES, _CHUNK_BYTES = 1 << 16, 1 << 20
 _SCRATCH_BEGIN, _SCRATCH_END = ".hapticplayer-", ".part"
 _OVERWRITE = Message("choose another file, or replace it with --overwrite")
 _LOCK_WAIT_S, _LOCK_POLL_S = 5.0, 0.02
+_held = threading.local()
 
 IsOurs = Callable[[bytes], bool]
 """Whether a file begins as what is to be written there does."""
@@ -229,7 +231,8 @@ def scratch_beside(target: Path) -> Iterator[Path]:
     with _named(home):
         scratch, lock = _locked_scratch(home)
     try:
-        yield scratch
+        with _holding(lock):
+            yield scratch
     finally:
         if scratch.exists():
             shutil.rmtree(scratch, ignore_errors=True)
@@ -273,27 +276,59 @@ def _try_lock(descriptor: int) -> bool:
 def locked(folder: Path, clock: Clock | None = None) -> Iterator[None]:
     """Change a folder while no other program or thread does.
 
-    The lock ends with the process that holds it, even if that is killed.
+    The lock ends with the process that holds it, even if that is killed; a thread that
+    has it may take it again.
 
     Raises:
-        StorageError: when another one still holds the lock after 5 s.
+        StorageError: when others hold the lock for 5 s in which nothing is written.
     """
-    clock = clock or SystemClock()
-    until_s = clock.now_s() + _LOCK_WAIT_S
     with _named(folder):
         lock = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
     try:
-        while not _try_lock(lock):
-            if clock.now_s() > until_s:
-                raise StorageError(
-                    "is being changed by another program",
-                    where=str(folder),
-                    remedy="wait until that has finished, or close it, then try again",
-                )
-            clock.sleep_until(clock.now_s() + _LOCK_POLL_S)
-        yield
+        if _identity(lock) in _folders_held():
+            yield
+        else:
+            _wait_for(lock, folder, clock or SystemClock())
+            with _holding(lock):
+                yield
     finally:
         os.close(lock)
+
+
+@contextmanager
+def _holding(lock: int) -> Iterator[None]:
+    """Note that this thread has a lock."""
+    name = _identity(lock)
+    _folders_held().add(name)
+    try:
+        yield
+    finally:
+        _folders_held().discard(name)
+
+
+def _folders_held() -> set[tuple[int, int]]:
+    held: set[tuple[int, int]] = _held.__dict__.setdefault("folders", set())
+    return held
+
+
+def _identity(descriptor: int) -> tuple[int, int]:
+    status = os.fstat(descriptor)
+    return status.st_dev, status.st_ino
+
+
+def _wait_for(lock: int, folder: Path, clock: Clock) -> None:
+    seen, until_s = 0, 0.0
+    while not _try_lock(lock):
+        changed, now_s = os.fstat(lock).st_mtime_ns, clock.now_s()
+        if changed != seen:
+            seen, until_s = changed, now_s + _LOCK_WAIT_S
+        elif now_s > until_s:
+            raise StorageError(
+                "is being changed by another program",
+                where=str(folder),
+                remedy="wait until that has finished, or close it, then try again",
+            )
+        clock.sleep_until(now_s + _LOCK_POLL_S)
 
 
 @contextmanager

@@ -17,7 +17,7 @@ from typing import (
 import msgspec
 from msgspec import Struct
 
-from hapticplayer.errors import InputError, Message, joined
+from hapticplayer.errors import InputError, Message, joined, message_of
 from hapticplayer.untrusted import PathLike, parse_json, read_regular
 
 MAX_JSON_BYTES = 4 << 20
@@ -74,6 +74,8 @@ def convert(
     """
     try:
         return msgspec.convert(value, kind, strict=strict)
+    except InputError as problem:  # of a value type that checks itself
+        raise error(message_of(problem), where=where, remedy=remedy) from None
     except (msgspec.ValidationError, OverflowError) as problem:
         said, _, place = str(problem).rpartition(" - at `$")
         try:
@@ -213,7 +215,7 @@ def _entry(value: Any, kind: Any, place: str) -> tuple[str, Any]:
 def _fits(value: Any, kind: Any) -> bool:
     try:
         msgspec.convert(value, kind)
-    except (msgspec.ValidationError, OverflowError):
+    except (InputError, msgspec.ValidationError, OverflowError):
         return False
     return True
 

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -33,9 +32,8 @@ from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.import_preview import ImportPreview, preview_import
 from hapticplayer.sequence.report import quality_report, stored_notes
-from hapticplayer.sequence.store import DESCRIPTION
+from hapticplayer.sequence.store import read_description
 from hapticplayer.sequence.synchronizing import SyncChoices
-from hapticplayer.structures import read_json
 
 WIDTH_PX, HEIGHT_PX = 940, 640
 FILES, SYNC, MOUNTING, REPORT = range(4)
@@ -281,8 +279,8 @@ class ImportWizard(JobDialog):
         """Show the sequence that was made."""
         self.made = folder
         self.library_chosen.emit(self.mounting.library)
-        description: dict[str, Any] = read_json(folder / DESCRIPTION, dict[str, Any])
-        notes = stored_notes(description["provenance"])
+        description = read_description(folder)
+        notes = stored_notes(description.provenance)
         self.report.show_findings(quality_report(description), notes)
         self.go_to(REPORT)
 

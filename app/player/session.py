@@ -125,8 +125,6 @@ class Session(QObject):
         self._report_coverage()
         if source.notice:
             self.gateway.report(HapticPlayerError(source.notice))
-        if not source.description:
-            return
         from hapticplayer.sequence.excursion import stored_texts
 
         for text in stored_texts(source.description, self.player.snapshot().feedback):

@@ -115,7 +115,7 @@ def planned(name: str, track: ForceTrack) -> Ride:
         found = compare(track, tracks[preset.name], washout)
         found["s_per_min"] = 60.0 * took_s / track.end_s
         compared[preset.name] = found
-    reach = predict(track, track.end_s)["hands"]["relaxed"]["reach"]
+    reach = predict(track, track.end_s).hands["relaxed"].reach
     compared[PresetName.BALANCED]["predicted"] = reach
     return Ride(name, tracks, compared)
 

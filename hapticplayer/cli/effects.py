@@ -2,9 +2,11 @@
 
 import argparse
 import json
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
+from hapticplayer import storage
 from hapticplayer.cli.common import interruptible, say, shown_progress
 from hapticplayer.cli.figures import say_figures
 from hapticplayer.errors import UsageError
@@ -88,13 +90,14 @@ def _add_new(new: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Show or change the effects of a sequence."""
     folder = Path(options.sequence)
-    sequence = open_sequence(folder)
-    effects = store.effects_of(sequence)
     is_changed = options.action != "list"
-    if is_changed:
-        effects = _changed(effects, options)
-        with interruptible(), shown_progress() as progress:
-            set_effects(folder, effects, progress=progress)
+    with storage.locked(folder) if is_changed else nullcontext():
+        sequence = open_sequence(folder)
+        effects = store.effects_of(sequence)
+        if is_changed:
+            effects = _changed(effects, options)
+            with interruptible(), shown_progress() as progress:
+                set_effects(folder, effects, progress=progress)
     if options.json:
         say(json.dumps({"sequence": options.sequence, **written(effects)}))
         return 0

@@ -56,20 +56,20 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         )
     description = open_sequence(folder).description
     texts: list[str] = [*notes, *stored_texts(description, name)]
-    made = description["feedbacks"][name]
+    made = description.feedbacks[name]
     if options.json:
         report = {
             "sequence": str(folder),
             "feedback": name,
-            "peak_n": made["peak_n"],
-            "rms_n": made["rms_n"],
+            "peak_n": made.peak_n,
+            "rms_n": made.rms_n,
             "notes": [to_json(note) for note in texts],
         }
         say(json.dumps(report))
         return 0
     for note in texts:
         say_aside(note)
-    say(f"{folder}: track {name!r}, force peak {made['peak_n']:.2f} N")
+    say(f"{folder}: track {name!r}, force peak {made.peak_n or 0.0:.2f} N")
     return 0
 
 

@@ -32,6 +32,7 @@ from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import ranges
 from hapticplayer.sequence import Sequence, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
+from hapticplayer.sequence.description import written
 from hapticplayer.sequence.mounting_by_frames import SHOWN
 from hapticplayer.sequence.presets import DEFAULT_PRESET, preset_of
 from hapticplayer.sequence.suggesting import ESTIMATE
@@ -114,9 +115,9 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         )
     keep_template(options)
     sequence = open_sequence(folder)
-    description = sequence.description
     if options.json:
-        say(json.dumps({"sequence": str(folder), **description}, ensure_ascii=False))
+        described = written(sequence.description)
+        say(json.dumps({"sequence": str(folder), **described}, ensure_ascii=False))
         return 0
     _say_imported(folder, sequence)
     return 0
@@ -142,17 +143,15 @@ def chosen_import(options: argparse.Namespace) -> Choices:
 
 
 def _say_imported(folder: Path, sequence: Sequence) -> None:
-    description = sequence.description
-    made_of = description["provenance"]
+    made_of = sequence.description.provenance
     if ESTIMATE in made_of:
         _say_estimated(folder, sequence)
         return
-    realistic = description["feedbacks"]["realistic"]
     fit = " (fit)" if made_of["rendering"]["gain_from"] == FIT else ""
     say(
-        f"{folder}: {description['clip']['duration_s']:.1f} s of "
+        f"{folder}: {sequence.duration_s:.1f} s of "
         f"{made_of['camera'] or made_of['motion_source']} at "
-        f"{made_of['imu_rate_hz']:.1f} Hz; force peak {realistic['peak_n']:.2f} N; "
+        f"{made_of['imu_rate_hz']:.1f} Hz; force peak {sequence.rendered.peak_n():.2f} N; "
         f"{mapping_text(sequence.mapping)}{fit}; "
         f"preset {preset_of(sequence.rendered)}; "
         f"gravity removed by {made_of['gravity_removal']}; "
@@ -176,11 +175,10 @@ def _say_imported(folder: Path, sequence: Sequence) -> None:
 
 
 def _say_estimated(folder: Path, sequence: Sequence) -> None:
-    description = sequence.description
-    made_of = description["provenance"]
+    made_of = sequence.description.provenance
     found = made_of[ESTIMATE]
     say(
-        f"{folder}: {description['clip']['duration_s']:.1f} s, motion estimated from the "
+        f"{folder}: {sequence.duration_s:.1f} s, motion estimated from the "
         f"picture, not measured; sway in {found['sway_trust']:.0%} and bounce in "
         f"{found['bounce_trust']:.0%} of the clip, gain {found['gain']:g}; "
         f"force peak {sequence.rendered.peak_n():.2f} N; {mapping_text(sequence.mapping)}; "
@@ -254,22 +252,22 @@ def _import(video: Path, target: Path, choices: Choices, progress: Progress) -> 
         folder = build_sequence(
             video, target, imu_log=log, choices=choices, progress=progress
         )
-        description = open_sequence(folder).description
+        sequence = open_sequence(folder)
     except Cancelled:
         raise
     except UsageError as problem:
         return Row(video.name, "", 2, str(problem))
     except HapticPlayerError as problem:
         return Row(video.name, "", 1, str(problem))
-    clock, made_of = description["clock_map"], description["provenance"]
-    if ESTIMATE in made_of:
-        text = f"{description['clip']['duration_s']:.1f} s, {made_of['motion_source']}"
+    clock, made_of = sequence.description.clock_map, sequence.description.provenance
+    if clock is None or ESTIMATE in made_of:
+        text = f"{sequence.duration_s:.1f} s, {made_of['motion_source']}"
         return Row(video.name, str(folder), 0, text)
     method = made_of["synchronisation"]["method"]
     text = (
-        f"{description['clip']['duration_s']:.1f} s at {made_of['imu_rate_hz']:.0f} Hz, "
-        f"offset {clock['offset_s']:.3f} s by {method} "
-        f"(confidence {clock['confidence']:.2f}), {len(made_of['notes'])} notes"
+        f"{sequence.duration_s:.1f} s at {made_of['imu_rate_hz']:.0f} Hz, "
+        f"offset {clock.offset_s:.3f} s by {method} "
+        f"(confidence {clock.confidence:.2f}), {len(made_of['notes'])} notes"
     )
     return Row(video.name, str(folder), 0, text)
 

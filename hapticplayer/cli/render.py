@@ -17,6 +17,7 @@ from hapticplayer.cli.mapping_options import (
 from hapticplayer.errors import InputError
 from hapticplayer.model import rendered_feedback
 from hapticplayer.sequence import open_sequence, store
+from hapticplayer.sequence.description import written
 from hapticplayer.sequence.editing import copy_changed, fitted_gain, set_mapping
 from hapticplayer.sequence.effects_file import read_effects
 from hapticplayer.sequence.excursion import excursion_texts
@@ -74,19 +75,19 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     if options.json:
         content = {
             "sequence": str(target),
-            **made.description,
+            **written(made.description),
             "figures": described_figures(before, after),
         }
         say(json.dumps(content, ensure_ascii=False))
         return 0
-    rendered = made.description["feedbacks"][rendered_feedback(made.tracks)]
+    rendered = made.description.feedbacks[rendered_feedback(made.tracks)]
     offer = _offer(made, fits_gain=fits_gain)
     say(
         f"{target}: {mapping_text(made.mapping)} ({offer}); "
         f"preset {preset_of(made.rendered)}"
     )
     say_figures(before, after)
-    for note in excursion_texts(rendered["excursion"]):
+    for note in excursion_texts(rendered.excursion) if rendered.excursion else []:
         say(f"note: {note}")
     return 0
 

@@ -424,8 +424,8 @@ class Player:
             self._reporter.event("video_check", verdict=verdict.name.lower())
             if verdict is Verdict.ANOTHER:
                 self._reporter.notify(ANOTHER_VIDEO)
-        is_its_own = self._feedback in source.description["feedbacks"]
-        return is_its_own and not source.check.allows_force
+        own = source.description.feedbacks if source.description else {}
+        return self._feedback in own and not source.check.allows_force
 
     def _end_source(self) -> None:
         """Stop reading what is not played any more."""

@@ -2,9 +2,8 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from hapticplayer.model import Feedback, ForceTrack, MotionTrack, rendered_feedb
 from hapticplayer.playback.video_check import VideoCheck
 from hapticplayer.rendering import coverage_notice, no_feedback, refuse_late
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.description import Description
 from hapticplayer.sequence.force_csv import read_force_csv
 from hapticplayer.sequence.packed import read_packed, side_car_of
 from hapticplayer.sequence.store import DESCRIPTION, Sequence
@@ -38,7 +38,7 @@ class Source:
     tracks: Mapping[str, ForceTrack]
     motion: MotionTrack | None
     feedback: str
-    description: Mapping[str, Any] = field(default_factory=dict)
+    description: Description | None = None
     check: VideoCheck | None = None
     notice: Message | None = None
 

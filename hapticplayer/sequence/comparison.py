@@ -5,10 +5,8 @@ after = previewed_rendering(folder, mapping, preset="equal")
 """
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -17,6 +15,7 @@ from hapticplayer.errors import InputError, Message, Progress, no_progress
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence import editing, store
+from hapticplayer.sequence.description import ExcursionEntry
 from hapticplayer.sequence.excursion import predict, travel_m
 from hapticplayer.sequence.figures import ForceFigures, force_figures
 from hapticplayer.sequence.presets import preset_of
@@ -63,7 +62,7 @@ class RenderingResult:
     preset: str
     fitted_gain_n_per_mps2: float | None
     figures: ForceFigures
-    excursion: Mapping[str, Any]
+    excursion: ExcursionEntry
     curves: Curves
 
 
@@ -77,9 +76,9 @@ def stored_rendering(
     """
     sequence = store.open_sequence(folder)
     store.motion_of(sequence)
-    feedbacks = sequence.description["feedbacks"]
+    feedbacks = sequence.description.feedbacks
     described, track = feedbacks[model.rendered_feedback(feedbacks)], sequence.rendered
-    excursion = described.get("excursion") or _predicted(sequence, track, progress)
+    excursion = described.excursion or _predicted(sequence, track, progress)
     return _described(sequence, sequence.mapping, track, excursion)
 
 
@@ -107,9 +106,9 @@ def _described(
     sequence: store.Sequence,
     mapping: model.Mapping,
     track: ForceTrack,
-    excursion: Mapping[str, Any],
+    excursion: ExcursionEntry,
 ) -> RenderingResult:
-    duration_s, limit_n = _duration_s(sequence), mapping.force_limit_n
+    duration_s, limit_n = sequence.duration_s, mapping.force_limit_n
     try:
         offer = editing.fitted_gain(sequence, mapping)
     except InputError:  # no valid motion while the clip plays, or no log for the arm
@@ -126,13 +125,9 @@ def _described(
 
 def _predicted(
     sequence: store.Sequence, track: ForceTrack, progress: Progress
-) -> dict[str, Any]:
+) -> ExcursionEntry:
     text = Message("predicting excursions")
-    return predict(track, _duration_s(sequence), lambda share: progress(share, text))
-
-
-def _duration_s(sequence: store.Sequence) -> float:
-    return float(sequence.description["clip"]["duration_s"])
+    return predict(track, sequence.duration_s, lambda share: progress(share, text))
 
 
 def curves_of(track: ForceTrack, duration_s: float) -> Curves:

@@ -5,11 +5,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from msgspec import structs
+
 from hapticplayer import storage
 from hapticplayer.errors import Message, SequenceError
 from hapticplayer.media.matroska import Attachment
 from hapticplayer.model import Feedback
 from hapticplayer.sequence import store
+from hapticplayer.sequence.description import written
 from hapticplayer.sequence.packed import MANIFEST, Packed
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular
 
@@ -90,13 +93,13 @@ def files_to_pack(
     description = sequence.description
     names = [
         name
-        for name in description["files"]
+        for name in description.files
         if name != sequence.clip.name and (with_motion or name not in MOTION_FILES)
     ]
     small = [attachment_of(name, _content(sequence, name)) for name in names]
     kept = {*names, sequence.clip.name}
-    listed = {k: one for k, one in description["files"].items() if k in kept}
-    text = storage.json_text({**description, "files": listed})
+    listed = {k: one for k, one in description.files.items() if k in kept}
+    text = storage.json_text(written(structs.replace(description, files=listed)))
     made = (attachment_of(store.DESCRIPTION, text), *small, *extras)
     if sum(len(one.content) for one in made) > MAX_ATTACHED_BYTES:
         raise SequenceError(
@@ -110,7 +113,7 @@ def files_to_pack(
 
 
 def _content(sequence: store.Sequence, name: str) -> bytes:
-    path = store.checked(sequence.folder, name, sequence.description["files"])
+    path = store.checked(sequence.folder, name, sequence.description.files)
     return read_regular(path, MAX_ATTACHED_BYTES, SequenceError)
 
 
@@ -123,9 +126,9 @@ def _contents(
     sequence: store.Sequence, attached: Iterable[Attachment], inside_bytes: int = 0
 ) -> Contents:
     added = {
-        one["file"]: name
-        for name, one in sequence.description["feedbacks"].items()
-        if "file" in one and name not in tuple(Feedback)
+        one.file: name
+        for name, one in sequence.description.feedbacks.items()
+        if one.file and name not in tuple(Feedback)
     }
     parts = tuple(
         Part(

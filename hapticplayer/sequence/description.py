@@ -1,32 +1,43 @@
-"""The structure of `sequence.json`, as far as the program depends on it."""
+"""The structure of `sequence.json`."""
 
-from typing import Any
+import dataclasses
+from typing import Annotated, Any
 
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from hapticplayer.errors import Message, SequenceError
+from hapticplayer.model import ClockMap
 from hapticplayer.model.mapping import AxisGains
+from hapticplayer.model.ranges import MEDIA_TIME_S
 from hapticplayer.structures import check_version, convert
 
 SCHEMA, VERSION = "hapticplayer.sequence", 1
 IMPORT_AGAIN = Message("import it again")
 
+_Count = Annotated[int, Meta(ge=0)]
+_Amount = Annotated[float, Meta(ge=0.0, le=1e9)]
+_Time = Annotated[float, Meta(ge=MEDIA_TIME_S.least, le=MEDIA_TIME_S.largest)]
 
-class FileEntry(Struct):
+
+class FileEntry(Struct, frozen=True):
     """A file of the sequence."""
 
-    size_bytes: int
+    size_bytes: _Count
     sha256: str
 
 
-class ClipEntry(Struct):
+class ClipEntry(Struct, frozen=True):
     """The video."""
 
     file: str
-    duration_s: float
+    duration_s: _Time
+    width: _Count = 0
+    height: _Count = 0
+    frame_rate_hz: _Amount = 0.0
+    has_audio: bool = False
 
 
-class MappingEntry(Struct):
+class MappingEntry(Struct, frozen=True):
     """From acceleration to force."""
 
     axes: list[list[float]]
@@ -36,29 +47,51 @@ class MappingEntry(Struct):
     lever_arm_m: tuple[float, float, float]
 
 
-class HandEntry(Struct):
-    """How far a hand of one kind would move."""
+class HandEntry(Struct, frozen=True):
+    """How far a hand of one kind would move.
 
-    reach: float | None = None
+    Attributes:
+        reach: the furthest, as a share of the workspace.
+        reach_at_s: when that is.
+        far_share: of the time, beyond `ExcursionEntry.far`.
+        trip: what would trip, "runaway" or "outside", or None.
+        trip_at_s: when that is.
+    """
+
+    reach: _Amount
+    reach_at_s: _Time = 0.0
+    far_share: _Amount = 0.0
+    trip: str | None = None
+    trip_at_s: _Time | None = None
 
 
-class ExcursionEntry(Struct):
-    """What a track is predicted to do to hands."""
+class ExcursionEntry(Struct, frozen=True):
+    """What a track is predicted to do to three hands and to the motors.
 
-    hands: dict[str, HandEntry] = {}
+    Attributes:
+        hands: by kind of hand.
+        far: share of the workspace from which outward force is reduced.
+        rms_10s_n: highest force over the motors' time constant.
+        thermal_share: of it, of the continuous force.
+    """
+
+    hands: dict[str, HandEntry]
+    far: _Amount
+    rms_10s_n: _Amount
+    thermal_share: _Amount
 
 
-class TrackEntry(Struct):
+class TrackEntry(Struct, frozen=True, omit_defaults=True):
     """A force track; one that is made when the sequence is opened has no file."""
 
     file: str | None = None
-    peak_n: float = 0.0
-    rms_n: tuple[float, ...] = ()
+    peak_n: _Amount | None = None
+    rms_n: tuple[_Amount, ...] | None = None
     excursion: ExcursionEntry | None = None
     provenance: dict[str, Any] = {}
 
 
-class Description(Struct):
+class Description(Struct, frozen=True, omit_defaults=True):
     """The object in the file."""
 
     title: str
@@ -66,12 +99,13 @@ class Description(Struct):
     mapping: MappingEntry
     feedbacks: dict[str, TrackEntry]
     files: dict[str, FileEntry]
+    clock_map: ClockMap | None = None
     effects: str | None = None
     provenance: dict[str, Any] = {}
 
 
 def checked_description(content: dict[str, Any], where: str) -> Description:
-    """Return a description as a structure.
+    """A description as a structure.
 
     Raises:
         SequenceError: names the wrong field and what is allowed there.
@@ -84,3 +118,21 @@ def checked_description(content: dict[str, Any], where: str) -> Description:
         )
     check_version(content, SCHEMA, VERSION, where, SequenceError)
     return convert(content, Description, where, SequenceError, IMPORT_AGAIN)
+
+
+def written(description: Description) -> dict[str, Any]:
+    """A description as JSON keeps it."""
+    return {"schema": SCHEMA, "version": VERSION, **unstructured(description)}
+
+
+def unstructured(value: Any) -> Any:
+    """A structure as dicts, without optional entries that it lacks."""
+    if isinstance(value, Struct):
+        is_short = type(value).__struct_config__.omit_defaults
+        entries = ((name, getattr(value, name)) for name in value.__struct_fields__)
+        return {k: unstructured(v) for k, v in entries if not (is_short and v is None)}
+    if isinstance(value, ClockMap):
+        return dataclasses.asdict(value)
+    if isinstance(value, dict):
+        return {name: unstructured(one) for name, one in value.items()}
+    return value

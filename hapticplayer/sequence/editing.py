@@ -7,9 +7,11 @@ files removed that it no longer names. An interruption leaves a consistent seque
 import dataclasses
 import re
 import secrets
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Protocol
+
+from msgspec import structs
 
 from hapticplayer import __version__, model, rendering, storage
 from hapticplayer.clock import utc_now_iso
@@ -24,6 +26,7 @@ from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence import effects_file, store
 from hapticplayer.sequence.arrays import write_arrays
+from hapticplayer.sequence.description import Description, FileEntry, written
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import Rendering, preset_of
 
@@ -44,8 +47,9 @@ def rename_sequence(folder: Path, title: str) -> None:
     title = title.strip()
     if not 0 < len(title) <= MAX_TITLE:
         raise UsageError("a title must have 1 to {most} characters", most=MAX_TITLE)
-    description = _described(folder)
-    storage.replace_json(folder / store.DESCRIPTION, {**description, "title": title})
+    with storage.locked(folder):
+        description = store.read_description(folder)
+        _write(folder, structs.replace(description, title=title))
 
 
 def add_track(
@@ -68,13 +72,13 @@ def add_track(
         InputError: when the track cannot be read, or begins after the clip.
         SequenceError: when the sequence is damaged or cannot be written.
     """
-    sequence = store.open_sequence(folder)
-    _check_new(name, sequence.description)
-    duration_s = _duration_s(sequence.description)
-    track = read(duration_s)
-    source = str(track.provenance.get("source", name))
-    rendering.refuse_late(track, duration_s, source)
-    _replace_tracks(folder, sequence.description, {name: track}, progress)
+    with storage.locked(folder):
+        sequence = store.open_sequence(folder)
+        _check_new(name, sequence.description)
+        track = read(sequence.duration_s)
+        source = str(track.provenance.get("source", name))
+        rendering.refuse_late(track, sequence.duration_s, source)
+        _replace_tracks(folder, sequence.description, {name: track}, progress)
 
 
 def rename_track(folder: Path, old: str, new: str) -> None:
@@ -84,14 +88,13 @@ def rename_track(folder: Path, old: str, new: str) -> None:
         UsageError: for a track that every sequence has, or a taken name.
         SequenceError: when the sequence is damaged or cannot be written.
     """
-    description = _described(folder)
-    _check_added(old, description)
-    _check_new(new, description)
-    feedbacks = description["feedbacks"]
-    renamed = {(new if name == old else name): one for name, one in feedbacks.items()}
-    storage.replace_json(
-        folder / store.DESCRIPTION, {**description, "feedbacks": renamed}
-    )
+    with storage.locked(folder):
+        description = store.open_sequence(folder).description
+        _check_added(old, description)
+        _check_new(new, description)
+        feedbacks = description.feedbacks
+        renamed = {(new if name == old else name): e for name, e in feedbacks.items()}
+        _write(folder, structs.replace(description, feedbacks=renamed))
 
 
 def remove_track(folder: Path, name: str) -> None:
@@ -101,10 +104,11 @@ def remove_track(folder: Path, name: str) -> None:
         UsageError: for a track that every sequence has, or an unknown one.
         SequenceError: when the sequence is damaged or cannot be written.
     """
-    description = _described(folder)
-    _check_added(name, description)
-    kept = {k: one for k, one in description["feedbacks"].items() if k != name}
-    _put(folder, {**description, "feedbacks": kept}, {})
+    with storage.locked(folder):
+        description = store.open_sequence(folder).description
+        _check_added(name, description)
+        kept = {k: one for k, one in description.feedbacks.items() if k != name}
+        _put(folder, structs.replace(description, feedbacks=kept), {})
 
 
 def set_mapping(
@@ -133,29 +137,30 @@ def set_mapping(
         UsageError: for an unknown preset.
         SequenceError: when the sequence is damaged or cannot be written.
     """
-    sequence = store.open_sequence(folder)
-    mapping, realistic = render_sequence(
-        sequence, mapping, fits_gain=fits_gain, preset=preset, effects=effects
-    )
-    tracks = {
-        condition.name: condition.track(
-            rendering.ConditionInputs(
-                realistic, _seed(sequence.tracks[condition.name])
-            ),
-            {},
+    with storage.locked(folder):
+        sequence = store.open_sequence(folder)
+        mapping, realistic = render_sequence(
+            sequence, mapping, fits_gain=fits_gain, preset=preset, effects=effects
         )
-        for condition in rendering.FEEDBACKS
-        if condition.is_stored and condition.name in sequence.tracks
-    }
-    description = {
-        **sequence.description,
-        "mapping": store.describe_mapping(mapping),
-        "provenance": {
-            **dict(sequence.description.get("provenance", {})),
-            "rendering": describe_rendering(fits_gain=fits_gain),
-        },
-    }
-    _replace_tracks(folder, description, tracks, progress, effects)
+        tracks = {
+            condition.name: condition.track(
+                rendering.ConditionInputs(
+                    realistic, _seed(sequence.tracks[condition.name])
+                ),
+                {},
+            )
+            for condition in rendering.FEEDBACKS
+            if condition.is_stored and condition.name in sequence.tracks
+        }
+        description = structs.replace(
+            sequence.description,
+            mapping=store.describe_mapping(mapping),
+            provenance={
+                **sequence.description.provenance,
+                "rendering": describe_rendering(fits_gain=fits_gain),
+            },
+        )
+        _replace_tracks(folder, description, tracks, progress, effects)
 
 
 def render_sequence(
@@ -288,7 +293,7 @@ def fitted_gain(sequence: store.Sequence, mapping: model.Mapping) -> float:
     return rendering.fit_gain(
         store.motion_of(sequence),
         mapping,
-        _duration_s(sequence.description),
+        sequence.duration_s,
         _angular_rate(sequence, mapping),
     )
 
@@ -311,40 +316,36 @@ def _angular_rate(
     return store.recorded_log(sequence)
 
 
-def _described(folder: Path) -> Mapping[str, Any]:
-    return store.open_sequence(folder).description
+def _write(folder: Path, description: Description) -> None:
+    storage.replace_json(folder / store.DESCRIPTION, written(description))
 
 
-def _duration_s(description: Mapping[str, Any]) -> float:
-    return float(description["clip"]["duration_s"])
-
-
-def _check_new(name: str, description: Mapping[str, Any]) -> None:
+def _check_new(name: str, description: Description) -> None:
     if not _NAME.fullmatch(name):
         raise UsageError(
             "{name!r} is not a valid track name; use up to 40 letters, digits, blanks, "
             "dots and hyphens",
             name=name,
         )
-    if name.lower() in {*map(str.lower, description["feedbacks"]), *_OWN}:
+    if name.lower() in {*map(str.lower, description.feedbacks), *_OWN}:
         raise UsageError("a track {name!r} exists; choose another name", name=name)
 
 
-def _check_added(name: str, description: Mapping[str, Any]) -> None:
+def _check_added(name: str, description: Description) -> None:
     if name in _OWN:
         raise UsageError("every sequence needs its track {name!r}", name=name)
-    if name not in description["feedbacks"]:
+    if name not in description.feedbacks:
         raise UsageError("track {name!r} not found", name=name)
 
 
 def _replace_tracks(
     folder: Path,
-    description: Mapping[str, Any],
+    description: Description,
     tracks: dict[str, ForceTrack],
     progress: Progress,
     effects: EffectList | None = None,
 ) -> None:
-    duration_s, feedbacks = _duration_s(description), dict(description["feedbacks"])
+    duration_s, feedbacks = description.clip.duration_s, dict(description.feedbacks)
     made: dict[str, ForceTrack] = {}
     for number, (name, track) in enumerate(tracks.items()):
         report = _reporter(progress, number, len(tracks))
@@ -353,7 +354,7 @@ def _replace_tracks(
         feedbacks[name] = store.describe_track(
             track, file, predict(track, duration_s, report)
         )
-    _put(folder, {**description, "feedbacks": feedbacks}, made, effects)
+    _put(folder, structs.replace(description, feedbacks=feedbacks), made, effects)
 
 
 def _reporter(progress: Progress, number: int, count: int) -> Callable[[float], None]:
@@ -364,41 +365,35 @@ def _reporter(progress: Progress, number: int, count: int) -> Callable[[float], 
 
 def _put(
     folder: Path,
-    description: Mapping[str, Any],
+    description: Description,
     tracks: dict[str, ForceTrack],
     effects: EffectList | None = None,
 ) -> None:
     """Write new tracks and effects, then the description, then remove files it no longer names."""
-    written: list[Path] = []
+    made: list[Path] = []
     try:
         for file, track in tracks.items():
-            written.append(folder / file)
+            made.append(folder / file)
             write_arrays(folder / file, **store.track_arrays(track))
         if effects is not None:
             path = _new_effects(folder, description)
             storage.write_json(path, effects_file.written(effects))
-            written.append(path)
-            description = {**description, store.EFFECTS: path.name}
-        named = {
-            one["file"] for one in description["feedbacks"].values() if "file" in one
-        }
-        named.add(description.get(store.EFFECTS))
+            made.append(path)
+            description = structs.replace(description, effects=path.name)
+        named = {one.file for one in description.feedbacks.values()}
+        named.add(description.effects)
         listed = {
             name: entry
-            for name, entry in description["files"].items()
+            for name, entry in description.files.items()
             if name in named or not name.startswith(("force_", store.EFFECTS))
         }
-        for path in written:
-            listed[path.name] = {
-                "sha256": storage.sha256_of(path),
-                "size_bytes": path.stat().st_size,
-            }
-        dropped = set(description["files"]) - set(listed)
-        storage.replace_json(
-            folder / store.DESCRIPTION, {**description, "files": listed}
-        )
+        for path in made:
+            digest = storage.sha256_of(path)
+            listed[path.name] = FileEntry(path.stat().st_size, digest)
+        dropped = set(description.files) - set(listed)
+        _write(folder, structs.replace(description, files=listed))
     except OSError as problem:
-        _remove(written)
+        _remove(made)
         raise SequenceError(
             "cannot be written ({reason})",
             where=str(folder),
@@ -406,16 +401,16 @@ def _put(
             reason=problem,
         ) from problem
     except BaseException:
-        _remove(written)
+        _remove(made)
         raise
     _remove([folder / name for name in dropped])
 
 
-def _new_effects(folder: Path, description: Mapping[str, Any]) -> Path:
+def _new_effects(folder: Path, description: Description) -> Path:
     """Return the path of `effects.json`, or another one while that is in use."""
     usual = f"{store.EFFECTS}.json"
     other = f"{store.EFFECTS}_{secrets.token_hex(4)}.json"
-    return folder / (other if usual in description["files"] else usual)
+    return folder / (other if usual in description.files else usual)
 
 
 def _remove(paths: list[Path]) -> None:

@@ -30,10 +30,10 @@ def events_of(
     """
     sequence = store.open_sequence(folder)
     sound = sound_of(sequence) if with_sound else None
-    has_log = store.IMU in sequence.description["files"]
+    has_log = store.IMU in sequence.description.files
     imu = store.recorded_log(sequence) if has_log else None
     events = find_events(store.motion_of(sequence), imu, sound, kinds=kinds)
-    end_s = float(sequence.description["clip"]["duration_s"])
+    end_s = sequence.duration_s
     return tuple(
         event.within(end_s)
         for event in events
@@ -47,7 +47,7 @@ def sound_of(sequence: store.Sequence) -> LowSound | None:
     Raises:
         MediaError: when it cannot be read.
     """
-    if not sequence.description["clip"].get("has_audio", False):
+    if not sequence.description.clip.has_audio:
         return None
     sound = read_sound(sequence.clip)
     return low_sound(sound.samples, sound.rate_hz)

@@ -9,8 +9,8 @@ and within 7 % for full force switched along the device's axis (tests).
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,7 @@ from hapticplayer.haptics.limiter import ZERO, Limits, limit, limits_of
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.device import Vector
+from hapticplayer.sequence.description import Description, ExcursionEntry, HandEntry
 
 HANDS = {"relaxed": RELAXED, "normal": NORMAL, "firm": FIRM}
 LIMITS = limits_of(FALCON)
@@ -63,19 +64,13 @@ def predict(
     track: ForceTrack,
     duration_s: float,
     progress: Callable[[float], None] = lambda _share: None,
-) -> dict[str, Any]:
-    """Return how far a track would move three hands, and the load of the motors.
+) -> ExcursionEntry:
+    """How far a track would move three hands, and the load of the motors.
 
     Args:
         track: in media time.
         duration_s: of the clip; force outside it is not played.
         progress: called with the done share; may raise to stop the work.
-
-    Returns:
-        `hands`: for each the `reach` (share of the workspace, the furthest),
-        `reach_at_s`, `far_share` (of the time, beyond `far`), `trip` (what would trip:
-        "runaway", "outside" or None) and `trip_at_s`; and `far`, `rms_10s_n` (the
-        highest), `thermal_share` (of the continuous force).
     """
     grip = Grip(list(HANDS.values()), LIMITS, centring_of(LIMITS))
     starts = _starts(track, duration_s)
@@ -91,14 +86,13 @@ def predict(
     whole = _Response(
         *(np.concatenate(one, axis=1) for one in zip(*parts, strict=True))
     )
-    return {
-        "hands": {
-            name: _described(_Response(*(one[row] for one in whole)), duration_s)
-            for row, name in enumerate(HANDS)
-        },
-        "far": FAR,
-        **_heat(track, duration_s),
+    hands = {
+        name: _described(_Response(*(one[row] for one in whole)), duration_s)
+        for row, name in enumerate(HANDS)
     }
+    rms_n = _hottest_n(track, duration_s)
+    share = round(rms_n / LIMITS.continuous_n, 4)
+    return ExcursionEntry(hands, FAR, round(rms_n, 4), share)
 
 
 def travel_m(
@@ -131,68 +125,61 @@ def travel_m(
     return np.arange(count) / TRAVEL_HZ, place_m[:count]
 
 
-def excursion_texts(prediction: Mapping[str, Any]) -> list[str]:
+def excursion_texts(prediction: ExcursionEntry) -> list[str]:
     """Return the warnings about a prediction; usually none."""
     texts: list[str] = [
         Message(
             "this track would move a {hand} hand so far that the device trips ({trip}) "
             "at {at_s:.1f} s",
             hand=Message(name),
-            trip=one["trip"],
-            at_s=one["trip_at_s"],
+            trip=one.trip,
+            at_s=one.trip_at_s or 0.0,
         )
-        for name, one in prediction["hands"].items()
-        if one["trip"] is not None
+        for name, one in prediction.hands.items()
+        if one.trip is not None
     ]
-    relaxed = prediction["hands"]["relaxed"]
-    if not texts and relaxed["reach"] >= prediction["far"]:
+    relaxed = prediction.hands.get("relaxed")
+    if not texts and relaxed and relaxed.reach >= prediction.far:
         texts.append(
             Message(
                 "this track would reach {reach:.0f} % of the workspace with a relaxed "
                 "hand, at {at_s:.1f} s; beyond {far:.0f} % outward force is reduced",
-                reach=100.0 * relaxed["reach"],
-                at_s=relaxed["reach_at_s"],
-                far=100.0 * prediction["far"],
+                reach=100.0 * relaxed.reach,
+                at_s=relaxed.reach_at_s,
+                far=100.0 * prediction.far,
             )
         )
-    if prediction["thermal_share"] >= WARM:
+    if prediction.thermal_share >= WARM:
         texts.append(
             Message(
                 "this track loads the motors to {heat:.0f} % of their continuous force; "
                 "it may be reduced",
-                heat=100.0 * prediction["thermal_share"],
+                heat=100.0 * prediction.thermal_share,
             )
         )
     return texts
 
 
-def stored_texts(description: Mapping[str, Any], feedback: str) -> list[str]:
-    """Return the warnings about a track that were predicted at import.
-
-    Args:
-        description: of a sequence; a plain clip gives [].
-        feedback: name of the track.
-    """
-    try:
-        return excursion_texts(description["feedbacks"][feedback]["excursion"])
-    except (LookupError, TypeError, ValueError, AttributeError):
-        return []  # playback does not need a prediction
+def stored_texts(description: Description | None, feedback: str) -> list[str]:
+    """The warnings about a track that were predicted at import; of a plain clip none."""
+    entry = description.feedbacks.get(feedback) if description else None
+    return excursion_texts(entry.excursion) if entry and entry.excursion else []
 
 
-def _described(hand: _Response, duration_s: float) -> dict[str, Any]:
-    """Return the response of one hand (seconds,) as plain values."""
+def _described(hand: _Response, duration_s: float) -> HandEntry:
+    """The response of one hand (seconds,)."""
     best = int(np.argmax(hand.reach)) if hand.reach.any() else None
     trips = {"runaway": hand.runaway_s, "outside": hand.outside_s}
     firsts = {cause: float(at_s.min(initial=np.inf)) for cause, at_s in trips.items()}
     cause = min(firsts, key=lambda cause: firsts[cause])
     is_trip = firsts[cause] < np.inf
-    return {
-        "reach": 0.0 if best is None else round(float(hand.reach[best]), 4),
-        "reach_at_s": 0.0 if best is None else round(float(hand.reach_at_s[best]), 3),
-        "far_share": round(float(hand.far_s.sum()) / max(duration_s, 1e-9), 5),
-        "trip": cause if is_trip else None,
-        "trip_at_s": round(firsts[cause], 3) if is_trip else None,
-    }
+    return HandEntry(
+        reach=0.0 if best is None else round(float(hand.reach[best]), 4),
+        reach_at_s=0.0 if best is None else round(float(hand.reach_at_s[best]), 3),
+        far_share=round(float(hand.far_s.sum()) / max(duration_s, 1e-9), 5),
+        trip=cause if is_trip else None,
+        trip_at_s=round(firsts[cause], 3) if is_trip else None,
+    )
 
 
 def _respond(
@@ -249,8 +236,8 @@ def _starts(track: ForceTrack, duration_s: float) -> NDArray[np.int64]:
     return np.flatnonzero(busy).astype(np.int64) * round(_SECOND_S * RATE_HZ)
 
 
-def _heat(track: ForceTrack, duration_s: float) -> dict[str, float]:
-    """Return the highest RMS of the planned force over the motors' time constant."""
+def _hottest_n(track: ForceTrack, duration_s: float) -> float:
+    """The highest RMS of the planned force over the motors' time constant."""
     time_s = np.arange(0.0, max(duration_s, _HEAT_STEP_S), 0.01)
     square = np.square(track.at(time_s)).sum(axis=1)
     size = round(_HEAT_STEP_S / 0.01)
@@ -259,11 +246,7 @@ def _heat(track: ForceTrack, duration_s: float) -> dict[str, float]:
     for mean in means.tolist():
         heat += share * (mean - heat)
         hottest = max(hottest, heat)
-    rms_n = math.sqrt(hottest)
-    return {
-        "rms_10s_n": round(rms_n, 4),
-        "thermal_share": round(rms_n / LIMITS.continuous_n, 4),
-    }
+    return math.sqrt(hottest)
 
 
 class Grip:

@@ -2,12 +2,12 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
+from hapticplayer.sequence.description import ExcursionEntry
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.store import Sequence
 
@@ -43,7 +43,7 @@ def force_figures(
     duration_s: float,
     force_limit_n: float = DEFAULT_FORCE_LIMIT_N,
     *,
-    prediction: Mapping[str, Any] | None = None,
+    prediction: ExcursionEntry | None = None,
     progress: Callable[[float], None] = lambda _share: None,
 ) -> ForceFigures:
     """Return the figures of a track.
@@ -65,23 +65,23 @@ def force_figures(
     inside = (track.time_s >= 0.0) & (track.time_s <= duration_s)
     peaks = np.linalg.norm(track.force_n[inside].astype(np.float64), axis=1)
     found = prediction or predict(track, duration_s, progress)
-    hands = found["hands"]
+    hands = found.hands
     return ForceFigures(
         peak_n=float(peaks.max(initial=0.0)),
         rms_n=float(np.sqrt(square / count)),
         saturated_share=saturated / count,
-        reaches={name: float(one["reach"]) for name, one in hands.items()},
-        trips=tuple(name for name, one in hands.items() if one["trip"] is not None),
+        reaches={name: one.reach for name, one in hands.items()},
+        trips=tuple(name for name, one in hands.items() if one.trip is not None),
     )
 
 
 def sequence_figures(sequence: Sequence) -> ForceFigures:
     """Return the figures of a sequence's rendered track, with its own prediction."""
-    feedbacks = sequence.description["feedbacks"]
+    feedbacks = sequence.description.feedbacks
     entry = feedbacks[rendered_feedback(feedbacks)]
     return force_figures(
         sequence.rendered,
-        float(sequence.description["clip"]["duration_s"]),
+        sequence.duration_s,
         sequence.mapping.force_limit_n,
-        prediction=entry.get("excursion"),
+        prediction=entry.excursion,
     )

@@ -100,7 +100,7 @@ def export_force(
     feedback = feedback or rendered_feedback(sequence.tracks)
     track = entry_named(sequence.tracks, feedback, Message("force track"))
     progress(0.0, Message("writing {name}", name=target.name))
-    duration_s = float(sequence.description["clip"]["duration_s"])
+    duration_s = sequence.duration_s
     motion = motion_of(sequence) if asked.with_motion else None
     asked = replace(asked, duration_s=duration_s, motion=motion)
     cost = export_track(track, target, format_of(target, form), asked)

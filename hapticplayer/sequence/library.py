@@ -5,19 +5,16 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
-from hapticplayer.errors import InputError, Message, SequenceError, message_of
+from hapticplayer.errors import InputError, Message, message_of
 from hapticplayer.model import PresetName, rendered_feedback
 from hapticplayer.sequence.description import (
     Description,
     TrackEntry,
-    checked_description,
 )
 from hapticplayer.sequence.presets import DEFAULT_PRESET
 from hapticplayer.sequence.report import Finding, quality_report
-from hapticplayer.sequence.store import DESCRIPTION
-from hapticplayer.structures import read_json
+from hapticplayer.sequence.store import DESCRIPTION, read_description
 from hapticplayer.untrusted import without_controls
 
 MAX_FOLDERS = 5000
@@ -99,15 +96,13 @@ def entries(folder: Path) -> list[Entry]:
 
 def read_entry(folder: Path) -> Entry:
     """Return the entry of a sequence from its description; other files are not read."""
-    path = folder / DESCRIPTION
     try:
-        content = read_json(path, dict[str, Any], SequenceError)
-        return _entry(folder, checked_description(content, str(path)), content)
+        return _entry(folder, read_description(folder))
     except InputError as problem:
         return Entry(folder, folder.name, problem=message_of(problem))
 
 
-def _entry(folder: Path, described: Description, content: Mapping[str, Any]) -> Entry:
+def _entry(folder: Path, described: Description) -> Entry:
     clip = folder / Path(described.clip.file).name
     gain, made_of = described.mapping.gain_n_per_mps2, described.provenance
     return Entry(
@@ -125,7 +120,7 @@ def _entry(folder: Path, described: Description, content: Mapping[str, Any]) -> 
             for name, entry in described.feedbacks.items()
             if entry.file is not None
         ),
-        findings=quality_report(content),
+        findings=quality_report(described),
         problem="" if clip.is_file() else Message("{name} is missing", name=clip.name),
     )
 
@@ -133,7 +128,8 @@ def _entry(folder: Path, described: Description, content: Mapping[str, Any]) -> 
 def _track(name: str, entry: TrackEntry) -> Track:
     hands = entry.excursion.hands if entry.excursion else {}
     reach = hands["normal"].reach if "normal" in hands else None
-    return Track(name, entry.peak_n, math.hypot(*entry.rms_n), reach)
+    rms_n = math.hypot(*(entry.rms_n or ()))
+    return Track(name, entry.peak_n or 0.0, rms_n, reach)
 
 
 def _preset(feedbacks: Mapping[str, TrackEntry]) -> str:

@@ -139,8 +139,8 @@ def _pointer(payload: remux.VideoDigest, manifest: Attachment) -> str:
 
 def _check_clip(sequence: store.Sequence, report: remux.Report) -> None:
     """Refuse a clip that has changed since it was imported."""
-    entry = sequence.description["files"][sequence.clip.name]
-    if storage.sha256_of(sequence.clip, report) != entry["sha256"]:
+    entry = sequence.description.files[sequence.clip.name]
+    if storage.sha256_of(sequence.clip, report) != entry.sha256:
         raise store.changed(sequence.clip)
 
 

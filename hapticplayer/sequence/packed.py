@@ -21,14 +21,15 @@ from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import store
 from hapticplayer.sequence.arrays import arrays_in
-from hapticplayer.sequence.description import FileEntry
-from hapticplayer.structures import MAX_JSON_BYTES, check_version, convert
-from hapticplayer.untrusted import MAX_ATTACHED_BYTES, parse_json
+from hapticplayer.sequence.description import FileEntry, checked_description
+from hapticplayer.structures import check_version, convert, decode
+from hapticplayer.untrusted import MAX_ATTACHED_BYTES
 
 MANIFEST = "hapticplayer.json"
 SCHEMA, VERSION = "hapticplayer.pack", 1
 SIDE_CAR = ".haptics.mkv"
 _ASK_AGAIN = Message("ask for the file again")
+_REFUSAL = SequenceError, _ASK_AGAIN
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,20 +69,22 @@ class _AttachedFiles:
     def __init__(self, where: str, attached: Mapping[str, Attachment]) -> None:
         self.where, self._attached = where, attached
 
-    def arrays(self, name: str, listed: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
+    def arrays(
+        self, name: str, listed: Mapping[str, FileEntry]
+    ) -> dict[str, NDArray[Any]]:
         content = self.content(name, listed)
         return arrays_in(
             io.BytesIO(content), f"{self.where}: {name}", MAX_ATTACHED_BYTES
         )
 
-    def content(self, name: str, listed: Mapping[str, Any]) -> bytes:
+    def content(self, name: str, listed: Mapping[str, FileEntry]) -> bytes:
         """Return a file whose size and checksum are as listed."""
         entry, one = listed.get(name), self._attached.get(name)
         where = f"{self.where}: {name}"
         if entry is None or one is None:
             raise SequenceError("is missing", where=where, remedy=_ASK_AGAIN)
         digest = hashlib.sha256(one.content).hexdigest()
-        if (len(one.content), digest) != (entry["size_bytes"], entry["sha256"]):
+        if (len(one.content), digest) != (entry.size_bytes, entry.sha256):
             raise SequenceError(
                 "has changed since it was written (its checksum differs)",
                 where=where,
@@ -148,27 +151,20 @@ def _by_name(carrier: Path, attached: list[Attachment]) -> dict[str, Attachment]
 
 def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Packed:
     small = _AttachedFiles(str(carrier), attached)
-    manifest = _object(attached[MANIFEST].content, f"{carrier}: {MANIFEST}")
     where = f"{carrier}: {MANIFEST}"
+    manifest = decode(attached[MANIFEST].content, dict[str, Any], where, *_REFUSAL)
     check_version(manifest, SCHEMA, VERSION, where, SequenceError)
     given = convert(manifest, _Manifest, where, SequenceError, _ASK_AGAIN)
     payload = VideoDigest(*structs.astuple(given.video))
-    content = small.content(store.DESCRIPTION, manifest["files"])
-    description = _object(content, f"{carrier}: {store.DESCRIPTION}")
+    content = small.content(store.DESCRIPTION, given.files)
+    place = f"{carrier}: {store.DESCRIPTION}"
+    found = decode(content, dict[str, Any], place, *_REFUSAL)
+    description = checked_description(found, place)
     sequence = store.sequence_of(description, small, video.parent, video)
-    clip, listed = description["clip"]["file"], description["files"]
+    clip, listed = description.clip.file, description.files
     own = {
         store.inside(carrier, name).name: small.content(name, listed)
         for name in listed
         if name != clip
     }
     return Packed(carrier, sequence, payload, attached, own)
-
-
-def _object(content: bytes, where: str) -> dict[str, Any]:
-    if len(content) > MAX_JSON_BYTES:
-        raise SequenceError("is too large", where=where, remedy=_ASK_AGAIN)
-    value = parse_json(content, where, SequenceError, _ASK_AGAIN)
-    if not isinstance(value, dict):
-        raise SequenceError("is not a JSON object", where=where, remedy=_ASK_AGAIN)
-    return value

@@ -21,6 +21,7 @@ from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.model.motion import DEFAULT_METHOD
+from hapticplayer.sequence.description import ExcursionEntry, unstructured
 from hapticplayer.sequence.excursion import predict
 
 if TYPE_CHECKING:
@@ -254,12 +255,12 @@ def describe_quality(
             "conditioning": processed.conditioning,
             "gravity_removal": processed.summary,
             "motion": describe_motion(processed.track),
-            "excursion": _predicted(processed.track, progress),
+            "excursion": unstructured(_predicted(processed.track, progress)),
         }
     )
 
 
-def _predicted(track: MotionTrack, progress: Progress) -> dict[str, Any]:
+def _predicted(track: MotionTrack, progress: Progress) -> ExcursionEntry:
     """Return the predicted excursion with the default mapping."""
     from_start = dataclasses.replace(track, time_s=track.time_s - track.time_s[0])
     force = rendering.render_force(from_start)

@@ -18,8 +18,15 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import ENOUGH_CONFIDENCE
 from hapticplayer.errors import Message, from_json, to_json
 from hapticplayer.media.clip_info import ClipInfo
-from hapticplayer.model import ForceTrack, ImuLog, MotionTrack, rendered_feedback
+from hapticplayer.model import (
+    ClockMap,
+    ForceTrack,
+    ImuLog,
+    MotionTrack,
+    rendered_feedback,
+)
 from hapticplayer.model.ranges import finite_number
+from hapticplayer.sequence.description import Description, ExcursionEntry, TrackEntry
 
 LARGE_LEAK_MPS2 = 0.05
 """Noticed as a steady pull at the default gain."""
@@ -71,24 +78,17 @@ _BOUNDS = {
 """Up to the first a figure is good, up to the second doubtful; the rate from it on."""
 
 
-def quality_report(description: Mapping[str, Any]) -> list[Finding]:
-    """Return the findings on a sequence, the most important first.
-
-    Args:
-        description: of `Sequence`.
-    """
-    made_of = _table(description, "provenance")
+def quality_report(description: Description) -> list[Finding]:
+    """The findings on a sequence, the most important first."""
+    made_of, feedbacks = description.provenance, description.feedbacks
     motion = _table(made_of, "motion_summary")
-    feedbacks = _table(description, "feedbacks")
-    realistic = _table(feedbacks, rendered_feedback(feedbacks))
+    rendered = feedbacks.get(rendered_feedback(feedbacks), TrackEntry())
     estimate = _table(made_of, "estimate")
     found = [
         _estimate(estimate),
         None
         if estimate
-        else _sync(
-            _table(made_of, "synchronisation"), _table(description, "clock_map")
-        ),
+        else _sync(_table(made_of, "synchronisation"), description.clock_map),
         _drift(_table(made_of, "synchronisation")),
         _plain("rate", "rate_hz", _number(made_of, "imu_rate_hz"), is_low_bad=True),
         _leak(motion),
@@ -98,10 +98,10 @@ def quality_report(description: Mapping[str, Any]) -> list[Finding]:
         _plain(
             "force",
             "force_share",
-            _number(_table(realistic, "provenance"), "saturated_share"),
-            peak_n=_number(realistic, "peak_n"),
+            _number(rendered.provenance, "saturated_share"),
+            peak_n=rendered.peak_n,
         ),
-        *_workspace(_table(realistic, "excursion")),
+        *_workspace(rendered.excursion),
     ]
     return [one for one in found if one is not None]
 
@@ -128,13 +128,10 @@ def _estimate(found: Mapping[str, Any]) -> Finding | None:
     return Finding("estimate", Mark.DOUBTFUL, _number(found, "gain"), kept)
 
 
-def _sync(found: Mapping[str, Any], clock: Mapping[str, Any]) -> Finding | None:
-    residual_s, confidence = (
-        _number(clock, "residual_s"),
-        _number(clock, "confidence"),
-    )
-    if residual_s is None or confidence is None:
+def _sync(found: Mapping[str, Any], clock: ClockMap | None) -> Finding | None:
+    if clock is None:
         return None
+    residual_s, confidence = clock.residual_s, clock.confidence
     method = str(found.get("method", ""))
     mark = marked("residual_s", residual_s)
     if confidence < ENOUGH_CONFIDENCE:
@@ -178,18 +175,18 @@ def _gaps(made_of: Mapping[str, Any], motion: Mapping[str, Any]) -> Finding | No
     return Finding("gaps", mark, share, more)
 
 
-def _workspace(excursion: Mapping[str, Any]) -> list[Finding]:
-    hands = _table(excursion, "hands")
-    reaches = {name: _number(_table(hands, name), "reach") for name in hands}
-    known = {name: reach for name, reach in reaches.items() if reach is not None}
-    if not known:
+def _workspace(excursion: ExcursionEntry | None) -> list[Finding]:
+    if excursion is None or not excursion.hands:
         return []
+    known = {name: hand.reach for name, hand in excursion.hands.items()}
     reach = known.get("relaxed", max(known.values()))
-    trips = [name for name in hands if _table(hands, name).get("trip") is not None]
+    trips = [name for name, hand in excursion.hands.items() if hand.trip is not None]
     mark = Mark.BAD if trips else marked("reach", reach)
-    found = [Finding("workspace", mark, reach, {"reaches": known, "trips": trips})]
-    heat = _plain("heat", "thermal", _number(excursion, "thermal_share"))
-    return found if heat is None else [*found, heat]
+    share = excursion.thermal_share
+    return [
+        Finding("workspace", mark, reach, {"reaches": known, "trips": trips}),
+        Finding("heat", marked("thermal", share), share, {}),
+    ]
 
 
 def _plain(

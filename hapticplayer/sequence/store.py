@@ -34,11 +34,16 @@ from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence.arrays import read_arrays
 from hapticplayer.sequence.description import (
     IMPORT_AGAIN,
+    Description,
+    ExcursionEntry,
+    FileEntry,
+    MappingEntry,
     TrackEntry,
     checked_description,
+    written,
 )
 from hapticplayer.sequence.effects_file import read_effects
-from hapticplayer.structures import convert, read_json
+from hapticplayer.structures import missing, read_json
 from hapticplayer.untrusted import (
     HeldFile,
     without_controls,
@@ -65,7 +70,7 @@ class Sequence:
         motion: gravity-free acceleration, in media time; None if it was not shared.
         tracks: force tracks by name of the condition.
         mapping: of the realistic or estimated track.
-        description: sequence.json, with its provenance.
+        description: of the sequence, with its provenance.
     """
 
     folder: Path
@@ -74,7 +79,12 @@ class Sequence:
     motion: MotionTrack | None
     tracks: Dict[str, ForceTrack]
     mapping: Mapping
-    description: Dict[str, Any]
+    description: Description
+
+    @property
+    def duration_s(self) -> float:
+        """Length of the clip."""
+        return self.description.clip.duration_s
 
     @property
     def rendered(self) -> ForceTrack:
@@ -87,7 +97,9 @@ class SmallFiles(Protocol):
 
     where: str
 
-    def arrays(self, name: str, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
+    def arrays(
+        self, name: str, listed: Dict[str, FileEntry]
+    ) -> dict[str, NDArray[Any]]:
         """Return the arrays of a file, whose size and checksum are as listed.
 
         Raises:
@@ -101,7 +113,9 @@ class FolderFiles:
     def __init__(self, folder: Path) -> None:
         self._folder, self.where = folder, str(folder / DESCRIPTION)
 
-    def arrays(self, name: str, listed: Dict[str, Any]) -> dict[str, NDArray[Any]]:
+    def arrays(
+        self, name: str, listed: Dict[str, FileEntry]
+    ) -> dict[str, NDArray[Any]]:
         """Return the arrays of a file; see `SmallFiles`."""
         return read_arrays(checked(self._folder, name, listed))
 
@@ -123,14 +137,25 @@ def open_sequence(folder: str | Path) -> Sequence:
             remedy="give the folder of a sequence, or a video",
             name=DESCRIPTION,
         )
-    description = read_json(
-        folder / DESCRIPTION, dict[str, Any], SequenceError, IMPORT_AGAIN
-    )
-    return sequence_of(description, FolderFiles(folder), folder)
+    description = read_description(folder)
+    while True:
+        try:
+            return sequence_of(description, FolderFiles(folder), folder)
+        except SequenceError:
+            before, description = description, read_description(folder)
+            if description == before:  # else another program has changed it meanwhile
+                raise
+
+
+def read_description(folder: Path) -> Description:
+    """The description in the folder of a sequence; raises SequenceError."""
+    path = folder / DESCRIPTION
+    content = read_json(path, dict[str, Any], SequenceError, IMPORT_AGAIN)
+    return checked_description(content, str(path))
 
 
 def sequence_of(
-    description: dict[str, Any],
+    description: Description,
     small: SmallFiles,
     folder: Path,
     clip: Path | None = None,
@@ -138,7 +163,7 @@ def sequence_of(
     """Return the sequence that a description and its small files make.
 
     Args:
-        description: the content of sequence.json.
+        description: of the sequence.
         small: where its arrays are.
         folder: that it is in.
         clip: a file that holds its video; None for the one that it describes.
@@ -146,18 +171,17 @@ def sequence_of(
     Raises:
         SequenceError: when an entry or a file is missing, or of the wrong kind.
     """
-    described = checked_description(description, small.where)
-    listed = description["files"]
+    listed = description.files
     with _named_as_damaged(small.where):
         if clip is None:
-            name = described.clip.file
+            name = description.clip.file
             clip = _check_file(folder, name, listed, with_checksum=False)
-        tracks = _read_tracks(small, described.feedbacks, listed)
-        mapping = Mapping(**structs.asdict(described.mapping))
+        tracks = _read_tracks(small, description.feedbacks, listed)
+        mapping = Mapping(**structs.asdict(description.mapping))
         motion = None
         if MOTION in listed:
             motion = MotionTrack(**_motion_fields(small.arrays(MOTION, listed)))
-    title = without_controls(described.title)
+    title = without_controls(description.title)
     return Sequence(folder, title, clip, motion, tracks, mapping, description)
 
 
@@ -169,7 +193,7 @@ def verify_sequence(folder: str | Path, progress: Progress = no_progress) -> Non
     """
     folder = Path(folder)
     sequence = open_sequence(folder)
-    listed = sequence.description["files"]
+    listed = sequence.description.files
     for number, name in enumerate(listed):
         progress(number / len(listed), Message("checking {name}", name=name))
         _check_file(folder, name, listed, with_checksum=True)
@@ -182,17 +206,14 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
         SequenceError: when files are missing or damaged.
     """
     folder = Path(folder)
-    description = read_json(
-        folder / DESCRIPTION, dict[str, Any], SequenceError, IMPORT_AGAIN
-    )
-    described = checked_description(description, str(folder / DESCRIPTION))
+    described = read_description(folder)
     if IMU not in described.files:
         raise SequenceError(
             "holds no recorded samples",
             where=str(folder),
             remedy="import a recording, or ask for a file that was packed --with-motion",
         )
-    _check_file(folder, IMU, description["files"], with_checksum=True)
+    _check_file(folder, IMU, described.files, with_checksum=True)
     arrays, made_of = read_arrays(folder / IMU), described.provenance
     with _named_as_damaged(str(folder)):
         imu = ImuLog(
@@ -248,10 +269,10 @@ def effects_of(sequence: Sequence) -> EffectList:
         SequenceError: when the list is missing or another one.
         InputError: for an entry that is not allowed.
     """
-    name = sequence.description.get(EFFECTS)
+    name = sequence.description.effects
     if name is None:
         return NO_EFFECTS
-    return read_effects(checked(sequence.folder, name, sequence.description["files"]))
+    return read_effects(checked(sequence.folder, name, sequence.description.files))
 
 
 def recorded_log(sequence: Sequence) -> ImuLog:
@@ -261,13 +282,10 @@ def recorded_log(sequence: Sequence) -> ImuLog:
         SequenceError: when they are missing or damaged.
     """
     imu, _ = read_recorded(sequence.folder)
-    clock = convert(
-        sequence.description.get("clock_map"),
-        ClockMap,
-        f"{sequence.folder / DESCRIPTION}, clock_map",
-        SequenceError,
-        IMPORT_AGAIN,
-    )
+    clock = sequence.description.clock_map
+    if clock is None:
+        what, where = missing("clock_map")[0], str(sequence.folder / DESCRIPTION)
+        raise SequenceError(what, where=where, remedy=IMPORT_AGAIN)
     return in_media_time(imu, clock)
 
 
@@ -283,25 +301,27 @@ def copy_files(folder: Path, target: Path, progress: Progress = no_progress) -> 
         SequenceError: for a file that is missing or damaged.
     """
     description = open_sequence(folder).description
-    listed = description["files"]
-    whole = sum(entry["size_bytes"] for entry in listed.values())
+    listed = description.files
+    whole = sum(entry.size_bytes for entry in listed.values())
     before = 0
     for name, entry in listed.items():
         _check_file(folder, name, listed, with_checksum=False)
 
-        def report(share: float, before: int = before, entry: Any = entry) -> None:
-            done = (before + share * entry["size_bytes"]) / max(1, whole)
+        def report(
+            share: float, before: int = before, entry: FileEntry = entry
+        ) -> None:
+            done = (before + share * entry.size_bytes) / max(1, whole)
             progress(done, Message("copying the sequence"))
 
         with HeldFile(folder / name, SequenceError) as source:
             digest = storage.copy_file(source, target / name, report)
-        if digest != entry["sha256"]:
+        if digest != entry.sha256:
             raise changed(folder / name)
-        before += entry["size_bytes"]
-    storage.write_json(target / DESCRIPTION, dict(description))
+        before += entry.size_bytes
+    storage.write_json(target / DESCRIPTION, written(description))
 
 
-def checked(folder: Path, name: str, listed: Dict[str, Any]) -> Path:
+def checked(folder: Path, name: str, listed: Dict[str, FileEntry]) -> Path:
     """Return the path of a file whose size and checksum are as listed.
 
     Raises:
@@ -329,27 +349,22 @@ def track_arrays(track: ForceTrack) -> dict[str, Any]:
 
 
 def describe_track(
-    track: ForceTrack, file: str, excursion: dict[str, Any]
-) -> dict[str, Any]:
-    """Return the description of a force track."""
-    return {
-        "file": file,
-        "peak_n": track.peak_n(),
-        "rms_n": [float(value) for value in track.rms_n()],
-        "excursion": excursion,
-        "provenance": dict(track.provenance),
-    }
+    track: ForceTrack, file: str, excursion: ExcursionEntry
+) -> TrackEntry:
+    """The description of a force track."""
+    rms_n = tuple(float(value) for value in track.rms_n())
+    return TrackEntry(file, track.peak_n(), rms_n, excursion, dict(track.provenance))
 
 
-def describe_mapping(mapping: Mapping) -> dict[str, Any]:
-    """Return the description of a mapping."""
-    return {
-        "axes": mapping.axes.tolist(),
-        "gain_n_per_mps2": mapping.gain_n_per_mps2,
-        "force_limit_n": mapping.force_limit_n,
-        "soft_knee_n": mapping.soft_knee_n,
-        "lever_arm_m": mapping.lever_arm_m,
-    }
+def describe_mapping(mapping: Mapping) -> MappingEntry:
+    """The description of a mapping."""
+    return MappingEntry(
+        mapping.axes.tolist(),
+        mapping.gain_n_per_mps2,
+        mapping.force_limit_n,
+        mapping.soft_knee_n,
+        mapping.lever_arm_m,
+    )
 
 
 def inside(folder: Path, name: str) -> Path:
@@ -369,27 +384,27 @@ def inside(folder: Path, name: str) -> Path:
 
 
 def _check_file(
-    folder: Path, name: str, listed: Dict[str, Any], *, with_checksum: bool
+    folder: Path, name: str, listed: Dict[str, FileEntry], *, with_checksum: bool
 ) -> Path:
     path, entry = inside(folder, name), listed.get(name)
     if entry is None or path.is_symlink() or not path.is_file():
         raise SequenceError("is missing", where=str(path), remedy=_COPY_AGAIN)
     size = path.stat().st_size
-    if size != entry["size_bytes"]:
+    if size != entry.size_bytes:
         raise SequenceError(
             "has {count} bytes instead of {expected}",
             where=str(path),
             remedy=_COPY_AGAIN,
             count=size,
-            expected=entry["size_bytes"],
+            expected=entry.size_bytes,
         )
-    if with_checksum and storage.sha256_of(path) != entry["sha256"]:
+    if with_checksum and storage.sha256_of(path) != entry.sha256:
         raise changed(path)
     return path
 
 
 def _read_tracks(
-    small: SmallFiles, feedbacks: dict[str, TrackEntry], listed: dict[str, Any]
+    small: SmallFiles, feedbacks: dict[str, TrackEntry], listed: Dict[str, FileEntry]
 ) -> dict[str, ForceTrack]:
     tracks = {}
     for name, entry in feedbacks.items():

@@ -277,5 +277,8 @@ def stored_skews() -> dict[str, float]:
 
 def store_skew(camera: str, late_s: float) -> None:
     """Store the skew of a camera."""
-    skews = {**stored_skews(), camera: late_s}
-    storage.replace_json(storage.config_home() / SKEWS, {"sound_late_s": skews})
+    home = storage.config_home()
+    storage.make_folder(home)
+    with storage.locked(home):
+        skews = {**stored_skews(), camera: late_s}
+        storage.replace_json(home / SKEWS, {"sound_late_s": skews})

@@ -2,10 +2,13 @@
 
 from pathlib import Path
 
+from msgspec import structs
+
 from hapticplayer import storage
 from hapticplayer.errors import Message, Progress, SequenceError, no_progress
 from hapticplayer.media import remux
 from hapticplayer.sequence import store
+from hapticplayer.sequence.description import FileEntry, written
 from hapticplayer.sequence.pack import CONTAINERS
 from hapticplayer.sequence.packed import Packed, read_packed
 from hapticplayer.storage import FOLDER, refuse_existing
@@ -50,7 +53,7 @@ def unpack(
     packed = require_packed(video)
     kind = CONTAINERS.get(video.suffix.lower(), remux.MATROSKA)
     name = f"clip{video.suffix.lower() if kind == remux.MP4 else '.mkv'}"
-    description = dict(packed.sequence.description)
+    described = packed.sequence.description
     with storage.folder_written_aside(target) as folder:
         payload = remux.remux(
             video,
@@ -61,18 +64,17 @@ def unpack(
         )
         if payload != packed.payload and not accepts_changed:
             raise _another_video(video)
-        listed = dict(description["files"])
-        listed.pop(description["clip"]["file"], None)
+        listed = {k: v for k, v in described.files.items() if k != described.clip.file}
         for one, content in packed.small.items():
             (folder / one).write_bytes(content)
-        listed[name] = {
-            "sha256": storage.sha256_of(
-                folder / name, lambda f: progress(0.8 + 0.2 * f, Message("writing"))
-            ),
-            "size_bytes": (folder / name).stat().st_size,
-        }
-        description["clip"] = {**description["clip"], "file": name}
-        storage.write_json(folder / store.DESCRIPTION, {**description, "files": listed})
+        digest = storage.sha256_of(
+            folder / name, lambda f: progress(0.8 + 0.2 * f, Message("writing"))
+        )
+        listed[name] = FileEntry((folder / name).stat().st_size, digest)
+        made = structs.replace(
+            described, clip=structs.replace(described.clip, file=name), files=listed
+        )
+        storage.write_json(folder / store.DESCRIPTION, written(made))
         progress(1.0, Message("done"))
 
 

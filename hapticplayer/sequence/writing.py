@@ -23,7 +23,14 @@ from hapticplayer.model import (
 )
 from hapticplayer.sequence import store
 from hapticplayer.sequence.arrays import write_arrays
-from hapticplayer.sequence.description import SCHEMA, VERSION
+from hapticplayer.sequence.description import (
+    ClipEntry,
+    Description,
+    ExcursionEntry,
+    FileEntry,
+    TrackEntry,
+    written,
+)
 from hapticplayer.sequence.editing import describe_rendering
 from hapticplayer.sequence.excursion import excursion_texts, predict
 from hapticplayer.sequence.presets import DEFAULT_PRESET, render_preset
@@ -99,16 +106,14 @@ def write_folder(
             *notes_on_force(tracks),
             *excursion_texts(excursions[rendered_feedback(tracks)]),
         ]
-        description = {
-            "schema": SCHEMA,
-            "version": VERSION,
-            "title": choices.title or clip.path.stem,
-            "clip": _describe_clip(clip, clip_name),
-            "clock_map": dataclasses.asdict(content.clock_map),
-            "mapping": store.describe_mapping(mapping),
-            "feedbacks": _describe_tracks(tracks, excursions),
-            "files": listed,
-            "provenance": {
+        description = Description(
+            title=choices.title or clip.path.stem,
+            clip=_describe_clip(clip, clip_name),
+            mapping=store.describe_mapping(mapping),
+            feedbacks=_describe_tracks(tracks, excursions),
+            files=listed,
+            clock_map=content.clock_map,
+            provenance={
                 "program": f"hapticplayer {__version__}",
                 "created_utc": utc_now_iso(),
                 "video": clip.path.name,
@@ -116,8 +121,8 @@ def write_folder(
                 **describe_notes(notes),
                 **content.provenance,
             },
-        }
-        storage.write_json(folder / store.DESCRIPTION, description)
+        )
+        storage.write_json(folder / store.DESCRIPTION, written(description))
         progress(1.0, Message("done"))
     return target
 
@@ -166,7 +171,7 @@ def _render(
 
 def _predict(
     tracks: dict[str, ForceTrack], clip: ClipInfo, progress: Progress
-) -> dict[str, dict[str, Any]]:
+) -> dict[str, ExcursionEntry]:
     """Return the predicted excursion of the hand for each track."""
     share, found = 0.05 / len(tracks), {}
     for number, (name, force) in enumerate(tracks.items()):
@@ -207,35 +212,36 @@ def _log_arrays(imu: ImuLog) -> dict[str, Any]:
     return fields
 
 
-def _checksums(folder: Path, known: dict[str, str]) -> dict[str, Any]:
+def _checksums(folder: Path, known: dict[str, str]) -> dict[str, FileEntry]:
     return {
-        path.name: {
-            "sha256": known.get(path.name) or storage.sha256_of(path),
-            "size_bytes": path.stat().st_size,
-        }
+        path.name: FileEntry(
+            path.stat().st_size, known.get(path.name) or storage.sha256_of(path)
+        )
         for path in sorted(folder.iterdir())
     }
 
 
-def _describe_clip(clip: ClipInfo, name: str) -> dict[str, Any]:
-    return {
-        "file": name,
-        "duration_s": clip.duration_s,
-        "width": clip.width,
-        "height": clip.height,
-        "frame_rate_hz": clip.frame_rate_hz,
-        "has_audio": clip.has_audio,
-    }
+def _describe_clip(clip: ClipInfo, name: str) -> ClipEntry:
+    return ClipEntry(
+        name,
+        clip.duration_s,
+        clip.width,
+        clip.height,
+        clip.frame_rate_hz,
+        clip.has_audio,
+    )
 
 
 def _describe_tracks(
-    tracks: dict[str, ForceTrack], excursions: dict[str, dict[str, Any]]
-) -> dict[str, Any]:
-    described: dict[str, Any] = {
+    tracks: dict[str, ForceTrack], excursions: dict[str, ExcursionEntry]
+) -> dict[str, TrackEntry]:
+    described = {
         name: store.describe_track(track, f"force_{name}.npz", excursions[name])
         for name, track in tracks.items()
     }
     for condition in rendering.FEEDBACKS:
         if condition.is_made_at_opening:
-            described[condition.name] = {"provenance": {"feedback": condition.name}}
+            described[condition.name] = TrackEntry(
+                provenance={"feedback": condition.name}
+            )
     return described

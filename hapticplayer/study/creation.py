@@ -86,7 +86,14 @@ def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
     path = study.folder / DEFINITION
     text = definition_text(content)
     refuse_estimates(parse_definition(text, str(path)), str(path), study.folder)
-    storage.replace_file(path, text, storage.PRIVATE_FILE)
+    with storage.locked(study.folder):
+        if read_file(path) != study.content:
+            raise StudyError(
+                "was changed by another program meanwhile",
+                where=str(path),
+                remedy="open the study again and repeat the change",
+            )
+        storage.replace_file(path, text, storage.PRIVATE_FILE)
     return open_study(study.folder)
 
 

@@ -3,13 +3,11 @@
 study.json   orders.csv   sessions/CODE/   consents/CODE.json   deleted/ID.json
 """
 
-import fcntl
 import json
 import os
 import secrets
 import shutil
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -153,7 +151,7 @@ def begin_session(
         )
     storage.make_folder(study.folder / SESSIONS)
     storage.make_folder(study.folder / CONSENTS)
-    with _locked(study.folder / SESSIONS):
+    with storage.locked(study.folder / SESSIONS):
         code = new_code(study.codes())
         made = _assignment(study, code)
         plan = Plan(
@@ -282,14 +280,3 @@ def save_consent(
     storage.make_folder(study.folder / CONSENTS)
     path = study.folder / CONSENTS / f"{code}.json"
     storage.replace_file(path, storage.json_text(content), storage.PRIVATE_FILE)
-
-
-@contextmanager
-def _locked(folder: Path) -> Iterator[None]:
-    """Lock a folder."""
-    descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX)
-        yield
-    finally:
-        os.close(descriptor)

@@ -222,7 +222,7 @@ def test_hands_are_kept_inside(name, hand, delay_s, lost, record):
         "speed_mps": trial.speed_mps,
     }
     if name in TRACKS and hand in PREDICTED and delay_s == lost == 0.0:
-        predicted = predict(force, force.end_s)["hands"][hand]["reach"]
+        predicted = predict(force, force.end_s).hands[hand].reach
         figures["predicted"] = predicted
     record(**figures)
     assert not trial.trips

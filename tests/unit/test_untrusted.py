@@ -152,7 +152,6 @@ OWN = {
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",
     ("hapticplayer/media/opening.py", "open"): "by its resolved name",
     ("hapticplayer/storage.py", "os.open"): "to sync, to lock, and new files",
-    ("hapticplayer/study/study_folder.py", "os.open"): "a folder, to lock it",
     ("hapticplayer/study/journal.py", "os.open"): "to append, and to lock",
     ("hapticplayer/extras/wheels/ports.py", "os.open"): "a device",
     ("hapticplayer/extras/wheels/ports.py", "read_text"): "files of the system",

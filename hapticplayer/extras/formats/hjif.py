@@ -126,7 +126,7 @@ def _channel(
 def attached(sequence: Sequence) -> tuple[str, bytes]:
     """Name and content of the rendered force of a sequence that is shared."""
     track, out = sequence.rendered, io.BytesIO()
-    duration_s = float(sequence.description["clip"]["duration_s"])
+    duration_s = sequence.duration_s
     write(track, out, WriteChoices(duration_s=duration_s))
     what = "estimated" if track.is_estimated else "realistic"
     return f"force_{what}.hjif", out.getvalue()

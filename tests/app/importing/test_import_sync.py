@@ -41,7 +41,7 @@ def test_doubt_cannot_be_passed_without_a_look(wizard, ride, wait_for):
     wizard.next.click()
     wait_for(lambda: wizard.stack.currentIndex() == REPORT)
     described = open_sequence(wizard.made).description
-    assert described["provenance"]["synchronisation"]["method"] == "offset"
+    assert described.provenance["synchronisation"]["method"] == "offset"
     assert "doubtful" in wizard.report.toPlainText()
 
 

@@ -45,7 +45,7 @@ def test_a_ride_goes_from_files_to_a_report_in_the_library(
     assert wizard.made == tmp_path / "library" / "A ride_ with _ in its name"
     sequence = open_sequence(wizard.made)
     assert sequence.title == "A ride: with / in its name"
-    kept = sequence.description["provenance"]["synchronisation"]
+    kept = sequence.description.provenance["synchronisation"]
     assert kept["method"] == "pats"
     assert kept["seen_by_person"]
     assert kept["offset_s"] == pytest.approx(true_offset_s(made), abs=0.005)
@@ -81,11 +81,11 @@ def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for, tmp_
     wizard.next.click()
     wait_for(lambda: wizard.stack.currentIndex() == REPORT)
     made = open_sequence(wizard.made)
-    given = made.description["provenance"]["processing"]["calibration"]
+    given = made.description.provenance["processing"]["calibration"]
     assert given["source"] == "long.mp4"
     assert "calibration is of other camera" in wizard.report.toPlainText()
-    assert made.description["provenance"]["mounting"] == "-x,-y,z"
-    assert made.description["provenance"]["synchronisation"]["method"] == "embedded"
+    assert made.description.provenance["mounting"] == "-x,-y,z"
+    assert made.description.provenance["synchronisation"]["method"] == "embedded"
     with np.load(wizard.made / "imu.npz") as kept:
         turned = kept["specific_force_mps2"]
     camera = read_recording(ride[0] / "gopro.mp4").imu.specific_force_mps2
@@ -105,7 +105,7 @@ def test_a_real_camera_is_recognised_and_imported(wizard, wait_for, shared_data)
     for _ in range(3):
         wizard.next.click()
     wait_for(lambda: wizard.stack.currentIndex() == REPORT)
-    made_of = open_sequence(wizard.made).description["provenance"]
+    made_of = open_sequence(wizard.made).description.provenance
     assert made_of["mounting"] == "x,y,z"
     assert made_of["imu_samples"] == 2397
 

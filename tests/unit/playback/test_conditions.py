@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from msgspec import structs
 
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ForceTrack, Mapping, PresetName
@@ -11,6 +12,7 @@ from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.description import TrackEntry
 from hapticplayer.sequence.editing import _put, set_effects, set_mapping
 from hapticplayer.sequence.presets import PRESETS, render_preset
 
@@ -84,10 +86,11 @@ def test_the_force_with_effects_and_without_them(source):
 
 
 def _add(folder, track):
-    description = dict(open_sequence(folder).description)
-    entry = {"file": "force_1.npz", "peak_n": 1.0, "rms_n": [1.0] * 3}
-    description["feedbacks"] = {**description["feedbacks"], "edited": entry}
-    _put(folder, description, {"force_1.npz": track})
+    description = open_sequence(folder).description
+    entry = TrackEntry("force_1.npz", 1.0, (1.0,) * 3)
+    feedbacks = {**description.feedbacks, "edited": entry}
+    changed = structs.replace(description, feedbacks=feedbacks)
+    _put(folder, changed, {"force_1.npz": track})
 
 
 @pytest.mark.parametrize("text", ["strong", "strong:x=1", "nothing"])

@@ -50,7 +50,7 @@ def test_a_packed_file_plays_as_its_folder_does(packed_file, sequence_folder):
     for name, track in whole.tracks.items():
         assert np.array_equal(source.tracks[name].force_n, track.force_n)
     assert source.clip.duration_s == pytest.approx(whole.clip.duration_s, abs=2e-3)
-    assert source.description["feedbacks"] == whole.description["feedbacks"]
+    assert source.description.feedbacks == whole.description.feedbacks
 
 
 def test_another_video_is_noticed_and_may_be_accepted(changed_file):

@@ -40,7 +40,7 @@ def test_a_video_with_a_log_becomes_a_sequence(tmp_path, tiny_clip, log_file):
     )
     sequence = open_sequence(folder)
     assert sequence.motion.time_s[0] == pytest.approx(-1.5)
-    assert sequence.description["clock_map"]["offset_s"] == -1.5
+    assert sequence.description.clock_map.offset_s == -1.5
     fractions = [fraction for fraction, _ in steps]
     assert fractions == sorted(fractions)
     assert (fractions[0], fractions[-1]) == (0.0, 1.0)
@@ -89,7 +89,7 @@ def test_a_log_in_two_files_becomes_a_sequence(tmp_path, tiny_clip, still_log):
     ]
     command += [word for log in logs for word in ("--imu", str(log))]
     assert main([*command, *(w for word in words for w in ("--read-as", word))]) == 0
-    made_of = open_sequence(tmp_path / "r").description["provenance"]
+    made_of = open_sequence(tmp_path / "r").description.provenance
     assert made_of["motion_source"] == "acc.csv + gyr.csv"
     with np.load(tmp_path / "r" / "imu.npz") as kept:
         np.testing.assert_allclose(

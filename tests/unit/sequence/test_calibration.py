@@ -101,7 +101,7 @@ def test_the_provenance_holds_the_calibration(tmp_path, tiny_clip, recording):
         folder = write_sequence(
             tiny_clip, one, tmp_path / name, choices=Choices(processing=chosen)
         )
-        made_of = open_sequence(folder).description["provenance"]
+        made_of = open_sequence(folder).description.provenance
         held = made_of["processing"]["calibration"]
         assert held["values"]["gyro_bias_radps"] == [0.05, -0.03, 0.06]
         assert held["source"] == "ride.csv"

@@ -88,7 +88,7 @@ def test_the_drawn_excursion_is_the_predicted_reach():
     force_n[:, 0] = 1.2 * np.sin(2.0 * np.pi * 0.4 * time_s)
     track = ForceTrack(time_s=time_s, force_n=force_n, provenance={})
     curves = comparison.curves_of(track, 8.0)
-    reach = predict(track, 8.0)["hands"]["relaxed"]["reach"]
+    reach = predict(track, 8.0).hands["relaxed"].reach
     furthest = float(curves.excursion_m.max()) / LIMITS.workspace_m
     assert furthest == pytest.approx(reach, rel=0.01)
 

@@ -1,6 +1,8 @@
 """The command `effects`, and `render --effects`."""
 
 import json
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -105,3 +107,19 @@ def test_a_list_travels_with_its_video(folder, tmp_path):
     pack(folder, tmp_path / "ride.mkv")
     packed = read_packed(tmp_path / "ride.mkv")
     assert packed.small["effects.json"] == (folder / "effects.json").read_bytes()
+
+
+def test_four_programs_that_add_at_once_leave_four_effects(folder):
+    call = "import sys; from hapticplayer import cli; sys.exit(cli.main(sys.argv[1:]))"
+    command = [sys.executable, "-c", call, "effects", folder, *MUTE[:2]]
+    adding = [
+        subprocess.Popen(
+            [*command, "--start", f"0.{start}", "--end", "0.9"],
+            stdout=subprocess.DEVNULL,
+        )
+        for start in (1, 2, 3, 4)
+    ]
+    assert [one.wait() for one in adding] == [0] * 4
+    verify_sequence(folder)
+    found = store.effects_of(open_sequence(folder)).effects
+    assert sorted(one.start_s for one in found) == [0.1, 0.2, 0.3, 0.4]

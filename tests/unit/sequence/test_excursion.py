@@ -1,6 +1,5 @@
 """Where a track would push a hand: the quick prediction against the full physics."""
 
-import copy
 import json
 import math
 import sys
@@ -9,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec import structs
 
 from hapticplayer.cli.process import quality_text
 from hapticplayer.devices.dynamics import RELAXED
@@ -49,18 +49,18 @@ def test_the_prediction_agrees_with_the_full_physics(name, begin_s, end_s, hand)
     part = excerpt(track(name), begin_s, end_s)
     duration_s = end_s - begin_s - 0.02
     trial = Trial(part, HANDS[hand]).run(duration_s)
-    found = predict(part, duration_s)["hands"][hand]
-    assert found["reach"] == pytest.approx(trial.reach, abs=0.02)
+    found = predict(part, duration_s).hands[hand]
+    assert found.reach == pytest.approx(trial.reach, abs=0.02)
     radii = np.array(trial.radii_m) / 0.04
-    assert found["far_share"] == pytest.approx(np.mean(radii > 0.6), abs=0.02)
-    assert found["trip"] is None
+    assert found.far_share == pytest.approx(np.mean(radii > 0.6), abs=0.02)
+    assert found.trip is None
     assert trial.trips == []
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
 def test_a_steady_push_goes_where_spring_fade_and_pull_balance(axis):
-    found = predict(steady_push(3.0, axis, 8.0), 8.0)["hands"]
-    balance = [abs(Limits().workspace_m * one["reach"]) for one in found.values()]
+    found = predict(steady_push(3.0, axis, 8.0), 8.0).hands
+    balance = [abs(Limits().workspace_m * one.reach) for one in found.values()]
     for radius_m, hand in zip(balance, HANDS.values(), strict=True):
         fade = min(1.0, max(0.0, (radius_m - 0.024) / 0.012))
         pull = -centring_force((radius_m, 0.0, 0.0), Centring())[0]
@@ -71,15 +71,15 @@ def test_a_steady_push_goes_where_spring_fade_and_pull_balance(axis):
 
 def test_seconds_computed_side_by_side_are_those_of_one_long_run():
     whole = track("braking")
-    found = predict(whole, 18.0)["hands"]["relaxed"]
+    found = predict(whole, 18.0).hands["relaxed"]
     grip = Grip([RELAXED], Limits(), Centring())
     grip.rest(1)
     time_s = np.arange(0.0, 18.0, 0.002)
     force = whole.at(time_s) * np.minimum(1.0, time_s / 0.2)[:, None]
     radii = [float(grip.advance(f[:, None])[0, 0]) for f in force]
-    assert found["reach"] == pytest.approx(max(radii), abs=1e-3)
-    assert found["reach_at_s"] == pytest.approx(np.argmax(radii) * 0.002, abs=0.01)
-    assert found["far_share"] == pytest.approx(np.mean(np.array(radii) > 0.6), abs=2e-3)
+    assert found.reach == pytest.approx(max(radii), abs=1e-3)
+    assert found.reach_at_s == pytest.approx(np.argmax(radii) * 0.002, abs=0.01)
+    assert found.far_share == pytest.approx(np.mean(np.array(radii) > 0.6), abs=2e-3)
 
 
 def test_a_hand_that_gives_way_does_as_in_the_full_physics():
@@ -115,7 +115,7 @@ def test_a_blow_that_no_hand_can_hold_is_a_trip():
         grip.advance(blow.at(np.array([at_s])).T)
         fast.append(bool(grip.is_fast[0, 0]))
     assert 0.002 * fast.index(True) == pytest.approx(1.03, abs=0.03)
-    assert predict(blow, 2.0)["hands"]["firm"]["trip"] is None
+    assert predict(blow, 2.0).hands["firm"].trip is None
 
 
 def test_the_motors_load_is_the_hottest_ten_seconds():
@@ -124,8 +124,8 @@ def test_the_motors_load_is_the_hottest_ten_seconds():
     )
     found = predict(pause, 60.0)
     expected = 3.0 * math.sqrt(1.0 - math.exp(-2.0))
-    assert found["rms_10s_n"] == pytest.approx(expected, rel=0.01)
-    assert found["thermal_share"] == pytest.approx(expected / 3.0, rel=0.01)
+    assert found.rms_10s_n == pytest.approx(expected, rel=0.01)
+    assert found.thermal_share == pytest.approx(expected / 3.0, rel=0.01)
 
 
 # --- cost, progress, ends ----------------------------------------------------
@@ -139,8 +139,8 @@ def test_a_track_without_force_is_not_computed():
     progress = []
     found = predict(quiet(3600.0), 3600.0, progress.append)
     assert progress == []
-    assert found["hands"]["relaxed"]["reach"] == 0.0
-    assert found["rms_10s_n"] == 0.0
+    assert found.hands["relaxed"].reach == 0.0
+    assert found.rms_10s_n == 0.0
 
 
 def test_the_progress_rises_and_can_stop_the_work():
@@ -171,9 +171,9 @@ def test_a_minute_takes_so_many_steps_and_no_more(monkeypatch):
 
 def test_only_what_is_played_counts():
     late = steady_push(4.5, 0, 10.0)
-    assert predict(late, 0.3)["hands"]["relaxed"]["reach"] == 0.0
+    assert predict(late, 0.3).hands["relaxed"].reach == 0.0
     held = ForceTrack([0.0, 1.0], [[0, 0, 0], [0, 4, 0]], Reconstruction.HOLD)
-    assert predict(held, 5.0)["hands"]["relaxed"]["reach"] > 0.5
+    assert predict(held, 5.0).hands["relaxed"].reach > 0.5
 
 
 # --- what is said ------------------------------------------------------------
@@ -188,7 +188,8 @@ def test_only_a_strong_track_gets_a_notice():
 
 def test_a_trip_is_reported_instead():
     found = predict(quiet(), 60.0)
-    found["hands"]["normal"].update(trip="runaway", trip_at_s=12.34)
+    trip = structs.replace(found.hands["normal"], trip="runaway", trip_at_s=12.34)
+    found = structs.replace(found, hands={**found.hands, "normal": trip})
     assert excursion_texts(found) == [
         "this track would move a normal hand so far that the device trips (runaway) at 12.3 s"
     ]
@@ -196,24 +197,26 @@ def test_a_trip_is_reported_instead():
 
 def test_a_sequence_keeps_its_prediction(sequence_folder):
     sequence = open_sequence(sequence_folder)
-    kept = sequence.description["feedbacks"]
-    force = sequence.tracks["realistic"]
-    again = predict(force, sequence.description["clip"]["duration_s"])
-    assert kept["realistic"]["excursion"] == again
-    assert set(kept["random"]["excursion"]["hands"]) == {"relaxed", "normal", "firm"}
+    kept = sequence.description.feedbacks
+    again = predict(sequence.tracks["realistic"], sequence.duration_s)
+    assert kept["realistic"].excursion == again
+    assert set(kept["random"].excursion.hands) == {"relaxed", "normal", "firm"}
     assert stored_texts(sequence.description, "realistic") == []
-    strong = copy.deepcopy(sequence.description)
-    strong["feedbacks"]["realistic"]["excursion"]["hands"]["relaxed"]["reach"] = 0.96
-    (text,) = stored_texts(strong, "realistic")
+    far = structs.replace(again.hands["relaxed"], reach=0.96)
+    strong = structs.replace(again, hands={**again.hands, "relaxed": far})
+    entry = structs.replace(kept["realistic"], excursion=strong)
+    changed = structs.replace(
+        sequence.description, feedbacks={**kept, "realistic": entry}
+    )
+    (text,) = stored_texts(changed, "realistic")
     assert "would reach 96 % of the workspace with a relaxed hand" in text
 
 
-@pytest.mark.parametrize(
-    "entry", [{}, {"excursion": None}, {"excursion": {"hands": {"relaxed": 3}}}]
-)
-def test_a_sequence_without_a_prediction_is_opened_without_words(entry):
-    assert stored_texts({"feedbacks": {"realistic": entry}}, "realistic") == []
-    assert stored_texts({}, "realistic") == []
+def test_a_clip_without_a_prediction_has_no_warnings(sequence_folder):
+    description = open_sequence(sequence_folder).description
+    assert stored_texts(None, "realistic") == []
+    assert stored_texts(description, "none") == []
+    assert stored_texts(description, "another") == []
 
 
 def test_the_quality_report_has_figures_and_words(swing, recording):

@@ -8,6 +8,7 @@ import pytest
 from hapticplayer import cli
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.description import ExcursionEntry, HandEntry
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.figures import force_figures, sequence_figures
 
@@ -25,8 +26,8 @@ def test_figures_are_those_of_the_time_of_the_clip():
     assert found.peak_n == 4.5
     assert found.rms_n == pytest.approx(4.5 * np.sqrt(0.25), rel=1e-3)
     assert found.saturated_share == pytest.approx(0.25, abs=1e-3)
-    hands = predict(steps(4.5), 4.0)["hands"]
-    assert found.reaches == {name: one["reach"] for name, one in hands.items()}
+    hands = predict(steps(4.5), 4.0).hands
+    assert found.reaches == {name: one.reach for name, one in hands.items()}
     assert found.trips == ()
 
 
@@ -41,8 +42,9 @@ def test_the_limit_is_that_of_the_mapping():
 
 
 def test_a_given_prediction_is_taken():
-    hand = {"reach": 0.5, "trip": "runaway"}
-    found = force_figures(steps(1.0), 4.0, prediction={"hands": {"firm": hand}})
+    hand = HandEntry(0.5, trip="runaway")
+    given = ExcursionEntry({"firm": hand}, far=0.6, rms_10s_n=0.0, thermal_share=0.0)
+    found = force_figures(steps(1.0), 4.0, prediction=given)
     assert (found.reaches, found.trips) == ({"firm": 0.5}, ("firm",))
 
 

@@ -41,7 +41,7 @@ def test_a_mounting_rotates_the_motion_and_is_stored(
 ):
     assert run(tiny_clip, hanging, tmp_path / "ride", f"--mounting={said}") == 0
     sequence = open_sequence(tmp_path / "ride")
-    made_of = sequence.description["provenance"]
+    made_of = sequence.description.provenance
     assert made_of["mounting"] == "-x,y,-z"
     assert not any("gravity shows" in note for note in made_of["notes"])
     with np.load(tmp_path / "ride" / "imu.npz") as kept:
@@ -52,7 +52,7 @@ def test_a_mounting_rotates_the_motion_and_is_stored(
 
 def test_a_mounting_against_gravity_gets_a_note(tmp_path, tiny_clip, hanging):
     assert run(tiny_clip, hanging, tmp_path / "ride", "--mounting", "forward") == 0
-    made_of = open_sequence(tmp_path / "ride").description["provenance"]
+    made_of = open_sequence(tmp_path / "ride").description.provenance
     assert made_of["mounting"] == "x,y,z"
     assert any("-z of the recorder was up" in note for note in made_of["notes"])
 
@@ -66,7 +66,7 @@ def test_the_mounting_that_frames_show_is_stored_and_printed(
     assert run(tiny_clip, hanging, tmp_path / "ride", "--mounting", "auto") == 0
 
     assert "mounting -x,y,-z by the frames, ratio 4.0\n" in capsys.readouterr().out
-    made_of = open_sequence(tmp_path / "ride").description["provenance"]
+    made_of = open_sequence(tmp_path / "ride").description.provenance
     assert made_of["mounting"] == "-x,y,-z"
     assert made_of["mounting_by_frames"] == shown.described()
 

@@ -41,10 +41,10 @@ def test_faithful_is_the_direct_rendering(swinging):
 
 @pytest.mark.parametrize(("name", "reach_m"), [("balanced", 0.026), ("equal", 0.022)])
 def test_the_predicted_relaxed_hand_stays_within(swinging, name, reach_m):
-    direct = predict(render_force(swinging), 9.0)["hands"]["relaxed"]["reach"]
+    direct = predict(render_force(swinging), 9.0).hands["relaxed"].reach
     track = render_preset(swinging, name=name)
     assert direct * 0.04 > reach_m
-    assert predict(track, 9.0)["hands"]["relaxed"]["reach"] * 0.04 <= reach_m
+    assert predict(track, 9.0).hands["relaxed"].reach * 0.04 <= reach_m
     made = track.provenance
     assert (made["preset"], made["washout"]["reach_m"]) == (name, reach_m)
 

@@ -204,7 +204,7 @@ def test_an_import_records_what_was_done(tmp_path, tiny_clip, swing):
         tiny_clip, recording, tmp_path / "ride", choices=Choices(processing=chosen)
     )
     sequence = open_sequence(folder)
-    made_of = sequence.description["provenance"]
+    made_of = sequence.description.provenance
     assert made_of["processing"] == dataclasses.asdict(chosen)
     assert made_of["gravity_removal"] == "smoother"
     assert made_of["motion_summary"]["time_constant_from"] == "chosen by a person"

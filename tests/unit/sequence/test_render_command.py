@@ -65,7 +65,7 @@ def test_a_copy_has_the_mapping_and_the_source_stays(folder, tmp_path, capsys):
     assert np.array_equal(realistic.force_n, expected.force_n)
     assert random.provenance["seed"] == 5
     np.testing.assert_allclose(random.rms_n(), realistic.rms_n(), rtol=1e-4)
-    made_of = new.description["provenance"]
+    made_of = new.description.provenance
     assert made_of["rendering"]["gain_from"] == "given"
     assert realistic.provenance["gain_n_per_mps2"] == [0.1, 0.2, 0.3]
     entry = read_entry(target)
@@ -86,7 +86,7 @@ def test_options_that_are_not_given_stay_as_they_were(folder, capsys):
     after = open_sequence(folder)
     for name, track in before.tracks.items():
         assert np.array_equal(after.tracks[name].force_n, track.force_n)
-    assert after.description["mapping"] == before.description["mapping"]
+    assert after.description.mapping == before.description.mapping
 
 
 def test_fit_is_offered_by_value_and_recorded(folder, tmp_path, capsys):
@@ -100,7 +100,7 @@ def test_fit_is_offered_by_value_and_recorded(folder, tmp_path, capsys):
     assert f"gain {expected:.4g} N per m/s^2 (fit)" in capsys.readouterr().out
     fitted = open_sequence(target)
     assert fitted.mapping.gain_n_per_mps2 == pytest.approx(expected)
-    assert fitted.description["provenance"]["rendering"]["gain_from"] == "fit"
+    assert fitted.description.provenance["rendering"]["gain_from"] == "fit"
 
 
 def test_a_new_sequence_is_balanced_unless_asked(tmp_path, tiny_clip, ride):
@@ -141,7 +141,7 @@ def test_a_preset_is_rendered_kept_and_taken_back(folder, tmp_path, capsys):
     assert (equal.provenance["preset"], made["reach_m"]) == ("equal", 0.022)
     assert [hand["yield_s"] for hand in made["hands"]] == [0.3, None]
     assert made["changed_share"] > 0.0
-    reach = predict(equal, 2.0)["hands"]["relaxed"]["reach"]
+    reach = predict(equal, 2.0).hands["relaxed"].reach
     assert reach * 0.04 <= 0.022
     found = previewed_rendering(target, Mapping(gain_n_per_mps2=1.6))
     assert found.figures.reaches["relaxed"] == pytest.approx(reach)

@@ -2,7 +2,25 @@
 
 import pytest
 
+from hapticplayer.sequence.description import Description
 from hapticplayer.sequence.report import Mark, marked, quality_report, worst
+from hapticplayer.structures import convert
+
+MAPPING = {
+    "axes": [[1, 0, 0], [0, 0, 1], [0, -1, 0]],
+    "gain_n_per_mps2": 0.4,
+    "force_limit_n": 4.5,
+    "soft_knee_n": None,
+    "lever_arm_m": [0, 0, 0],
+}
+EMPTY = {
+    "title": "ride",
+    "clip": {"file": "clip.mp4", "duration_s": 10.0},
+    "mapping": MAPPING,
+    "feedbacks": {},
+    "files": {},
+}
+STILL = {"far": 0.6, "rms_10s_n": 0.0}
 
 
 def described(**changed):
@@ -27,13 +45,14 @@ def described(**changed):
         "firm": {"reach": 0.1, "trip": None},
     }
     description = {
+        **EMPTY,
         "clock_map": {"residual_s": 0.002, "confidence": 0.9},
         "provenance": made_of,
         "feedbacks": {
             "realistic": {
                 "peak_n": 3.0,
                 "provenance": {"saturated_share": 0.0},
-                "excursion": {"hands": hands, "thermal_share": 0.3},
+                "excursion": {**STILL, "hands": hands, "thermal_share": 0.3},
             }
         },
     }
@@ -43,7 +62,7 @@ def described(**changed):
         for name in parents:
             at = at[name]
         at[last] = value
-    return description
+    return convert(description, Description, "test")
 
 
 def marks(**changed) -> dict[str, Mark]:
@@ -91,9 +110,10 @@ def test_a_force_that_would_stop_is_bad():
 
 
 def test_entries_that_a_sequence_lacks_are_left_out():
-    assert quality_report({}) == []
+    assert quality_report(convert(EMPTY, Description, "test")) == []
     assert worst([]) is Mark.DOUBTFUL
-    names = [one.name for one in quality_report({"provenance": {"imu_rate_hz": 50}})]
+    known = {**EMPTY, "provenance": {"imu_rate_hz": 50}}
+    names = [one.name for one in quality_report(convert(known, Description, "test"))]
     assert names == ["rate"]
 
 

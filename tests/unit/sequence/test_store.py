@@ -41,7 +41,7 @@ def test_a_written_sequence_comes_back(sequence_folder, recording):
 
 
 def test_its_provenance_documents_the_import(sequence_folder):
-    made_of = open_sequence(sequence_folder).description["provenance"]
+    made_of = open_sequence(sequence_folder).description.provenance
     assert made_of["gravity_removal"] == motion.DEFAULT_METHOD
     assert made_of["accelerometer_gain"] == pytest.approx(1 / 1.03, abs=1e-3)
     assert "still spans" in made_of["accelerometer_gain_from"]

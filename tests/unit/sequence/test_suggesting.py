@@ -60,13 +60,13 @@ def test_its_tracks_are_estimated_never_realistic(folder):
 
 def test_the_provenance_says_that_nothing_measured_it(folder):
     description = open_sequence(folder).description
-    made_of = description["provenance"]
+    made_of = description.provenance
 
     assert made_of["motion_source"] == "estimated from the picture"
     assert made_of["estimate"]["gain"] == 2.0
     assert any("nothing measured it" in note for note in made_of["notes"])
     assert "synchronisation" not in made_of
-    assert store.IMU not in description["files"]
+    assert store.IMU not in description.files
     with np.load(folder / "estimate.npz") as kept:
         assert kept["sigma_mps2"].shape == kept["trust"].shape == (2000, 2)
         assert (kept["sigma_mps2"] > 0.0).all()
@@ -165,7 +165,7 @@ def test_the_command_says_what_was_estimated(suggest, tiny_clip, tmp_path, capsy
     words = capsys.readouterr().out
     assert "motion estimated from the picture, not measured; sway in" in words
     assert "gain 0.5" in words
-    assert open_sequence(target).description["provenance"]["estimate"]["gain"] == 0.5
+    assert open_sequence(target).description.provenance["estimate"]["gain"] == 0.5
 
 
 def test_recorded_motion_is_not_estimated(suggest, tiny_clip, tmp_path, capsys):

@@ -5,9 +5,10 @@ import json
 import pytest
 
 from hapticplayer.errors import InputError, StudyError, UsageError
-from hapticplayer.study.creation import create_study, template_names
+from hapticplayer.study.creation import change_definition, create_study, template_names
 from hapticplayer.study.definition import QuestionKind
 from hapticplayer.study.definition_reader import parse_definition
+from hapticplayer.study.study_folder import open_study
 
 
 def parse(content):
@@ -169,3 +170,13 @@ def test_unknown_templates_and_sequences_are_wrong_usage(tmp_path):
     with pytest.raises(UsageError, match="bike"):
         create_study(tmp_path / "s", folders={"boat": tmp_path})
     assert not (tmp_path / "s").exists()
+
+
+def test_a_definition_that_another_program_changed_is_kept(tmp_path):
+    ours = create_study(tmp_path / "s")
+    theirs = json.loads(ours.content)
+    theirs["title"] = "theirs"
+    change_definition(ours, theirs)
+    with pytest.raises(StudyError, match="changed by another program meanwhile"):
+        change_definition(ours, json.loads(ours.content))
+    assert open_study(tmp_path / "s").definition.title == "theirs"

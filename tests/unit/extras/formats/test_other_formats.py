@@ -249,7 +249,7 @@ def test_a_funscript_holds_the_excursion_of_a_hand(written, version):
 def test_the_excursion_is_the_one_that_is_predicted():
     push = ForceTrack([0.2, 1.7], [[0, 3, 0], [0, 0, 0]], Reconstruction.HOLD)
     _, place_m = travel_m(push, 3.0)
-    reach = predict(push, 3.0)["hands"]["normal"]["reach"]
+    reach = predict(push, 3.0).hands["normal"].reach
     assert np.linalg.norm(place_m, axis=1).max() / 0.04 == pytest.approx(
         reach, rel=0.02
     )
