@@ -20,10 +20,10 @@ from hapticplayer.capture.csv_table import (
     read_table,
 )
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.logs.named_tables import UNITS
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message
+from hapticplayer.extras.loggers.named_tables import UNITS
 
 _TIME = "Time (s)"
 _AXIS = re.compile(

@@ -1,1 +1,0 @@
-"""Readers of the logs of loggers and phones, one module for each."""

@@ -1,0 +1,1 @@
+"""Logs of phones, loggers and inertial sensors, each with a layout of its own."""
