@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar
 
 from app.bridge.settings import Settings
+from app.extension import rows
 from app.player.command import KEYS, Command
 from app.player.controls import Controls
 from app.player.dialogs import Dialogs
@@ -38,7 +39,7 @@ class CommandTarget(Protocol):
 
 
 Row = Command[CommandTarget]
-COMMANDS: tuple[Row, ...] = (
+_OWN: tuple[Row, ...] = (
     Row("open_sequence", "&Open sequence\u2026", "file", 0, lambda w: w.dialogs.open_sequence(), ("Ctrl+O",), is_work=True),
     Row("open_video", "Open &video\u2026", "file", 0, lambda w: w.dialogs.open_video(), ("Ctrl+Shift+O",), is_work=True),
     Row("import_recording", "&Import a recording\u2026", "file", 0, lambda w: w.dialogs.import_recording(), ("Ctrl+I",), is_work=True),
@@ -78,12 +79,12 @@ COMMANDS: tuple[Row, ...] = (
     Row("grip", "&Grip view", "view", 0, None, ("G",), toggles=lambda w, on: w.show_grip(is_wanted=on)),
     Row("sync_plot", "S&ync plot", "view", 0, None, ("S",), toggles=lambda w, on: w.show_sync_plot(is_wanted=on)),
     Row("statistics", "&Statistics", "view", 0, None, ("I",), toggles=lambda w, on: w.show_statistics(is_wanted=on)),
-    Row("rig", "Simulated &motion rig\u2026", "view", 0, lambda w: w.dialogs.rig(w.clock)),
     Row("faults", "Inject fa&ults\u2026", "view", 0, lambda w: w.dialogs.faults(w.clock)),
     Row("fullscreen", "&Fullscreen", "view", 1, lambda w: w.toggle_fullscreen(), ("F", "F11"), needs_clip=True),
     Row("shortcuts", "&Keyboard shortcuts\u2026", "help", 0, lambda w: w.dialogs.shortcuts(COMMANDS), ("?", "F1")),
     Row("about", "&About", "help", 0, lambda w: w.dialogs.about()),
 )  # fmt: skip
+COMMANDS: tuple[Row, ...] = tuple(rows("commands", Command, _OWN))
 
 
 class Actions:

@@ -3,7 +3,7 @@
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from app.bridge.settings import Settings, keep_outlets
@@ -146,15 +146,6 @@ class DeviceDialogs(QObject):
 
         shown = self._window.findChild(FaultPanel)
         panel = shown or FaultPanel(clock, self._session, self._window)
-        panel.show()
-
-    def rig(self, clock: Clock) -> None:
-        """Show what a motion rig at the other end would do."""
-        from app.player.rig_panel import RigPanel
-
-        shown = self._window.findChild(RigPanel)
-        panel = shown or RigPanel(clock, self._window)
-        panel.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         panel.show()
 
     def latencies(self, clock: Clock) -> None:

@@ -45,7 +45,7 @@ from app.widgets.level_meter import LevelMeter
 from app.widgets.texts import local, titled
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
-from hapticplayer.devices.rig.settings import GAIN, LATENCY_MS
+from hapticplayer.devices.options import GAIN, LATENCY_MS
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.latency import LatencySource

@@ -1,7 +1,7 @@
 """A Stewart platform: what its six legs do for a pose, and how far it gets.
 
 Frame A on the platform and in the room: x right, y front, z up. A leg of a pose is
-|T + R p - b| with R = Rz(yaw) Rx(pitch) Ry(roll), see `devices.rig.packets`; the pose is
+|T + R p - b| with R = Rz(yaw) Rx(pitch) Ry(roll), see `extras.rigs.packets`; the pose is
 neutral where T is the home height. A pose out of reach is clamped, and reported.
 """
 

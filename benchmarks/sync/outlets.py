@@ -23,6 +23,8 @@ from numpy.typing import NDArray
 from benchmarks.common import Report
 from benchmarks.stage import RATE_HZ, need, sound_server
 from hapticplayer.clock import SystemClock
+from hapticplayer.extras.rigs.decode import DecodedPacket
+from hapticplayer.extras.rigs.receiver import PacketReceiver
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.scheduling import hasten_window
 from hapticplayer.media.encode import write_clip
@@ -31,8 +33,6 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.simulation.falcon.record_reader import read_record
-from hapticplayer.simulation.rig.decode import DecodedPacket
-from hapticplayer.simulation.rig.receiver import PacketReceiver
 from tools.witness import machine_witness
 
 Floats = NDArray[np.float64]

@@ -6,9 +6,11 @@ import json
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import asdict
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from hapticplayer.cli import Command
 from hapticplayer.cli.common import (
     add_device_name,
     add_number,
@@ -21,7 +23,6 @@ from hapticplayer.cli.common import (
 )
 from hapticplayer.cli.device_forces import test_forces
 from hapticplayer.cli.device_measure import measure_falcon
-from hapticplayer.cli.device_rig import add_monitor_options, monitor
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.falcon import firmware
@@ -36,6 +37,7 @@ from hapticplayer.devices.falcon.transport import (
 )
 from hapticplayer.devices.guides import checks_of
 from hapticplayer.errors import DeviceError
+from hapticplayer.extension import rows
 from hapticplayer.model import ranges
 
 Action = Callable[[argparse.Namespace], int]
@@ -108,8 +110,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
     measure.add_argument("-o", "--output", metavar="FILE", help="the report, as JSON")
     add_overwrite(measure)
     _add_yes(measure)
-    rig = "listen as a motion rig would, and report what it would do"
-    add_monitor_options(add("rig-monitor", rig, monitor, device=""))
+    for one in rows("device_actions", Command):
+        text = f"{one.summary[0].upper()}{one.summary[1:]}."
+        more = actions.add_parser(one.name, help=one.summary, description=text)
+        import_module(one.module).add_options(more)
 
 
 _MET = {True: "found", False: "missing", None: "not visible from here"}

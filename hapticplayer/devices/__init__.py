@@ -9,11 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Protocol, runtime_checkable
 
-from hapticplayer.devices.capabilities import (
-    FALCON,
-    RIG,
-    SIMULATED,
-)
+from hapticplayer.devices.capabilities import FALCON, SIMULATED
 from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.errors import DeviceError, Message, joined
 from hapticplayer.extension import load, rows
@@ -178,16 +174,6 @@ _BUILT_IN = (
         direct=f"{_SIMULATION}.usb.driver:simulated",
         is_for_developers=True,
         patience_s=45.0,
-    ),
-    DeviceEntry(
-        "rig",
-        Message("Motion rig"),
-        "software of a motion rig, spoken to as a game does by UDP",
-        RIG,
-        "hapticplayer.devices.rig.sender:make",
-        options="hapticplayer.devices.rig.settings:rig_settings",
-        loop="hapticplayer.haptics.rig.loop:RigLoop",
-        guide="hapticplayer.devices.rig.guide:RIG",
     ),
 )
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from hapticplayer.model.device import DeviceCapabilities, Signal
+from hapticplayer.model.device import DeviceCapabilities
 
 FULL_N = 4.5
 """Force at which what has no newtons does all it can."""
@@ -28,13 +28,3 @@ FALCON = DeviceCapabilities(
 )
 
 SIMULATED = replace(FALCON, latency_s=0.0)  # it acts at once
-
-RIG = DeviceCapabilities(
-    axes=6,  # surge, sway, heave, roll, pitch, yaw
-    peak_force_n=0.0,
-    continuous_force_n=0.0,
-    workspace_radius_m=0.0,
-    rate_hz=200.0,  # unless a person chooses another one, 50 to 500
-    latency_s=0.0,  # not known: the software of the rig decides
-    signal=Signal.MOTION,
-)

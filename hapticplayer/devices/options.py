@@ -13,6 +13,7 @@ from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.model.ranges import Range
 
 PORT = Range(1, 65535, is_whole=True)
+GAIN, LATENCY_MS = Range(0, 4), Range(0, 1000, "ms")
 Fields = dict[str, Any]
 Parse = Callable[[str, str], Any]
 """Called with the name and the value; raises ValueError or HapticPlayerError."""

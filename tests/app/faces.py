@@ -37,6 +37,7 @@ from app.experimenter.rendering_page import RenderingPage
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
+from app.extras.rigs.panel import RigPanel
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
 from app.player.commands import COMMANDS
@@ -48,7 +49,6 @@ from app.player.keys_dialog import KeysDialog
 from app.player.latency_page import LatencyPage
 from app.player.outlets_page import OutletsPage
 from app.player.question import Question
-from app.player.rig_panel import RigPanel
 from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
 from app.plots.grip_view import GripView

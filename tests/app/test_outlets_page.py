@@ -24,6 +24,7 @@ from app.player.outlets_page import OutletsPage, state_text
 from app.player.window import DEVICE, PlayerWindow
 from hapticplayer import __version__, cli, storage
 from hapticplayer.clock import SystemClock
+from hapticplayer.extras.rigs.receiver import PacketReceiver
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import RigTrack
@@ -32,7 +33,6 @@ from hapticplayer.playback.latency import LatencySource
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import OutletState
 from hapticplayer.rendering.rig import RigStep
-from hapticplayer.simulation.rig.receiver import PacketReceiver
 
 
 @pytest.fixture

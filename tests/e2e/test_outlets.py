@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.extras.rigs.receiver import PacketReceiver
 from hapticplayer.model import RigTrack
 from hapticplayer.playback import device_test
-from hapticplayer.simulation.rig.receiver import PacketReceiver
 from tests.e2e.command import DISPLAYS, command_line, hapticplayer
 
 pytestmark = pytest.mark.realtime

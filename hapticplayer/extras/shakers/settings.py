@@ -6,6 +6,7 @@
 from dataclasses import dataclass, replace
 
 from hapticplayer.devices.options import (
+    GAIN,
     DeviceOptions,
     Fields,
     Parse,
@@ -20,7 +21,6 @@ from hapticplayer.model.ranges import Range
 
 CHANNEL = Range(1, MOST_CHANNELS, is_whole=True)
 HERTZ = Range(5, 400, "Hz")
-GAIN = Range(0, 4)
 LATENCY_MS = Range(20, 500, "ms")
 AXES = "xyz"
 

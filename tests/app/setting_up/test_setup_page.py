@@ -12,8 +12,8 @@ from app.player.setup_page import SetupPage
 from hapticplayer.devices import DEVICES, guides, installed_devices
 from hapticplayer.devices.checks import Check
 from hapticplayer.devices.guides import Guide
-from hapticplayer.devices.rig.packets import FORMATS
 from hapticplayer.errors import Message
+from hapticplayer.extras.rigs.packets import FORMATS
 from tests.app.setting_up.conftest import choose
 
 

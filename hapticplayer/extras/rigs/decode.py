@@ -1,4 +1,4 @@
-"""Reads the packets of `devices.rig.packets` from their published layouts, not with them.
+"""Reads the packets of `extras.rigs.packets` from their published layouts, not with them.
 
 OutSim is recognised by its 64 or 68 bytes, BeamNG by "BNG1" and 88 bytes, Codemasters by 264.
 """

@@ -8,12 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.rig.packets import FORMATS, in_world
-from hapticplayer.devices.rig.settings import RigSettings
 from hapticplayer.errors import InputError
+from hapticplayer.extras.rigs.decode import decode
+from hapticplayer.extras.rigs.packets import FORMATS, in_world
+from hapticplayer.extras.rigs.receiver import PacketReceiver, SimulatedRig
+from hapticplayer.extras.rigs.settings import RigSettings
 from hapticplayer.model.rig import NEUTRAL, RigMotion
-from hapticplayer.simulation.rig.decode import decode
-from hapticplayer.simulation.rig.receiver import PacketReceiver, SimulatedRig
 
 small = st.floats(-1.25, 1.25, width=32)
 vector = st.floats(-20.0, 20.0, width=32)

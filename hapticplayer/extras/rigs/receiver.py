@@ -10,7 +10,7 @@ from typing import Any
 
 from hapticplayer.clock import Clock, realtime_minus_monotonic_s
 from hapticplayer.errors import InputError
-from hapticplayer.simulation.rig.decode import DecodedPacket, decode
+from hapticplayer.extras.rigs.decode import DecodedPacket, decode
 
 LOOPBACK = "127.0.0.1"
 SILENT_AFTER_S = 0.5

@@ -18,10 +18,10 @@ from app.widgets.layout import (
     row_of,
 )
 from hapticplayer.clock import Clock
-from hapticplayer.devices.rig.packets import FORMATS
 from hapticplayer.errors import InputError, message_of
+from hapticplayer.extras.rigs.packets import FORMATS
+from hapticplayer.extras.rigs.receiver import PacketReceiver
 from hapticplayer.model.rig import RigMotion
-from hapticplayer.simulation.rig.receiver import PacketReceiver
 
 POLL_MS = 33
 _WIDTH_PX, _HEIGHT_PX = 520, 480

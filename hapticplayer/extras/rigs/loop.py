@@ -5,14 +5,9 @@ import math
 from dataclasses import dataclass
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices.rig.sender import RigSender
 from hapticplayer.errors import DeviceError, message_of
-from hapticplayer.haptics.block import REFUSED, SENT, LoopBlock
-from hapticplayer.haptics.follower import TrackFollower
-from hapticplayer.haptics.guard import CHECK_PERIOD_S, LoopProcess
-from hapticplayer.haptics.lifeline import Lifeline
-from hapticplayer.haptics.messages import MessageKind, MessageSocket
-from hapticplayer.haptics.rig.step import (
+from hapticplayer.extras.rigs.sender import RigSender
+from hapticplayer.extras.rigs.step import (
     NEUTRAL_S,
     RAMP_S,
     TAKE_OVER_S,
@@ -21,6 +16,11 @@ from hapticplayer.haptics.rig.step import (
     ramped,
     rig_step,
 )
+from hapticplayer.haptics.block import REFUSED, SENT, LoopBlock
+from hapticplayer.haptics.follower import TrackFollower
+from hapticplayer.haptics.guard import CHECK_PERIOD_S, LoopProcess
+from hapticplayer.haptics.lifeline import Lifeline
+from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.model.rig import RigMotion
 
 REST_PERIOD_S = 0.020

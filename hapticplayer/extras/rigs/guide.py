@@ -5,9 +5,9 @@ from collections.abc import Iterable
 from hapticplayer.devices.checks import Check, receiver
 from hapticplayer.devices.guides import Guide
 from hapticplayer.devices.options import DeviceOptions
-from hapticplayer.devices.rig.packets import FORMATS
-from hapticplayer.devices.rig.settings import LOOPBACK
 from hapticplayer.errors import Message
+from hapticplayer.extras.rigs.packets import FORMATS
+from hapticplayer.extras.rigs.settings import LOOPBACK
 
 
 def _rig(options: DeviceOptions) -> Iterable[Check]:

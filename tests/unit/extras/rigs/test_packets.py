@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hapticplayer.devices.rig.packets import FORMATS, in_world
-from hapticplayer.devices.rig.settings import RigSettings
+from hapticplayer.extras.rigs.packets import FORMATS, in_world
+from hapticplayer.extras.rigs.settings import RigSettings
 from hapticplayer.model.rig import NEUTRAL, RigMotion
 
 LEVEL = RigMotion(

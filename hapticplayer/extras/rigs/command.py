@@ -7,15 +7,18 @@ from typing import Any
 
 from hapticplayer.cli.common import add_number, interruptible, say
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.rig.packets import FORMATS
+from hapticplayer.extras.rigs.packets import FORMATS
+from hapticplayer.extras.rigs.receiver import PacketReceiver
 from hapticplayer.model import ranges
 
 LINE_PERIOD_S = 1.0
 _WAIT_S = 0.1
 
 
-def add_monitor_options(action: argparse.ArgumentParser) -> None:
+def add_options(action: argparse.ArgumentParser) -> None:
     """Add the options."""
+    action.set_defaults(run=lambda chosen, _open_window: monitor(chosen))
+    action.add_argument("--json", action="store_true", help="report as JSON")
     ports = ", ".join(str(kind.port) for kind in FORMATS.values())
     action.add_argument(
         "--port",
@@ -35,8 +38,6 @@ def add_monitor_options(action: argparse.ArgumentParser) -> None:
 
 def monitor(options: argparse.Namespace) -> int:
     """Listen, print a line a second for each rig that moves, and report at the end."""
-    from hapticplayer.simulation.rig.receiver import PacketReceiver
-
     clock = SystemClock()
     receiver = PacketReceiver(
         clock, options.port or [kind.port for kind in FORMATS.values()]

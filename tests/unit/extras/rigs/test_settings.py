@@ -2,8 +2,8 @@
 
 import pytest
 
-from hapticplayer.devices.rig.settings import LOOPBACK, rig_settings
 from hapticplayer.errors import DeviceError
+from hapticplayer.extras.rigs.settings import LOOPBACK, rig_settings
 
 
 def test_empty_settings_are_outsim_to_this_machine():

@@ -3,10 +3,10 @@
 import contextlib
 import socket
 
-from hapticplayer.devices.capabilities import RIG
 from hapticplayer.devices.options import host_and_port
-from hapticplayer.devices.rig.settings import RigSettings
 from hapticplayer.errors import DeviceError
+from hapticplayer.extras.rigs.extension import RIG
+from hapticplayer.extras.rigs.settings import RigSettings
 from hapticplayer.model.rig import RigMotion
 
 

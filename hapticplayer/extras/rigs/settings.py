@@ -5,8 +5,9 @@
 
 from dataclasses import dataclass, replace
 
-from hapticplayer.devices.capabilities import RIG
 from hapticplayer.devices.options import (
+    GAIN,
+    LATENCY_MS,
     DeviceOptions,
     Fields,
     Parse,
@@ -15,15 +16,14 @@ from hapticplayer.devices.options import (
     milliseconds,
     one_of,
 )
-from hapticplayer.devices.rig.packets import FORMATS, RigFormat
+from hapticplayer.extras.rigs.extension import RIG
+from hapticplayer.extras.rigs.packets import FORMATS, RigFormat
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.model.ranges import Range
 from hapticplayer.model.rig import RigMotion
 
 LOOPBACK = "127.0.0.1"
 RATE_HZ = Range(50, 500, "Hz")
-GAIN = Range(0, 4)
-LATENCY_MS = Range(0, 1000, "ms")
 IDENTITY = Range(-(2**31), 2**31 - 1, is_whole=True)
 
 AXES: dict[str, tuple[str, ...]] = {

@@ -4,11 +4,11 @@ import socket
 
 import pytest
 
-from app.player.rig_panel import RigPanel
+from app.extras.rigs.panel import RigPanel
 from app.plots.rig_platform import PlatformPose
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.rig.packets import outsim
-from hapticplayer.devices.rig.settings import RigSettings
+from hapticplayer.extras.rigs.packets import outsim
+from hapticplayer.extras.rigs.settings import RigSettings
 from hapticplayer.model.rig import RigMotion
 
 

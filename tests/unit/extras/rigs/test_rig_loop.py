@@ -11,13 +11,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hapticplayer.clock import ManualClock
-from hapticplayer.devices.rig.settings import rig_settings
 from hapticplayer.errors import DeviceError
+from hapticplayer.extras.rigs.loop import RigGuard, RigLoop
+from hapticplayer.extras.rigs.settings import rig_settings
+from hapticplayer.extras.rigs.step import CAPS, NEUTRAL_S, RAMP_S, TAKE_OVER_S
 from hapticplayer.haptics.block import REFUSED, SENT
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.messages import MessageKind, MessageSocket
-from hapticplayer.haptics.rig.loop import RigGuard, RigLoop
-from hapticplayer.haptics.rig.step import CAPS, NEUTRAL_S, RAMP_S, TAKE_OVER_S
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import PlaybackClock

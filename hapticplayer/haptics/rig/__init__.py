@@ -1,1 +1,0 @@
-"""The process that sends packets to a motion rig: state machine, loop, guard."""
