@@ -20,9 +20,10 @@ from hapticplayer.media.http_range import (
 from hapticplayer.untrusted import MAX_BYTES_AT_ONCE, MAX_BYTES_KEPT, PATIENCE_S
 
 BLOCK_BYTES = 128 << 10
-FIRST_BLOCKS = 2
-"""Of the first answer after a leap; each that continues it is twice as large."""
+FEW_BLOCKS = 2
+"""Fetched first; and where so little is to come still, no answer is given up."""
 MOST_BLOCKS = MAX_BYTES_AT_ONCE // BLOCK_BYTES
+"""Of one answer; each block is read as soon as it is there."""
 KEPT_BLOCKS = MAX_BYTES_KEPT // BLOCK_BYTES
 AHEAD_BLOCKS = 64
 """8 MB ahead of each decoder: 8 s of 8 Mbit/s."""
@@ -55,7 +56,7 @@ class HttpClip(ClipBytes):
         self._failure: Message | None = None
         self._is_closed = False
         try:
-            self._fetch(range(FIRST_BLOCKS))
+            self._fetch(range(FEW_BLOCKS))
         except Unreachable as problem:
             raise NetworkError(
                 "cannot be reached ({reason})",
@@ -133,7 +134,7 @@ class HttpClip(ClipBytes):
         begun_s = self._clock.now_s()
         self._waits[reader] = number
         is_coming = any(block in self._under_way for block in self._waits.values())
-        if len(self._under_way) > FIRST_BLOCKS and not is_coming:
+        if len(self._under_way) > FEW_BLOCKS and not is_coming:
             self._client.abort()
         try:
             while number not in self._blocks:
@@ -192,12 +193,7 @@ class HttpClip(ClipBytes):
         first = next((k for k in range(wanted, end) if k not in self._blocks), None)
         if first is None:
             return None
-        # as much again as lies before it: a leap is answered soon, a clip in large parts
-        before = next(
-            (n for n in range(MOST_BLOCKS) if first - n - 1 not in self._blocks),
-            MOST_BLOCKS,
-        )
-        most = min(first + max(FIRST_BLOCKS, before), self._count)
+        most = min(first + MOST_BLOCKS, wanted + AHEAD_BLOCKS, self._count)
         rest = range(first + 1, most)
         return range(first, next((k for k in rest if k in self._blocks), most))
 

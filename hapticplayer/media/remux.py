@@ -27,9 +27,10 @@ from hapticplayer.media.telemetry import HANDLER, find_telemetry
 
 MATROSKA, MP4 = "matroska", "mp4"
 _OPTIONS = {
-    MATROSKA: {"cluster_time_limit": "2000"},
+    MATROSKA: {"cluster_time_limit": "2000", "cues_to_front": "1"},
     MP4: {"movflags": "+faststart+use_metadata_tags"},
 }
+"""The index comes first: a player of a web server's file need not leap to the end."""
 HEAD_PACKETS = 32
 REPORT_BYTES = 4 << 20
 """Between two reports."""

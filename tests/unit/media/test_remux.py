@@ -151,3 +151,11 @@ def test_the_checksum_is_that_of_the_payloads(clip: Path) -> None:
         for packet in container.demux(video=0):
             digest.update(bytes(packet))
     assert video_payload(clip).sha256 == digest.hexdigest()
+
+
+def test_the_index_comes_before_the_frames(clip, tmp_path):
+    remux(clip, tmp_path / "copy.mkv", MATROSKA)
+    content = (tmp_path / "copy.mkv").read_bytes()
+    assert (
+        0 < content.index(b"\x1c\x53\xbb\x6b", 200) < content.index(b"\x1f\x43\xb6\x75")
+    )
