@@ -6,7 +6,7 @@ from benchmarks.common import command
 
 PLACES = {
     "one_file": "distribution.one_file",
-    "http": "distribution.http",
+    "web": "distribution.web",
     "formats": "distribution.formats",
     "ten_hours": "distribution.ten_hours",
     "damage": "campaigns:force_damage",

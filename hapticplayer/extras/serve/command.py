@@ -16,7 +16,6 @@ import secrets
 import socket
 import sys
 import tempfile
-from collections import Counter
 from collections.abc import Mapping
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -32,7 +31,6 @@ from hapticplayer.cli.common import (
     say_aside,
     shown_progress,
 )
-from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import InputError, NetworkError, UsageError
 from hapticplayer.media.remux import video_payload
 from hapticplayer.model import ranges
@@ -45,11 +43,11 @@ MAX_CONNECTIONS, MAX_CONNECTIONS_OF_ONE = 64, 16
 """Of a server, and of one address."""
 
 CONNECTION_S = 30.0
-"""How long a connection may wait for its next request, or take for one piece of an answer."""
+"""How long a connection may send nothing of a request, or take nothing of an answer."""
 
 LOOPBACK = "127.0.0.1"
 _ANY_ADDRESS = ("192.0.2.1", 9)  # of documentation (RFC 5737): nothing is sent there
-_RANGE = re.compile(r"bytes=(\d{0,18})-(\d{0,18})")
+_RANGE = re.compile(r"bytes=(\d{1,18}-\d{0,18}|-\d{1,18})")
 _MEDIA_TYPES = {".mkv": "video/x-matroska", ".mp4": "video/mp4"}
 
 
@@ -87,7 +85,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     with tempfile.TemporaryDirectory(prefix="hapticplayer-serve-") as place:
         title, files = _offered(Path(options.source), Path(place), options)
         with (
-            FileServer(files, SystemClock(), address, int(options.port)) as server,
+            FileServer(files, address, int(options.port)) as server,
             interruptible(),
         ):
             try:
@@ -150,7 +148,6 @@ class FileServer(ThreadingHTTPServer):
 
     Args:
         files: the first is the one to play.
-        clock: of the machine.
         address: to listen on; only this machine reaches the default.
         port: 0 for any that is free.
 
@@ -162,11 +159,11 @@ class FileServer(ThreadingHTTPServer):
     request_queue_size = MAX_CONNECTIONS
 
     def __init__(
-        self, files: list[Path], clock: Clock, address: str = LOOPBACK, port: int = 0
+        self, files: list[Path], address: str = LOOPBACK, port: int = 0
     ) -> None:
         self.files: Mapping[str, Path] = {file.name: file for file in files}
-        self._clock, self.token = clock, secrets.token_urlsafe(16)
-        self._open: dict[socket.socket, tuple[str, float | None]] = {}
+        self.token = secrets.token_urlsafe(16)
+        self._open: dict[socket.socket, str] = {}  # host by connection
         self.address_family = socket.AF_INET6 if ":" in address else socket.AF_INET
         try:
             super().__init__((address, port), _Handler)
@@ -204,24 +201,11 @@ class FileServer(ThreadingHTTPServer):
     def verify_request(self, request: Any, client_address: Any) -> bool:
         """Whether there is room for one more connection."""
         host = client_address[0]
-        of_one = Counter(address for address, _ in list(self._open.values()))
-        if len(self._open) >= MAX_CONNECTIONS or of_one[host] >= MAX_CONNECTIONS_OF_ONE:
+        of_one = list(self._open.values()).count(host)
+        if len(self._open) >= MAX_CONNECTIONS or of_one >= MAX_CONNECTIONS_OF_ONE:
             return False
-        self._open[request] = (host, self._clock.now_s() + CONNECTION_S)
+        self._open[request] = host
         return True
-
-    def note_waiting(self, connection: socket.socket, *, is_waiting: bool) -> None:
-        """Note that a connection has to send its next request soon, or has done so."""
-        if connection in self._open:
-            until_s = self._clock.now_s() + CONNECTION_S if is_waiting else None
-            self._open[connection] = (self._open[connection][0], until_s)
-
-    def service_actions(self) -> None:
-        """Hang up on those that have not sent a whole request in time."""
-        now_s = self._clock.now_s()
-        for connection, (_, until_s) in list(self._open.items()):
-            if until_s is not None and now_s > until_s:
-                _hang_up(connection)
 
     def shutdown_request(self, request: Any) -> None:
         """End a connection."""
@@ -235,7 +219,8 @@ class FileServer(ThreadingHTTPServer):
         """Hang up on everybody and stop to listen."""
         super().server_close()
         for connection in list(self._open):
-            _hang_up(connection)
+            with contextlib.suppress(OSError):  # it has gone by itself
+                connection.shutdown(socket.SHUT_RDWR)
 
 
 class _Handler(BaseHTTPRequestHandler):
@@ -247,12 +232,7 @@ class _Handler(BaseHTTPRequestHandler):
     timeout = CONNECTION_S
     disable_nagle_algorithm = True
 
-    def handle_one_request(self) -> None:
-        self.server.note_waiting(self.connection, is_waiting=True)
-        super().handle_one_request()
-
     def do_GET(self) -> None:
-        self.server.note_waiting(self.connection, is_waiting=False)
         has_body = self.headers.get("Content-Length", "0") != "0"
         if has_body or "Transfer-Encoding" in self.headers:
             # it would be taken for the next request
@@ -293,20 +273,29 @@ class _Handler(BaseHTTPRequestHandler):
         wanted = self.headers.get("Range", "")
         if self.headers.get("If-Range", tag) not in (tag, headers["Last-Modified"]):
             wanted = ""  # of another state of the file: the whole one
+        if not _RANGE.fullmatch(wanted):
+            self._send_part(HTTPStatus.OK, reader, (0, size), headers)
+            return
         span = wanted_bytes(wanted, size)
         if span is None:
             unmet = HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE
             self._head(unmet, 0, {"Content-Range": f"bytes */{size}"})
             return
-        first, end = span
-        status = HTTPStatus.OK
-        if is_range(wanted):
-            status = HTTPStatus.PARTIAL_CONTENT
-            headers["Content-Range"] = f"bytes {first}-{end - 1}/{size}"
-        self._head(status, end - first, headers)
-        if self.command != "HEAD" and end > first:
-            sent = self.connection.sendfile(reader, first, end - first)
-            if sent < end - first:  # the file has become shorter
+        headers["Content-Range"] = f"bytes {span[0]}-{span[1] - 1}/{size}"
+        self._send_part(HTTPStatus.PARTIAL_CONTENT, reader, span, headers)
+
+    def _send_part(
+        self,
+        status: HTTPStatus,
+        reader: BinaryIO,
+        span: tuple[int, int],
+        headers: Mapping[str, str],
+    ) -> None:
+        first, count = span[0], span[1] - span[0]
+        self._head(status, count, headers)
+        if self.command != "HEAD" and count:
+            sent = self.connection.sendfile(reader, first, count)
+            if sent < count:  # the file has become shorter
                 self.close_connection = True
 
     def _head(
@@ -325,28 +314,14 @@ class _Handler(BaseHTTPRequestHandler):
         """Log nothing: requests hold the token."""
 
 
-def is_range(header: str) -> bool:
-    """Whether a header asks for one range of bytes; any other is ignored."""
-    found = _RANGE.fullmatch(header)
-    return found is not None and found.groups() != ("", "")
-
-
 def wanted_bytes(header: str, size: int) -> tuple[int, int] | None:
     """Return begin and end of a range, None where it cannot be met (RFC 9110, 14.2)."""
-    found = _RANGE.fullmatch(header)
-    if found is None or found.groups() == ("", ""):
-        return 0, size
-    first, last = found.groups()
+    first, last = header.removeprefix("bytes=").split("-")
     if not first:
         begin, end = max(0, size - int(last)), size
     else:
         begin, end = int(first), min(size, int(last) + 1) if last else size
     return (begin, end) if begin < end else None
-
-
-def _hang_up(connection: socket.socket) -> None:
-    with contextlib.suppress(OSError):  # it has gone by itself
-        connection.shutdown(socket.SHUT_RDWR)
 
 
 def _own_address(family: int) -> str:
