@@ -102,7 +102,7 @@ def test_a_range_is_met_or_refused(ask, file, header, wanted):
 
 
 @pytest.mark.parametrize("header", ["bytes=-", "bytes=0-1,3-4", "lines=1-2", "x"])
-def test_what_is_not_one_range_is_ignored(ask, file, header):
+def test_a_header_that_is_not_one_range_is_ignored(ask, file, header):
     response, content = ask(Range=header)
     assert (response.status, content) == (200, file.read_bytes())
 
