@@ -21,6 +21,7 @@ from inverse_rig import VirtualLink
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.falcon.silence import Silencer
+from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.extras.inverse3.driver import Inverse3Driver
 from hapticplayer.extras.inverse3.protocol import command
 from hapticplayer.extras.inverse3.simulated.service import Service, simulation_of
@@ -392,12 +393,13 @@ class Example(World):
         self.seat = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.seat.bind(("127.0.0.1", 0))
         self.seat.setblocking(False)
-        self.address = self.seat.getsockname()
+        address = "{}:{}".format(*self.seat.getsockname())
         text = (ROOT / "docs" / "devices.md").read_text(encoding="utf-8")
         self.code = re.search(r"```python\n(.*?)```", text, re.DOTALL)[1]
         self.module = {}
         exec(self.code, self.module)
-        self.device = self.module["Seat"](self.address)
+        self.options = DeviceOptions(self.module["SEAT"], address)
+        self.device = self.module["Seat"](-1, self.options)
         self.buttons, self.answer, self.force = 0, b"P 0.001 0 %d", ["0", "0"]
 
     def wait(self):
@@ -427,7 +429,7 @@ class Example(World):
         return [float(part) for part in self.force] == [0.0, 0.0]
 
     def guard(self):
-        return self.module["silence"](-1, self.address)
+        return self.module["silence"](-1, self.options)
 
     def kill(self):
         """Nothing: UDP knows no death."""
