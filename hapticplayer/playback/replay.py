@@ -1,17 +1,19 @@
 """Feel again what was sent: the force lines of a playback log as a force track."""
 
 import json
-import math
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
+from msgspec import Meta, Struct
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.limits import MAX_FORCE_N
+from hapticplayer.model.ranges import MEDIA_TIME_S
 from hapticplayer.playback.source import Source
+from hapticplayer.structures import convert
 from hapticplayer.untrusted import open_regular
 
 FROM_LOG = "log"
@@ -21,6 +23,7 @@ MAX_LINES = 20_000_000
 """Five hours of force at 1 kHz; a larger log is not of one session."""
 
 MAX_LINE = 65_536
+_Force = Annotated[float, Meta(ge=-MAX_FORCE_N, le=MAX_FORCE_N)]
 _SAME_DURATION_S = 0.1
 _REMEDY = Message("choose a log that `play --log` wrote")
 
@@ -98,19 +101,17 @@ def _header(line: dict[str, Any], path: Path) -> dict[str, Any]:
     return line
 
 
+class _ForceLine(Struct):
+    media_s: Annotated[float, Meta(ge=-MEDIA_TIME_S.largest, le=MEDIA_TIME_S.largest)]
+    force_n: tuple[_Force, _Force, _Force]
+
+
 def _force(
     line: dict[str, Any], path: Path, number: int
 ) -> tuple[float, float, float, float]:
-    try:
-        media_s = float(line["media_s"])
-        x, y, z = (float(value) for value in line["force_n"])
-    except (KeyError, TypeError, ValueError) as problem:
-        what = Message("has no force ({reason})", reason=problem)
-        raise _refusal(what, path, number) from problem
-    amount = max(abs(x), abs(y), abs(z))
-    if not (math.isfinite(media_s) and amount <= MAX_FORCE_N):
-        raise _refusal(Message("is not finite or too large"), path, number)
-    return media_s, x, y, z
+    where = f"{path}, line {number}"
+    found = convert(line, _ForceLine, where, InputError, _REMEDY)
+    return found.media_s, *found.force_n
 
 
 def _refusal(what: Message, path: Path, number: int) -> InputError:

@@ -90,6 +90,12 @@ class TrackEntry(Struct, frozen=True, omit_defaults=True):
     excursion: ExcursionEntry | None = None
     provenance: dict[str, Any] = {}
 
+    def __post_init__(self) -> None:
+        """Refuse what the random track cannot be made of again."""
+        seed = self.provenance.get("seed", 0)
+        if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+            raise ValueError("'seed' must be a whole number from 0 on")
+
 
 class Description(Struct, frozen=True, omit_defaults=True):
     """The object in the file."""

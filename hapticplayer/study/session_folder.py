@@ -106,7 +106,7 @@ def _plan(folder: Path, records: Records, notices: list[str]) -> Plan:
         notices.append(
             Message("{reason}; the copy in the journal was used", reason=problem)
         )
-        return plan_of_record(first.content["plan"], f"{folder.name}/{ANSWERS}")
+        return plan_of_record(first.content.get("plan"), f"{folder.name}/{ANSWERS}")
 
 
 def _definition(

@@ -1,10 +1,13 @@
 """The steps of a session, and which of them its records contain."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
-from hapticplayer.errors import Message, StudyError
+from msgspec import Struct
+
+from hapticplayer.errors import InputError, Message
 from hapticplayer.structures import convert
 from hapticplayer.study.definition import Condition, Definition
 from hapticplayer.study.journal import Records
@@ -15,7 +18,9 @@ CONSENT, SHEET, DEMONSTRATION, POST_TEST = (
     "demonstration",
     "post-test",
 )
+Kind = TypeVar("Kind")
 _TRIAL = "trial-"
+_TRIAL_STEP = re.compile(r"trial-([0-9]{1,6})")
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +54,8 @@ def trial_step(position: int) -> str:
 
 def position_of(step: str) -> int | None:
     """Return the position of a trial step; None for other steps."""
-    return int(step.removeprefix(_TRIAL)) if step.startswith(_TRIAL) else None
+    found = _TRIAL_STEP.fullmatch(step)
+    return int(found[1]) if found else None
 
 
 def steps_of(definition: Definition, trials: int) -> list[str]:
@@ -94,44 +100,55 @@ def page_values(records: Records, page: str) -> Mapping[str, Any]:
 
 def answered_trials(records: Records) -> Iterator[AnsweredTrial]:
     """Yield the answered trials, in the order of their answers."""
-    played: dict[tuple[str, int], Mapping[str, Any]] = {}
+    played: dict[tuple[str, int], _Played] = {}
     for record in records.intact:
-        content = record.content
-        if record.kind not in ("trial", "answers"):
-            continue
-        step, attempt = str(content.get("step")), content.get("attempt")
-        if not isinstance(attempt, int) or not step.startswith(_TRIAL):
-            continue
-        if record.kind == "trial":
-            played[step, attempt] = content
-        elif (trial := _trial(step, attempt, content, played)) is not None:
-            yield trial
+        if record.kind == "trial" and (trial := _read(record.content, _Played)):
+            played[trial.step, trial.attempt] = trial
+        if record.kind == "answers" and (answered := _read(record.content, _Answered)):
+            position = position_of(answered.step)
+            if position is not None:
+                yield _trial(position, answered, played)
+
+
+class _Played(Struct):
+    step: str
+    attempt: int
+    is_valid: bool
+    reasons: tuple[str, ...]
+    playback: dict[str, Any] = {}
+
+
+class _Answered(Struct):
+    step: str
+    attempt: int
+    condition: Condition
+    values: dict[str, Any]
+    response_s: float | None = None
+
+
+def _read(content: Mapping[str, Any], kind: type[Kind]) -> Kind | None:
+    """The content of a record; None for another one."""
+    try:
+        return convert(dict(content), kind, "")
+    except InputError:
+        return None
 
 
 def _trial(
-    step: str,
-    attempt: int,
-    answers: Mapping[str, Any],
-    played: Mapping[tuple[str, int], Mapping[str, Any]],
-) -> AnsweredTrial | None:
+    position: int,
+    answers: _Answered,
+    played: Mapping[tuple[str, int], _Played],
+) -> AnsweredTrial:
     """Return a trial; without a playback record it is not marked as valid."""
-    trial = played.get((step, attempt), {})
-    position, values = position_of(step), answers.get("values")
-    try:
-        condition = convert(answers.get("condition"), Condition, step, StudyError)
-    except StudyError:
-        return None
-    if position is None or not isinstance(values, dict):
-        return None
+    lost = _Played("", 0, is_valid=False, reasons=(Message("record damaged"),))
+    trial = played.get((answers.step, answers.attempt), lost)
     return AnsweredTrial(
         position,
-        attempt,
-        condition,
-        values,
-        trial.get("is_valid") is True,
-        tuple(
-            str(reason) for reason in trial.get("reasons", [Message("record damaged")])
-        ),
-        trial.get("playback", {}),
-        answers.get("response_s"),
+        answers.attempt,
+        answers.condition,
+        answers.values,
+        trial.is_valid,
+        trial.reasons,
+        trial.playback,
+        answers.response_s,
     )

@@ -71,6 +71,7 @@ def state_of(text: str | bytes) -> Inverse3State | None:
         AttributeError,
         KeyError,
         IndexError,
+        OverflowError,
         TypeError,
         ValueError,
         RecursionError,

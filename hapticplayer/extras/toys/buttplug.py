@@ -20,6 +20,7 @@ from hapticplayer.devices.websocket import OPENING_S, Connection
 from hapticplayer.errors import DeviceError
 from hapticplayer.extras.toys.extension import BUTTPLUG
 from hapticplayer.model.device import Vector
+from hapticplayer.model.ranges import finite_number
 
 DEFAULT = "127.0.0.1:12345"
 TITLE = "Intiface"
@@ -150,8 +151,18 @@ class ButtplugPort:
             if version >= 4:
                 raise _OlderServerError(str(problem)) from problem
             raise
-        speaks = int(info.get("ProtocolVersionMajor", info.get("MessageVersion", 3)))
-        return opened, min(version, speaks), float(info.get("MaxPingTime", 0)) / 1000.0
+        named = info.get("ProtocolVersionMajor", info.get("MessageVersion", 3))
+        speaks, ping_ms = (
+            finite_number(named),
+            finite_number(info.get("MaxPingTime", 0)),
+        )
+        if speaks is None or ping_ms is None:
+            opened.close()
+            raise DeviceError(
+                "Intiface at {where} gives no version or no ping time; update it",
+                where=self._where,
+            )
+        return opened, min(version, int(speaks)), ping_ms / 1000.0
 
     def _asked(
         self, opened: Connection, name: str, more: dict[str, Any], answer: str
@@ -190,7 +201,14 @@ def motors_of(listed: dict[str, Any], version: int) -> tuple[list[Motor], float]
                 motors += found
                 gap_ms = float(device.get("DeviceMessageTimingGap") or 0.0)
                 gap_s = max(gap_s, min(1.0, 1e-3 * gap_ms))
-    except (AttributeError, KeyError, IndexError, TypeError, ValueError) as problem:
+    except (
+        AttributeError,
+        KeyError,
+        IndexError,
+        OverflowError,
+        TypeError,
+        ValueError,
+    ) as problem:
         raise DeviceError(
             "Intiface describes a device in a way that is not known: {reason}; update it",
             reason=str(problem)[:200],
@@ -233,7 +251,7 @@ def _messages(text: str | bytes) -> list[tuple[str, dict[str, Any]]]:
     try:
         found = json.loads(text)
         return [(name, dict(one[name])) for one in found for name in one]
-    except (ValueError, TypeError, RecursionError):
+    except (OverflowError, RecursionError, TypeError, ValueError):
         return []
 
 

@@ -15,12 +15,14 @@ from hapticplayer.sequence.pack import pack
 from hapticplayer.study import session_setup
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.session_setup import load_study_sources
+from hapticplayer.study.study_folder import open_study
 
 KEYS = ("bike", "horse", "car-turning", "car-braking")
 
 
 def with_sequences(study, folder_of, feedbacks):
     """Return the study with other feedbacks, and the folder of each sequence."""
+    study = open_study(study.folder)
     content = {**json.loads(study.content), "feedbacks": list(feedbacks)}
     for entry in content["sequences"]:
         entry["folder"] = str(folder_of(entry["key"]))
