@@ -53,14 +53,13 @@ class Report:
 def made_report(answers: Answers, *, progress: Progress) -> Report:
     """Return the report of a study's answers."""
     from hapticplayer.study.analysis.figures import DPI, image
-    from hapticplayer.study.analysis.report import analyse_study, parts_of
+    from hapticplayer.study.analysis.report import analyse_study
     from hapticplayer.study.analysis.typesetting import body
 
-    found = analyse_study(
+    parts = analyse_study(
         answers, progress=lambda fraction, step: progress(_ANALYSED * fraction, step)
     )
     progress(_ANALYSED, Message("drawing the figures"))
-    parts = parts_of(found)
     figures = {name: image(figure) for name, figure in parts.draw().items()}
     html = body(parts.blocks, lambda name: SCHEME + name)
     return Report(answers, html, figures, DPI)

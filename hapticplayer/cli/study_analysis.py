@@ -27,13 +27,12 @@ from hapticplayer.simulation.participants import (
 from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.storage import FOLDER, refuse_existing
 from hapticplayer.study.analysis import (
-    Analysis,
     AnalysisOptions,
     MissingPolicy,
     Resampling,
 )
 from hapticplayer.study.analysis.analysis import STATISTICS
-from hapticplayer.study.analysis.consistency import ConsistencyAnalysis
+from hapticplayer.study.analysis.parts import ReportParts
 from hapticplayer.study.analysis.power import (
     Draw,
     Power,
@@ -43,13 +42,10 @@ from hapticplayer.study.analysis.power import (
     power_summary,
 )
 from hapticplayer.study.analysis.report import (
-    StudyAnalysis,
     analyse_study,
-    parts_of,
     write_report,
 )
 from hapticplayer.study.analysis.scores import sample_of, scores_of
-from hapticplayer.study.analysis.statistic import number, p_value
 from hapticplayer.study.answers import collect_answers, read_answers
 from hapticplayer.study.creation import chosen_text, create_study
 from hapticplayer.study.definition import StudyFeedback
@@ -203,8 +199,7 @@ def analyse(options: argparse.Namespace) -> int:
                 found.answers.conduct.title,
                 lambda f, step: progress(0.6 + 0.4 * f, step),
             )
-    numbers = parts_of(found).numbers
-    say(_json(numbers) if options.json else _analysis_text(found, numbers))
+    say(_json(found.numbers) if options.json else _analysis_text(found))
     if options.output is not None and not options.json:
         say(f"\nreport: {options.output / 'report.html'}")
     return 0
@@ -311,46 +306,12 @@ def _json(report: dict[str, Any]) -> str:
     return json.dumps(report, ensure_ascii=False, allow_nan=False)
 
 
-def _analysis_text(found: StudyAnalysis, report: dict[str, Any]) -> str:
-    lines = (
-        _curve_lines(found)
-        if isinstance(found, ConsistencyAnalysis)
-        else _test_lines(found)
-    )
-    people = f"{report['missing']['participants']} participants"
-    return "\n".join([people, *lines, *(f"note: {n}" for n in report["warnings"])])
-
-
-def _curve_lines(found: ConsistencyAnalysis) -> list[str]:
-    return [
-        f"  {axis} {sequence}: "
-        + ", ".join(f"{name} {number(v)}" for name, v in curve.values.items())
-        for axis, one in found.axes.items()
-        for sequence, curve in one.curves.items()
-        if curve is not None
-    ]
-
-
-def _test_lines(found: Analysis) -> list[str]:
-    lines = []
-    for name, one in found.measures.items():
-        means = ", ".join(
-            f"{key} {number(part.mean)} (SD {number(part.sd)})"
-            for key, part in one.feedbacks.items()
-        )
-        test = found.found["friedman"][name]
-        lines.append(
-            f"  {name:<13}{means}\n{'':15}Friedman chi2({test['df']}) "
-            f"{number(test['chi2'])}, "
-            f"p {p_value(test['p'])}, permutation {p_value(test['p_exact'])}, "
-            f"Holm {p_value(test['p_holm'])}, W {number(test['kendall_w'], 3)}"
-        )
-        lines += [
-            f"{'':15}{pair}: Wilcoxon Holm {p_value(part['p_holm'])}, "
-            f"r {number(part['rank_biserial'])}"
-            for pair, part in found.found["wilcoxon"][name].items()
-        ]
-    return lines
+def _analysis_text(found: ReportParts) -> str:
+    numbers = found.numbers
+    people = f"{numbers['missing']['participants']} participants"
+    lines = (line.replace("\n", "\n  ") for line in found.lines)
+    notes = (f"note: {one}" for one in numbers["warnings"])
+    return "\n".join([people, *(f"  {line}" for line in lines), *notes])
 
 
 def _power_text(found: Power, measure: str, source: str) -> str:

@@ -2,19 +2,14 @@
 
 import csv
 import io
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, cast
 
-from hapticplayer import storage
-from hapticplayer.errors import Message, Progress
-from hapticplayer.study.analysis import (
-    consistency_figures,
-    consistency_report,
-    contents,
-    figures,
-)
+from hapticplayer import extension, storage
+from hapticplayer.errors import Message, Progress, StudyError
+from hapticplayer.study.analysis import contents, figures
 from hapticplayer.study.analysis.analysis import (
     STATISTICS,
     Analysis,
@@ -22,65 +17,43 @@ from hapticplayer.study.analysis.analysis import (
     analyse,
     summary,
 )
-from hapticplayer.study.analysis.blocks import ReportBlock
-from hapticplayer.study.analysis.consistency import (
-    ConsistencyAnalysis,
-    analyse_consistency,
-)
 from hapticplayer.study.analysis.describing import Summary
+from hapticplayer.study.analysis.parts import Analyse, AnalysisKind, ReportParts
 from hapticplayer.study.analysis.pdf import write_pdf
-from hapticplayer.study.analysis.statistic import rounded
+from hapticplayer.study.analysis.statistic import number, p_value, rounded
 from hapticplayer.study.analysis.typesetting import page
 from hapticplayer.study.answers import Answers, simulated_mark
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-StudyAnalysis = Analysis | ConsistencyAnalysis
-
-
-@dataclass(frozen=True, slots=True)
-class Parts:
-    """The parts of a report.
-
-    Attributes:
-        mark: on each page and figure where participants are simulated; else empty.
-        numbers: as JSON, with 12 significant digits.
-        blocks: of the text.
-        draw: returns the figures by name.
-        tables: rows by name of the CSV file.
-    """
-
-    mark: str
-    numbers: dict[str, Any]
-    blocks: tuple[ReportBlock, ...]
-    draw: Callable[[], dict[str, "Figure"]]
-    tables: Mapping[str, Iterable[list[Any]]]
+from hapticplayer.study.definition import TrialKind
 
 
 def analyse_study(
     answers: Answers,
     options: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
-) -> StudyAnalysis:
-    run = analyse_consistency if answers.judgements else analyse
-    return run(answers, options, progress)
+) -> ReportParts:
+    """Analyse ratings, or judgements by the extension that knows their kind.
 
-
-def parts_of(found: StudyAnalysis) -> Parts:
-    """Return the parts of a report."""
-    mark = simulated_mark(found.answers.participants)
-    if isinstance(found, ConsistencyAnalysis):
-        return Parts(
-            mark,
-            rounded(consistency_report.summary(found)),
-            tuple(consistency_report.contents(found)),
-            lambda: figures.marked(consistency_figures.figures(found), mark),
-            consistency_report.tables(found),
+    Raises:
+        StudyError: when no extension does.
+    """
+    if not answers.judgements:
+        return parts_of(analyse(answers, options, progress))
+    kinds = {one.name: one for one in extension.rows("study_analyses", AnalysisKind)}
+    if (kind := kinds.get(TrialKind.CONSISTENCY)) is None:
+        raise StudyError(
+            "the analysis of consistency trials is missing; install the extension "
+            "that has it, or export the answers"
         )
-    return Parts(
+    return cast(Analyse, extension.load(kind.home))(answers, options, progress)
+
+
+def parts_of(found: Analysis) -> ReportParts:
+    mark = simulated_mark(found.answers.participants)
+    return ReportParts(
+        found.answers,
         mark,
         rounded(summary(found)),
+        tuple(_lines(found)),
         tuple(contents.contents(found)),
         lambda: figures.marked(figures.figures(found), mark),
         {
@@ -91,8 +64,28 @@ def parts_of(found: StudyAnalysis) -> Parts:
     )
 
 
+def _lines(found: Analysis) -> Iterator[str]:
+    for name, one in found.measures.items():
+        means = ", ".join(
+            f"{key} {number(part.mean)} (SD {number(part.sd)})"
+            for key, part in one.feedbacks.items()
+        )
+        test = found.found["friedman"][name]
+        yield (
+            f"{name:<13}{means}\n{'':13}Friedman chi2({test['df']}) "
+            f"{number(test['chi2'])}, "
+            f"p {p_value(test['p'])}, permutation {p_value(test['p_exact'])}, "
+            f"Holm {p_value(test['p_holm'])}, W {number(test['kendall_w'], 3)}"
+        )
+        for pair, part in found.found["wilcoxon"][name].items():
+            yield (
+                f"{'':13}{pair}: Wilcoxon Holm {p_value(part['p_holm'])}, "
+                f"r {number(part['rank_biserial'])}"
+            )
+
+
 def write_report(
-    analysis: StudyAnalysis,
+    parts: ReportParts,
     target: Path,
     title: str,
     progress: Progress = lambda _fraction, _step: None,
@@ -103,7 +96,6 @@ def write_report(
     ratings `conditions.csv` (means and spreads), `tests.csv` and `scores.csv` (each
     participant's), of judgements `levels.csv` and `curves.csv`.
     """
-    parts = parts_of(analysis)
     title = title.encode(errors="replace").decode()  # of a folder, in whatever bytes
     with storage.folder_written_aside(target, storage.PRIVATE_FOLDER) as aside:
         for place, (name, figure) in enumerate(parts.draw().items()):

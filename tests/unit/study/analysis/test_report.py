@@ -20,7 +20,7 @@ from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, analyse
 from hapticplayer.study.analysis.analysis import STATISTICS, summary
 from hapticplayer.study.analysis.figures import factors_by_feedback
-from hapticplayer.study.analysis.report import write_report
+from hapticplayer.study.analysis.report import parts_of, write_report
 from hapticplayer.study.analysis.statistic import Statistic, rounded
 from hapticplayer.study.creation import create_study
 
@@ -36,7 +36,7 @@ def analysis(make_answers, quick):
 @pytest.fixture(scope="module")
 def report(analysis, tmp_path_factory):
     target = tmp_path_factory.mktemp("report") / "out"
-    write_report(analysis, target, "Study of rides")
+    write_report(parts_of(analysis), target, "Study of rides")
     return target
 
 
@@ -69,7 +69,7 @@ def test_only_its_owner_can_read_it(report):
 
 
 def test_the_same_answers_give_the_same_bytes(analysis, report, tmp_path):
-    write_report(analysis, tmp_path / "again", "Study of rides")
+    write_report(parts_of(analysis), tmp_path / "again", "Study of rides")
     for path in report.iterdir():
         assert (tmp_path / "again" / path.name).read_bytes() == path.read_bytes(), path
 
@@ -170,7 +170,7 @@ def test_names_from_a_definition_are_only_shown(make_answers, quick, tmp_path):
     named = tuple(replace(one, sequence=NASTY) for one in answers.ratings)
     odd = replace(answers, ratings=named, sequences=(NASTY,))
     found = analyse(odd, AnalysisOptions(resampling=quick))
-    write_report(found, tmp_path / "x", NASTY)
+    write_report(parts_of(found), tmp_path / "x", NASTY)
     text = (tmp_path / "x" / "report.html").read_text(encoding="utf-8")
     assert "<script" not in text
     assert "&lt;script&gt;alert(1)&lt;/script&gt; $x^2$" in text
@@ -179,7 +179,7 @@ def test_names_from_a_definition_are_only_shown(make_answers, quick, tmp_path):
 
 def test_an_existing_folder_is_refused(analysis, report):
     with pytest.raises(InputError, match="already exists"):
-        write_report(analysis, report, "again")
+        write_report(parts_of(analysis), report, "again")
 
 
 def test_a_cancelled_report_leaves_nothing_behind(analysis, tmp_path):
@@ -188,7 +188,7 @@ def test_a_cancelled_report_leaves_nothing_behind(analysis, tmp_path):
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        write_report(analysis, tmp_path / "report", "x", stop)
+        write_report(parts_of(analysis), tmp_path / "report", "x", stop)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -203,7 +203,7 @@ def test_a_statistic_in_the_registry_is_in_every_output(
     entry = Statistic("dummy", "Spread of the participants", spread)
     monkeypatch.setitem(STATISTICS, "dummy", entry)
     found = analyse(make_answers(5, 6, sequences=1), AnalysisOptions(resampling=quick))
-    write_report(found, tmp_path / "x", "Study")
+    write_report(parts_of(found), tmp_path / "x", "Study")
     numbers = json.loads((tmp_path / "x" / "numbers.json").read_text("utf-8"))
     expected = np.ptp(found.measures["qoe"].sample.values[:, 0])
     assert numbers["dummy"]["qoe"]["none"]["ptp"] == expected

@@ -224,7 +224,7 @@ def test_pages_and_figures_say_that_data_are_simulated(tmp_path):
     answers = collect_answers(study)
     target = tmp_path / "report"
     options = AnalysisOptions(resampling=Resampling(count=99))
-    write_report(analyse(answers, options), target, "Rides")
+    write_report(parts_of(analyse(answers, options)), target, "Rides")
     assert (
         '<div class="mark">simulated data</div>' in (target / "report.html").read_text()
     )

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 from scipy import optimize, stats
 
-from hapticplayer.errors import InputError
+from hapticplayer import extension
+from hapticplayer.errors import InputError, StudyError
+from hapticplayer.extras.consistency.analysis import ALL, analyse_consistency
+from hapticplayer.extras.consistency.psychometric import CurveShape, fit
+from hapticplayer.extras.consistency.report import warnings_of
+from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.analysis import AnalysisOptions, Resampling
-from hapticplayer.study.analysis.consistency import ALL, analyse_consistency
-from hapticplayer.study.analysis.consistency_report import warnings_of
-from hapticplayer.study.analysis.psychometric import CurveShape, fit
-from hapticplayer.study.analysis.report import analyse_study, parts_of, write_report
+from hapticplayer.study.analysis.report import analyse_study, write_report
 from hapticplayer.study.answers import Answers, Judgement, Participant, read_answers
 from hapticplayer.study.creation import create_study
 
@@ -161,17 +163,23 @@ def test_a_study_without_a_judgement_is_refused():
         analyse_study(empty)
 
 
-def test_a_study_of_the_template_gets_its_report(tmp_path, scripted):
+def test_a_study_of_the_template_gets_its_report(tmp_path, manual_clock):
     study = create_study(tmp_path / "study", template="consistency")
     rng = np.random.default_rng(6)
     for _ in range(6):
-        scripted(study, lambda c: {"consistent": bool(rng.random() < truth(c.delay_s))})
+        write_scripted_session(
+            study,
+            {"age": 31},
+            lambda c: {"consistent": bool(rng.random() < truth(c.delay_s))},
+            manual_clock,
+            origin={"scripted": True},
+        )
     found = analyse_study(read_answers(study.folder), quick())
     write_report(found, tmp_path / "report", "Shifted rides")
     names = {path.name for path in (tmp_path / "report").iterdir()}
     assert {"consistency-by-time-shift.svg", "report.pdf", "report.html"} < names
     numbers = json.loads((tmp_path / "report" / "numbers.json").read_text("utf-8"))
-    assert numbers == parts_of(found).numbers
+    assert numbers == found.numbers
     with (tmp_path / "report" / "curves.csv").open(encoding="utf-8") as lines:
         rows = {(r["sequence"], r["value"]): r for r in csv.DictReader(lines)}
     curve = numbers["consistency"]["delay_s"]["curves"]["all"]
@@ -190,3 +198,11 @@ def test_a_curve_through_all_shares_fits():
     curve = analyse_consistency(answers, quick(299)).axes["gain"].curves[ALL]
     assert curve.deviance < 0.01  # drawn shares have about none either
     assert curve.p_fit > 0.9
+
+
+def test_judgements_without_their_extension_are_refused(monkeypatch):
+    monkeypatch.setattr(extension, "rows", lambda _kind, _of: iter(()))
+    with pytest.raises(
+        StudyError, match="the analysis of consistency trials is missing"
+    ):
+        analyse_study(judged(1, people=2))

@@ -14,10 +14,10 @@ import numpy as np
 from scipy import stats
 
 from hapticplayer.errors import InputError, Message, Progress
+from hapticplayer.extras.consistency.psychometric import Fits, deviance, fit, shape_of
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.analysis import AnalysisOptions
 from hapticplayer.study.analysis.describing import CONFIDENCE, TAILS
-from hapticplayer.study.analysis.psychometric import Fits, deviance, fit, shape_of
 from hapticplayer.study.answers import Answers, Judgement
 
 ALL = "all"

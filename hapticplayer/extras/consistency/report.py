@@ -6,6 +6,19 @@ from typing import Any
 
 import numpy as np
 
+from hapticplayer.errors import Progress
+from hapticplayer.extras.consistency.analysis import (
+    ALL,
+    MOST_FITS,
+    AxisAnalysis,
+    ConsistencyAnalysis,
+    Curve,
+    Share,
+    analyse_consistency,
+)
+from hapticplayer.extras.consistency.figures import LABELS, NAMES, figures
+from hapticplayer.extras.consistency.psychometric import MOST_LAPSES
+from hapticplayer.study.analysis.analysis import AnalysisOptions
 from hapticplayer.study.analysis.blocks import (
     Heading,
     Paragraph,
@@ -21,18 +34,10 @@ from hapticplayer.study.analysis.conduct_report import (
     people,
     playback,
 )
-from hapticplayer.study.analysis.consistency import (
-    ALL,
-    MOST_FITS,
-    AxisAnalysis,
-    ConsistencyAnalysis,
-    Curve,
-    Share,
-)
-from hapticplayer.study.analysis.consistency_figures import LABELS, NAMES
 from hapticplayer.study.analysis.contents import reproducibility
+from hapticplayer.study.analysis.figures import marked
 from hapticplayer.study.analysis.methods import computed_with, invalid_text, references
-from hapticplayer.study.analysis.psychometric import MOST_LAPSES
+from hapticplayer.study.analysis.parts import ReportParts
 from hapticplayer.study.analysis.references import (
     EFRON_1993,
     SCHNEIDER_2003,
@@ -40,11 +45,18 @@ from hapticplayer.study.analysis.references import (
     WILSON_1927,
     YARROW_2011,
 )
-from hapticplayer.study.analysis.statistic import interval, number, p_value, plain
+from hapticplayer.study.analysis.statistic import (
+    interval,
+    number,
+    p_value,
+    plain,
+    rounded,
+)
 from hapticplayer.study.analysis.trial_force_report import (
     trial_force_blocks,
     trial_force_summary,
 )
+from hapticplayer.study.answers import Answers, simulated_mark
 
 _VALUES = ("lower", "upper", "centre", "window", "spread", "lapse", "peak")
 AXIS_NAMES = {"delay_s": "time shift", "gain": "gain"}
@@ -74,6 +86,30 @@ ASSUMPTIONS = (
         "fitted curve. A large p does not prove the curve."
     ),
 )
+
+
+def analysed(
+    answers: Answers, options: AnalysisOptions | None, progress: Progress
+) -> ReportParts:
+    found = analyse_consistency(answers, options, progress)
+    mark = simulated_mark(answers.participants)
+    return ReportParts(
+        answers,
+        mark,
+        rounded(summary(found)),
+        tuple(_lines(found)),
+        tuple(contents(found)),
+        lambda: marked(figures(found), mark),
+        tables(found),
+    )
+
+
+def _lines(found: ConsistencyAnalysis) -> Iterator[str]:
+    for axis, one in found.axes.items():
+        for sequence, curve in one.curves.items():
+            if curve is not None:
+                values = (f"{name} {number(v)}" for name, v in curve.values.items())
+                yield f"{axis} {sequence}: {', '.join(values)}"
 
 
 def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hapticplayer.study.analysis.consistency import (
+from hapticplayer.extras.consistency.analysis import (
     ALL,
     AxisAnalysis,
     ConsistencyAnalysis,

@@ -1,0 +1,1 @@
+"""Psychometric curves of the answers "consistent" to forces that were changed."""
