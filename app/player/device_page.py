@@ -4,8 +4,8 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
 
 from app.bridge.languages import translated
-from app.player.force_words import homing_text, step_text
-from app.player.health import device_name, stop_reason
+from app.player.device_test_words import state_text, verdict_text
+from app.player.health import device_name
 from app.player.transport import offer_stop
 from app.plots.device_picture import DevicePicture
 from app.widgets.buttons import text_button
@@ -14,13 +14,13 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.devices.guides import guide_of, hold_text
 from hapticplayer.errors import HapticPlayerError, message_of
-from hapticplayer.haptics.contract import Cause, Mode
-from hapticplayer.playback.forces import ForcePlayer
+from hapticplayer.haptics.contract import Cause
+from hapticplayer.playback.device_test import DeviceTest
 from hapticplayer.playback.latch import STOPPED, StopLatch
-from hapticplayer.rendering import demonstration
+from hapticplayer.rendering.demonstration import STRENGTHS
 
 POLL_MS = 30
-HOMING_AFTER_MS = 1000
+HOMING_AFTER_MS, HOMING_S = 1000, 120.0
 WIDTH_PX = 460
 
 
@@ -44,11 +44,10 @@ class DevicePage(QDialog):
         super().__init__(parent)
         self._latch = latch or StopLatch()
         self._clock, self._device = clock, device
-        self.force_player: ForcePlayer | None = None
+        self.test: DeviceTest | None = None
         self._unhomed_polls = 0
         entry = find_device(device)
         self._record, self._is_falcon = entry.capabilities, bool(entry.direct)
-        self._track, self._steps = demonstration(self._record)
         self.picture, self.text = DevicePicture(), paragraph(is_centred=True, lines=4)
         self.progress = QProgressBar()
         self.start_button = text_button(
@@ -76,15 +75,19 @@ class DevicePage(QDialog):
     @property
     def is_running(self) -> bool:
         """Whether a device is held."""
-        return self.force_player is not None
+        return self.test is not None
 
     def begin(self) -> None:
         """Take the device and begin."""
-        if self.force_player is not None:
+        if self.test is not None:
             return
         try:
-            self.force_player = ForcePlayer(
-                self._clock, self._device, self._track, self._latch
+            self.test = DeviceTest(
+                self._clock,
+                self._device,
+                latch=self._latch,
+                homing_s=HOMING_S,
+                strengths=STRENGTHS,
             )
         except HapticPlayerError as problem:
             self._show_end(translated(message_of(problem)))
@@ -103,9 +106,10 @@ class DevicePage(QDialog):
 
     def stop(self) -> None:
         """Take the force away until a person re-arms, and let go of the device."""
-        if self.force_player is not None:
-            self.force_player.stop()
-            self._end(self.tr("Stopped."))
+        if self.test is not None:
+            self.test.stop()
+            self.test.wait()
+            self._end(self.test)
 
     def reject(self) -> None:
         """Stop before anything else; Escape comes here too."""
@@ -125,27 +129,21 @@ class DevicePage(QDialog):
         fill_page(self, (self.picture, 1), self.text, self.progress, buttons)
 
     def _poll(self) -> None:
-        player = self.force_player
-        if player is None:
+        test = self.test
+        if test is None:
             return
-        ticks = player.poll()
+        ticks = test.poll()
         if len(ticks):
-            self.picture.show_sent(ticks, player.levels)
-        if player.is_over:
-            self._end(self._verdict(player))
+            self.picture.show_sent(ticks, test.levels)
+        if test.is_over:
+            self._end(test)
             return
-        self.progress.setValue(round(1000 * player.media_s / player.end_s))
-        if player.cause is Cause.NOT_HOMED:
+        self.progress.setValue(round(1000 * test.done_s / test.end_s))
+        is_pause = test.step is None and test.done_s > 0.0
+        text = self.tr("Pause") if is_pause else state_text(test, self._record)
+        self.text.setText(text)
+        if test.cause is Cause.NOT_HOMED:
             self._wait_for_homing()
-            self.text.setText(homing_text())
-            return
-        now = [s for s in self._steps if s.begin_s <= player.media_s < s.end_s]
-        if now:
-            self.text.setText(step_text(now[0], self._record))
-        else:
-            self.text.setText(
-                self.tr("Pause") if player.media_s else self.tr("Starting")
-            )
 
     def _wait_for_homing(self) -> None:
         """After a second, show how: the first answers know of no homing either."""
@@ -154,20 +152,10 @@ class DevicePage(QDialog):
             self.reject()
             self.homing_wanted.emit()
 
-    def _verdict(self, player: ForcePlayer) -> str:
-        if player.mode is Mode.TRIPPED:
-            return stop_reason(player.cause)
-        if player.media_s >= player.end_s:
-            return self.tr("Demonstration finished.")
-        said = translated(player.problem)
-        return said or self.tr("The haptics process has ended.")
-
-    def _end(self, text: str) -> None:
+    def _end(self, test: DeviceTest) -> None:
         self._timer.stop()
-        player, self.force_player = self.force_player, None
-        if player is not None:
-            player.close()
-        self._show_end(text)
+        self.test = None
+        self._show_end(verdict_text(test, self.tr("Demonstration finished.")))
 
     def _show_end(self, text: str) -> None:
         self.picture.set_record(self._record)

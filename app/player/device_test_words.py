@@ -96,12 +96,12 @@ def _axis_text(axis: str) -> str:
     return texts.get(axis, axis)
 
 
-def verdict_text(test: DeviceTest) -> str:
-    """Return how a test has ended."""
+def verdict_text(test: DeviceTest, finished: str = "") -> str:
+    """Return how a test has ended; `finished` is said of one that was whole."""
     if test.problem:
         return translated(test.problem)
     if test.was_stopped:
         return translate("DeviceTestWords", "Stopped.")
     if test.mode is Mode.TRIPPED:
         return stop_reason(test.cause)
-    return translate("DeviceTestWords", "Test finished.")
+    return finished or translate("DeviceTestWords", "Test finished.")

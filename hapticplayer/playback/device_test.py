@@ -5,7 +5,7 @@ The same loop, limits, ramps and guard as in play: each part of the device is op
 """
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -56,7 +56,7 @@ class DevicePart:
         return float(self.track.time_s[-1])
 
 
-def parts_of(name: str) -> tuple[DevicePart, ...]:
+def parts_of(name: str, strengths: Sequence[float] = ()) -> tuple[DevicePart, ...]:
     """The steps of a device test, in order.
 
     Raises:
@@ -66,8 +66,8 @@ def parts_of(name: str) -> tuple[DevicePart, ...]:
     record, divide = entry.capabilities, guide_of(entry).parts
     if record.signal is Signal.MOTION:
         return (DevicePart("", name, *rig_demonstration()),)
-    strengths = GENTLE if record.axes else GENTLE_VIBRATION
-    track, steps = demonstration(record, strengths)
+    gentle = GENTLE if record.axes else GENTLE_VIBRATION
+    track, steps = demonstration(record, strengths or gentle)
     parts = divide(entry.settings) if divide else (("", name),)
     return tuple(DevicePart(label, device, track, steps) for label, device in parts)
 
@@ -96,13 +96,14 @@ class DeviceTest:
         make: MakePlayer = ForcePlayer,
         latch: StopLatch | None = None,
         homing_s: float = HOMING_S,
+        strengths: Sequence[float] = (),
     ) -> None:
         self._latch = latch or StopLatch()
         entry = find_device(name)
         self._tells_latency = guide_of(entry).tells_latency
         self._clock, self._make = clock, make
         self._patience_s = entry.patience_s + homing_s
-        parts = parts_of(name)
+        parts = parts_of(name, strengths)
         self.part, self._next = parts[0], list(parts[1:])
         self._before_s, self.end_s = 0.0, sum(one.end_s for one in parts)
         self.loudest: list[dict[str, Any]] = []
@@ -205,6 +206,11 @@ class DeviceTest:
         self._before_s += player.media_s
         self.loudest += player.loudest.described()
         self.problem = self.problem or player.problem
+        is_cut = player.media_s < player.end_s and player.mode is not Mode.TRIPPED
+        if is_cut and not (self.problem or self.was_stopped):
+            self.problem = Message(
+                "the haptics process has ended; test the device again"
+            )
         if self.problem or player.mode is Mode.TRIPPED:
             self._next.clear()
         self._releaser = threading.Thread(target=player.close, name="device-test")

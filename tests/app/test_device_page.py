@@ -35,7 +35,7 @@ def test_each_force_is_announced_while_it_is_made(page, wait_for, monkeypatch):
     page.start_button.click()
     wait_for(lambda: "right" in page.text.text())
     assert "1.1\u00a0N" in page.text.text()
-    player, poll, ticks = page.force_player, page.force_player.poll, []
+    player, poll, ticks = page.test.player, page.test.player.poll, []
 
     def noted_poll():
         ticks.append(poll())
@@ -55,7 +55,7 @@ def test_each_force_is_announced_while_it_is_made(page, wait_for, monkeypatch):
 def test_a_demonstration_stops_at_once_and_releases_the_device(page, wait_for, way):
     page.start_button.click()
     wait_for(lambda: "right" in page.text.text())
-    player = page.force_player
+    player = page.test.player
     if way == "stop":
         page.stop_button.click()
         assert page.text.text() == "Stopped."
@@ -87,10 +87,10 @@ def test_a_falcon_that_is_not_homed_leads_to_the_homing_page(
     wanted = []
     page.homing_wanted.connect(lambda: wanted.append(page.is_running))
     page.begin()
-    wait_for(lambda: page.force_player.mode.name == "FOLLOWING")
+    wait_for(lambda: page.test.mode.name == "FOLLOWING")
     assert not wanted  # the first answers, which know nothing yet, do not count
-    monkeypatch.setattr(page.force_player, "poll", lambda: np.empty(0))
-    page.force_player.cause = Cause.NOT_HOMED
+    monkeypatch.setattr(page.test, "poll", lambda: np.empty(0))
+    page.test.cause = Cause.NOT_HOMED
     wait_for(lambda: bool(wanted))
     assert wanted == [False]
 

@@ -81,7 +81,7 @@ def test_the_forces_of_an_outlet_are_tried_and_it_plays_again(make_window, wait_
     page, states = window.findChild(DevicePage), window.player.snapshot
     assert states().outlets[0].health is Health.NONE  # it is lent to the page
     page.begin()
-    wait_for(lambda: page.force_player.media_s > 0.0)
+    wait_for(lambda: page.test.done_s > 0.0)
     page.reject()
     wait_for(lambda: states().outlets[0].health is Health.READY)
     assert states().device == "none"
