@@ -59,6 +59,7 @@ def test_a_window_that_nobody_sees_paints_nothing_and_plays_on(
     window.extras.statistics.show_text("figures")
     window.session.show_source(source)
     player = window.player
+    player.set_loop((0.0, 1.9))  # however many frames a busy machine drops
     player.play()
     wait_for(lambda: player.snapshot().media_s > 0.3)
     seen = take(counts)
@@ -66,17 +67,9 @@ def test_a_window_that_nobody_sees_paints_nothing_and_plays_on(
     with monkeypatch.context() as patch:
         put_away(window, way, patch)
         play_unseen(window, wait_for, counts, way)
+    take(counts)
     window.showNormal()
-    at_s = player.snapshot().media_s
-    wait_for(
-        lambda: (
-            player.snapshot().phase is Phase.ENDED
-            or player.snapshot().media_s > at_s + 0.3
-        )
-    )
-    back = take(counts)
-    assert back["convert"] >= 3
-    assert back["paint"] >= 3
+    wait_for(lambda: min(counts["convert"], counts["paint"]) >= 3)
 
 
 def play_unseen(window, wait_for, counts, way):
@@ -87,17 +80,12 @@ def play_unseen(window, wait_for, counts, way):
     """
     player = window.player
     wait_for(lambda: not is_seen(window.surface))
-    at_s, shown = player.snapshot().media_s, player.snapshot().frames_shown
+    shown = player.snapshot().frames_shown
     take(counts)
-    wait_for(lambda: player.snapshot().media_s > at_s + 0.4)
+    wait_for(lambda: player.snapshot().frames_shown >= shown + 8)
     unseen = take(counts)
     assert unseen["plots"] == unseen["statistics"] == 0
     assert way != "hidden" or unseen["paint"] == unseen["convert"] == 0
-    assert player.snapshot().frames_shown >= shown + 8
-    assert (
-        player.snapshot().frames_dropped == 0
-        or player.snapshot().phase is Phase.PLAYING
-    )
 
 
 def test_a_window_restored_while_paused_shows_the_position(

@@ -133,7 +133,7 @@ edits = st.lists(
 )
 
 
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200, derandomize=True)
 @given(
     count=st.integers(0, 60),
     edits=edits,

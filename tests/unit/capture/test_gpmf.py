@@ -130,7 +130,7 @@ VALID = device(
 
 
 @given(st.binary(max_size=400))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 def test_random_bytes_are_read_or_refused(payload):
     with contextlib.suppress(TelemetryError):
         walk(parse(payload))
@@ -144,7 +144,7 @@ def test_random_bytes_are_read_or_refused(payload):
     ),
     st.integers(0, len(VALID)),
 )
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=400)
 def test_damaged_payloads_are_read_or_refused(changes, length):
     payload = bytearray(VALID)
     for position, value in changes:

@@ -24,7 +24,7 @@ def test_twice_the_rate_is_averaged_in_pairs():
 
 
 @given(seed=st.integers(0, 2**32 - 1), ratio=st.floats(0.3, 20.0))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_no_angle_is_lost(seed, ratio):
     """The angle over the covered span equals the integral of the samples there."""
     rng = np.random.default_rng(seed)

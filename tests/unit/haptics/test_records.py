@@ -207,7 +207,9 @@ def test_a_marker_across_the_border_of_two_chunks_is_found(read, ticks, monkeypa
         assert not record.is_complete
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
+)
 @given(st.binary(max_size=300), st.integers(0, 3))
 def test_no_bytes_whatsoever_are_more_than_an_input_error(read, noise, kept):
     whole, starts = in_frames(random_ticks(sum(COUNTS)))

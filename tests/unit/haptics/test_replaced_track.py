@@ -122,7 +122,7 @@ def test_a_clip_of_75_s_at_1_khz_plays_within_200_ticks(play):
     assert checking <= ticks <= TICKS_OF_200_MS
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     st.lists(st.tuples(st.integers(0, 99), st.integers(1, 90)), min_size=1, max_size=6)
 )

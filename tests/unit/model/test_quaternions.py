@@ -18,7 +18,7 @@ def scipy_rotation(q):
 
 
 @given(unit, unit)
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_product_rotates_like_two_rotations(p, q):
     v = np.array([[0.3, -1.2, 2.0]])
     both = scipy_rotation(p) * scipy_rotation(q)
@@ -39,14 +39,14 @@ def test_chained_turns_are_products_one_after_the_other(count):
 
 
 @given(unit)
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_vertical_is_the_third_row_of_the_rotation_matrix(q):
     rows = scipy_rotation(q).as_matrix()[:, 2, :]
     assert np.allclose(quat.vertical(q), rows, atol=1e-12)
 
 
 @given(unit)
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_rotation_keeps_lengths(q):
     v = np.array([[3.0, -4.0, 12.0]])
     assert np.allclose(np.linalg.norm(quat.rotate(q, v), axis=1), 13.0, atol=1e-12)

@@ -243,7 +243,7 @@ LOGS = st.builds(
 
 
 @pytest.mark.parametrize("method", sorted(METHODS))
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=40, derandomize=True)
 @given(log=LOGS)
 def test_whatever_is_in_a_log_the_answer_is_sound_or_a_refusal(method, log):
     try:

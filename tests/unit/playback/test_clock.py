@@ -136,7 +136,7 @@ actions = st.lists(
 
 
 @given(actions)
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_the_position_only_jumps_with_a_new_epoch(script):
     clock, now = MediaClock(), T0
     for name, value in script:

@@ -163,9 +163,7 @@ class ClockMachine(RuleBasedStateMachine):
 
 
 TestClockMachine = ClockMachine.TestCase
-TestClockMachine.settings = settings(
-    max_examples=15, stateful_step_count=15, deadline=None
-)
+TestClockMachine.settings = settings(max_examples=15, stateful_step_count=15)
 
 
 def test_jitter_below_the_threshold_bends_nothing():

@@ -91,7 +91,7 @@ def assert_same(one, other):
 @pytest.mark.parametrize("preset", [one.name for one in PRESETS])
 @pytest.mark.usefixtures("short_solutions")
 def test_any_edits_give_the_bits_of_a_new_rendering(preset):
-    @settings(max_examples=12, deadline=None)
+    @settings(max_examples=12)
     @given(st.lists(edits, min_size=1, max_size=5))
     def check(several):
         rendering, effects = Rendering(RIDE, name=preset), NO_EFFECTS

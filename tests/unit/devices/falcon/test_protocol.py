@@ -5,7 +5,7 @@ import random
 import tracemalloc
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from hapticplayer.devices.falcon import protocol
@@ -106,7 +106,6 @@ def chunked(stream, cuts):
     return [stream[a:b] for a, b in itertools.pairwise(places)]
 
 
-@settings(deadline=None)
 @given(
     st.lists(st.one_of(replies.map(encode_reply), st.binary(max_size=40)), max_size=12),
     st.lists(st.integers(0, 1000), max_size=30),

@@ -57,7 +57,7 @@ def there_and_back(name, track, folder, duration_s):
 
 
 @pytest.mark.parametrize("name", BOTH_WAYS)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(track=tracks())
 def test_a_track_comes_back_within_the_tolerance(name, track, tmp_path_factory):
     folder = tmp_path_factory.mktemp("there")
@@ -68,7 +68,7 @@ def test_a_track_comes_back_within_the_tolerance(name, track, tmp_path_factory):
     assert report["error_max_n"] <= TOLERANCE_N + ROUNDING_N
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(track=tracks())
 def test_the_size_of_a_track_is_within_the_tolerance(track, tmp_path_factory):
     path = tmp_path_factory.mktemp("there") / "a.ahap"

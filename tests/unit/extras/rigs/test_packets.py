@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from hapticplayer.extras.rigs.packets import FORMATS, in_world
@@ -73,7 +73,6 @@ def test_neutral_has_no_motion_but_a_time():
     assert np.flatnonzero(codemasters).tolist() == [0, 1, 11, 16]
 
 
-@settings(deadline=None)
 @given(motions, st.floats(0.0, 4e6), st.integers(-(2**31), 2**31 - 1))
 def test_outsim_is_read_alike_by_lfs_insim(motion, time_s, identity):
     oracle = pytest.importorskip("lfs_insim.packets")
@@ -91,7 +90,6 @@ def test_outsim_is_read_alike_by_lfs_insim(motion, time_s, identity):
         assert found == pytest.approx(turned(attitude, own), abs=1e-4)
 
 
-@settings(deadline=None)
 @given(motions)
 def test_the_two_others_agree_with_outsim(motion):
     outsim = np.frombuffer(packet("outsim", motion)[4:52], "<f4")

@@ -4,7 +4,7 @@ import contextlib
 import socket
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from hapticplayer.clock import SystemClock
@@ -24,7 +24,6 @@ def packet(name, motion, time_s=2.0, **chosen):
     return FORMATS[name].encode(motion, time_s, RigSettings(FORMATS[name], **chosen))
 
 
-@settings(deadline=None)
 @given(motions, st.sampled_from(sorted(FORMATS)))
 def test_each_format_is_read_as_it_was_meant(motion, name):
     heard = decode(packet(name, motion))
@@ -48,7 +47,6 @@ def test_neutral_is_told_from_motion(name):
     assert not decode(packet(name, NEUTRAL._replace(front_mps2=0.1))).is_neutral
 
 
-@settings(deadline=None)
 @given(st.binary(max_size=300))
 def test_anything_else_is_not_a_packet(data):
     assert decode(data) is None or len(data) in (64, 68, 88, 264)

@@ -302,7 +302,7 @@ def test_the_guard_of_a_rig_at_rest_sends_nothing(bench):
     assert len(bench.sender.packets) == count
 
 
-@settings(deadline=None, max_examples=40)
+@settings(max_examples=40)
 @given(st.floats(0.06, 3.0), st.sampled_from([0.3, 2.0, 2.2, 3.0]))
 def test_guard_and_loop_make_one_ramp_of_a_stall(stall_s, begins_s):
     bench = Bench()
