@@ -29,6 +29,7 @@ from hapticplayer.capture.streams import RawLog, Samples, SensorStream, on_commo
 from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MIN_RATE_HZ, PLAUSIBLE_NORM_MPS2
 
 if TYPE_CHECKING:
     from hapticplayer.motion.repair.timestamps import Repair
@@ -284,9 +285,6 @@ def clean(
 
 def _is_constant(time_s: Floats, accel: Reals, rate: Reals) -> bool:
     """Whether times are in order and every sample is like the first, about 1 g."""
-    from hapticplayer.motion.repair.timestamps import MIN_RATE_HZ
-    from hapticplayer.motion.repair.units import PLAUSIBLE_NORM_MPS2
-
     low, high = PLAUSIBLE_NORM_MPS2
     return bool(
         len(time_s) > 1

@@ -16,12 +16,12 @@ from hapticplayer.capture.choices import (
     LogQuestion,
     factor,
 )
-from hapticplayer.capture.limits import MAX_USUAL_RATE_RADPS, REST_MPS2, UPRIGHT
 from hapticplayer.capture.mounting import AXES, axes_matrix, mean_up
 from hapticplayer.capture.streams import RawLog
 from hapticplayer.errors import Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_USUAL_RATE_RADPS, REST_MPS2, UPRIGHT
 
 _WINDOW_S = 0.5
 _STATIONARY_MPS2 = 0.25

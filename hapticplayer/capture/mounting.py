@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hapticplayer.capture.limits import MIN_MEAN_SHARE, UPRIGHT
 from hapticplayer.errors import InputError, Message, UsageError
 from hapticplayer.model import ImuLog, Mapping
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MIN_MEAN_SHARE, UPRIGHT
 
 AS_RECORDED = "x,y,z"
 

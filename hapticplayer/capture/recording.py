@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ClockMap, ImuLog
-from hapticplayer.model.limits import GAP_STEPS
+from hapticplayer.model.limits import are_gaps
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,10 +54,7 @@ def refuse_gravity_free(recording: Recording) -> None:
 
 def find_gaps(imu: ImuLog) -> NDArray[np.intp]:
     """Return the samples (G,) that are followed by a gap."""
-    steps_s = np.diff(imu.time_s)
-    if not steps_s.size:
-        return np.zeros(0, dtype=np.intp)
-    return np.flatnonzero(steps_s > GAP_STEPS * np.median(steps_s))
+    return np.flatnonzero(are_gaps(np.diff(imu.time_s)))
 
 
 def gap_notes(imu: ImuLog) -> tuple[str, ...]:

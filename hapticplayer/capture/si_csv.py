@@ -25,11 +25,6 @@ from hapticplayer.capture.csv_table import (
     read_table,
 )
 from hapticplayer.capture.formats import Confidence, Reader
-from hapticplayer.capture.limits import (
-    MAX_ACCELERATION_MPS2,
-    MAX_ANGULAR_RATE_RADPS,
-    MAX_SI_RATE_RADPS,
-)
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import LogSource
 from hapticplayer.errors import InputError, Message
@@ -38,6 +33,11 @@ from hapticplayer.model import (
     ImuLog,
 )
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import (
+    MAX_ACCELERATION_MPS2,
+    MAX_ANGULAR_RATE_RADPS,
+    MAX_SI_RATE_RADPS,
+)
 from hapticplayer.storage import file_replaced
 
 

@@ -13,16 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.csv_table import Shape, read_table
-from hapticplayer.capture.limits import MAX_REACH_S
 from hapticplayer.capture.source import LogSource
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats, all_of_rows
-from hapticplayer.model.limits import GAP_STEPS
+from hapticplayer.model.limits import MAX_REACH_S, are_gaps, are_unpaired
 
 NANO = 1e-9
 _MOSTLY = 0.5
-_UNPAIRED = 0.1
-"""Share of rows with one sensor only, of each kind, that makes separate streams."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -130,13 +127,9 @@ def split_sensors(
     """
     if {"accel", "rate"} <= set(parts):
         has_accel, has_rate = (
-            np.isfinite(parts[kind]).all(axis=1) for kind in ("accel", "rate")
+            all_of_rows(np.isfinite(parts[kind])) for kind in ("accel", "rate")
         )
-        alone = (
-            np.count_nonzero(has_accel & ~has_rate),
-            np.count_nonzero(has_rate & ~has_accel),
-        )
-        if min(alone) > _UNPAIRED * len(time_s):
+        if are_unpaired(has_accel, has_rate):
             return {kind: _own_rows(time_s, part) for kind, part in parts.items()}
     return {kind: SensorStream(time_s, part) for kind, part in parts.items()}
 
@@ -196,16 +189,8 @@ def _ordered(
     line = repair_times(
         np.array(stream.time_s, dtype=np.float64), [stream.values], where
     )
-    is_in_order = (
-        len(line.rows) == len(stream.values) and (np.diff(line.rows) == 1).all()
-    )
-    values = stream.values if is_in_order else stream.values[line.rows]
-    if len(line.starts) < len(line.rows):
-        sizes = np.diff(line.starts, append=len(line.rows))
-        finite = np.where(np.isfinite(values), values, np.nan)
-        values = np.add.reduceat(finite, line.starts) / sizes[:, None]
     notes = tuple(f"{name}: {repair.text}" for repair in line.repairs)
-    return SensorStream(line.time_s, np.asarray(values)), notes
+    return SensorStream(line.time_s, line.averaged(stream.values)), notes
 
 
 def _on_even_clock(
@@ -302,7 +287,7 @@ def mean_rate_with_holes(
     """
     finite = all_of_rows(np.isfinite(rate))
     steps_s = np.diff(time_s, prepend=time_s[0])
-    is_gap = steps_s > GAP_STEPS * np.median(np.diff(time_s))
+    is_gap = are_gaps(steps_s, float(np.median(np.diff(time_s))))
     missing = ~finite | is_gap
     if not missing.any():
         return mean_rate(query_s, time_s, rate)

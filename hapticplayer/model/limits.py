@@ -1,18 +1,117 @@
-"""Limits that more than one room checks."""
+"""Plausible numbers in recordings and forces, each once, with where it comes from.
+
+They are those of a sensor in a hand or on a vehicle; others are in another unit or damaged.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError, Message
 
+# --- time ------------------------------------------------------------------------
+
 GAP_STEPS = 3.0
 """A step of more than this many median steps of a log is a gap."""
+
+MISSING_ROW_STEPS, LEAST_MISSING_S = 1.75, 0.02
+"""One row of a 30 Hz log that is missing; stamps may jitter by a fifth."""
+
+MIN_RATE_HZ = 5.0
+"""Slower than this is no motion log; mostly it is time in another unit."""
+
+MAX_USUAL_RATE_HZ = 2000.0
+"""Faster than motion sensors are logged."""
+
+MAX_TIME = 1e20
+"""No clock counts so far, not even in nanoseconds since 1970."""
+
+MAX_GAP_S = 3600.0
+"""Silence beyond it: the rows belong to two recordings, or a time is wrong."""
+
+MAX_REACH_S = 1.0
+"""Longest extrapolation of a slow sensor (compass, gravity)."""
+
+FIRST_FRAME_S = -60.0
+"""A video that begins earlier than this before its log does not belong to it."""
+
+# --- samples ---------------------------------------------------------------------
 
 MAX_SAMPLES = 100_000_000
 """Rows of one sensor: 34 h of an 800 Hz sensor."""
 
+MAX_MISSING = 0.5
+"""Larger shares of a sensor's samples cannot be filled in."""
+
+MIN_UNPAIRED = 0.1
+"""Share of rows with one sensor only, of each kind, that means two streams."""
+
+MAX_ANY_FORCE, MAX_ANY_RATE, MAX_ANY_FIELD = 1e5, 1e4, 1e7
+"""Numbers beyond these are damage in any unit: 16 g are 16000 mg; 4000 deg/s; a
+magnet at the sensor shows 1e6 nT."""
+
+# --- specific force ------------------------------------------------------------
+
+MAX_ACCELERATION_MPS2 = 500.0
+"""No hand-held sensor measures 50 g; GoPro's range is 16 g."""
+
+REST_MPS2 = (8.5, 11.0)
+"""Norm where the gyro shows rest, so that only cheap accelerometers widen it, by up to
+10 %; `PLAUSIBLE_NORM_MPS2` of motion is of moving hands too."""
+
+COARSE_REST_MPS2 = (7.0, 13.0)
+"""Median norm that separates an accelerometer's file from a gyroscope's."""
+
+REST_G = (0.6, 1.5)
+"""Median norm of the first rows of a log in g."""
+
+PLAUSIBLE_NORM_MPS2 = (4.0, 40.0)
+"""Norm of the specific force in calm windows: 1 g at rest, 1.8 g in a runner's hand."""
+
+SURELY_G = (0.8, 1.25)
+"""The same of a log in g that needs no second look."""
+
+UPRIGHT = 0.7
+"""Cosine of 45 degrees: an axis farther from up is not z."""
+
+MIN_MEAN_SHARE = 0.5
+"""Mean vector over mean norm; below it the sensor rotated too much to show an axis."""
+
+# --- angular rate ----------------------------------------------------------------
+
+MAX_ANGULAR_RATE_RADPS = 100.0
+"""5700 deg/s; sensors saturate at 2000 or 4000 deg/s."""
+
+MAX_SI_RATE_RADPS = 40.0
+"""2300 deg/s: no hand rotates faster, so a larger number is in another unit."""
+
+MAX_USUAL_RATE_RADPS = 35.0
+"""Sensors saturate at 2000 deg/s; no hand rotates faster for long."""
+
+# --- force of a device -----------------------------------------------------------
+
 MAX_FORCE_N = 1000.0
 """Beyond any haptic device of this kind, the Falcon has 9 N: it is in another unit."""
+
+
+def are_gaps(
+    steps_s: NDArray[np.floating], usual_s: float | None = None
+) -> NDArray[np.bool_]:
+    """Whether each step between samples is a gap.
+
+    Args:
+        steps_s: (N,).
+        usual_s: the median step, if it is known.
+    """
+    if not steps_s.size:
+        return np.zeros(0, np.bool_)
+    usual_s = float(np.median(steps_s)) if usual_s is None else usual_s
+    return np.asarray(steps_s > GAP_STEPS * usual_s)
+
+
+def are_unpaired(has_one: NDArray[np.bool_], has_other: NDArray[np.bool_]) -> bool:
+    """Whether the rows (N,) of one table hold two streams with times of their own."""
+    alone = (has_one & ~has_other, has_other & ~has_one)
+    return bool(min(map(np.count_nonzero, alone)) > MIN_UNPAIRED * len(has_one))
 
 
 def refuse_large_force(

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import are_gaps
 from hapticplayer.motion.medians import median
 from hapticplayer.motion.saturation import (
     ACCELEROMETER,
@@ -18,8 +19,6 @@ from hapticplayer.motion.saturation import (
 
 Flags = NDArray[np.bool_]
 
-# A step longer than this many intervals is a gap.
-MAX_STEP_INTERVALS = 3.0
 # Straight lines bridge a gap of a few samples; one of this length is unknown.
 _UNKNOWN_GAP_S = 0.3
 # Share of a clipped sample that counts as unknown: its direction is known.
@@ -103,9 +102,8 @@ def find_flaws(imu: ImuLog) -> Flaws:
     steps = imu.time_s[1:] - imu.time_s[:-1]
     interval_s = median(steps)
     gap_s = np.zeros(len(imu))
-    if steps.max() > MAX_STEP_INTERVALS * interval_s:
-        wide = steps > MAX_STEP_INTERVALS * interval_s
-        gap_s[1:][wide] = steps[wide] - interval_s
+    wide = are_gaps(steps, interval_s)
+    gap_s[1:][wide] = steps[wide] - interval_s
     return Flaws(
         interval_s,
         gap_s,

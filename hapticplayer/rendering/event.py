@@ -10,6 +10,7 @@ from hapticplayer.errors import Message
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import LEAST_MISSING_S, MISSING_ROW_STEPS
 from hapticplayer.rendering.effects import Effect
 from hapticplayer.rendering.effects.values import MAX_EFFECT_S
 from hapticplayer.rendering.low_sound import LowSound
@@ -17,9 +18,6 @@ from hapticplayer.rendering.window_means import dense_motion
 
 GRID_HZ = 200.0
 """Of the even grid on which motion is looked at."""
-
-GAP_STEPS, LEAST_GAP_S = 1.75, 0.02
-"""One row of a 30 Hz log that is missing is a gap; stamps may jitter by a fifth."""
 
 LEAST_EFFECT_S = 0.001
 _LONGEST_S = MAX_EFFECT_S - 10.0  # with room for fades
@@ -176,7 +174,7 @@ class EventInputs:
         imu = self.imu
         steps_s = np.diff(imu.time_s)
         usual_s = float(np.median(steps_s))
-        is_gap = steps_s > max(GAP_STEPS * usual_s, usual_s + LEAST_GAP_S)
+        is_gap = steps_s > max(MISSING_ROW_STEPS * usual_s, usual_s + LEAST_MISSING_S)
         unknown = np.append(is_gap, False) | np.insert(is_gap, 0, False)
         return np.asarray(unknown if imu.valid is None else unknown | ~imu.valid)
 

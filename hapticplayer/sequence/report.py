@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from hapticplayer.capture.limits import UPRIGHT
 from hapticplayer.capture.mounting import fallen_text, mean_up
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import ENOUGH_CONFIDENCE
@@ -25,6 +24,7 @@ from hapticplayer.model import (
     MotionTrack,
     rendered_feedback,
 )
+from hapticplayer.model.limits import UPRIGHT
 from hapticplayer.model.ranges import finite_number
 from hapticplayer.sequence.description import Description, ExcursionEntry, TrackEntry
 

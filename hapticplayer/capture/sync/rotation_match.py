@@ -18,7 +18,7 @@ from scipy.signal import butter, sosfiltfilt
 from hapticplayer.capture.vision import FrameRotation
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.limits import GAP_STEPS
+from hapticplayer.model.limits import are_gaps
 
 HIGH_PASS_HZ = 0.4
 LEAST_OVERLAP_S = 6.0
@@ -54,7 +54,7 @@ class Gyro:
         self.begin_s, self.end_s = float(edges_s[0]), float(edges_s[-1])
         self._integral = CubicSpline(edges_s, total)
         self._rate = self._integral.derivative()
-        is_gap = steps_s > GAP_STEPS * float(np.median(steps_s))
+        is_gap = are_gaps(steps_s)
         self._gaps_s = np.stack([time_s[:-1][is_gap], time_s[1:][is_gap]], axis=1)
 
     def rotation(self, begin_s: Floats, end_s: Floats) -> Floats:

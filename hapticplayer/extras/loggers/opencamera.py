@@ -13,11 +13,11 @@ from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.csv_table import Shape, first_numbers
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.limits import COARSE_REST_MPS2
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import NANO, RawLog, Sensor, read_sensor
 from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.extras.loggers.nanoseconds import first_stamp_ns, plausible_frame0_s
+from hapticplayer.model.limits import COARSE_REST_MPS2
 
 _SHAPE = Shape(4, (3, 0, 1, 2), integer=3)
 _ROLES = ("accel", "gyro", "magnetic")

@@ -13,10 +13,10 @@ from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.csv_table import Shape, first_numbers, read_table
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.limits import REST_G
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, split
 from hapticplayer.errors import InputError, Message
+from hapticplayer.model.limits import REST_G
 
 _WIDTH = 10
 _EULER_WIDTH = 4

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.limits import GAP_STEPS
+from hapticplayer.model.limits import are_gaps
 
 Mask = NDArray[np.bool_]
 Indices = NDArray[np.intp]
@@ -26,7 +26,7 @@ def median_step_s(time_s: Floats) -> float:
 
 def gaps(time_s: Floats, step_s: float) -> Mask:
     """Return (N-1,) True where a step between two samples is a gap."""
-    return np.asarray(np.diff(time_s) > GAP_STEPS * step_s)
+    return are_gaps(np.diff(time_s), step_s)
 
 
 def runs(mask: NDArray[Any]) -> tuple[Indices, Indices]:

@@ -14,7 +14,14 @@ from numpy.typing import ArrayLike, NDArray
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats, all_of_rows
-from hapticplayer.model.limits import MAX_SAMPLES
+from hapticplayer.model.limits import (
+    MAX_ANY_FIELD,
+    MAX_ANY_FORCE,
+    MAX_ANY_RATE,
+    MAX_MISSING,
+    MAX_SAMPLES,
+    are_unpaired,
+)
 from hapticplayer.motion.repair.timestamps import (
     Repair,
     RepairKind,
@@ -27,18 +34,6 @@ from hapticplayer.motion.repair.units import check_force_unit, check_rate_unit
 Flags = NDArray[np.bool_]
 
 MIN_SAMPLES = 2
-
-MAX_FORCE = 1e5
-MAX_RATE = 1e4
-MAX_FIELD = 1e7
-"""Numbers beyond these are damage in any unit: 16 g are 16000 mg; 4000 deg/s; a
-magnet at the sensor shows 1e6 nT."""
-
-MAX_MISSING = 0.5
-"""Larger shares of a sensor's samples cannot be filled in."""
-
-MIN_UNPAIRED = 0.1
-"""Share of the rows from which either sensor alone means two streams."""
 
 # Over this time a hand moves nearly straight; longer gaps take means of both sides.
 MAX_LINE_S = 0.1
@@ -67,9 +62,9 @@ class _Sensor(NamedTuple):
     largest: float
 
 
-_SPECIFIC_FORCE = _Sensor("specific_force_mps2", RepairKind.FORCE_FILLED, MAX_FORCE)
-_ANGULAR_RATE = _Sensor("angular_rate_radps", RepairKind.RATE_FILLED, MAX_RATE)
-_MAGNETIC_FIELD = _Sensor("magnetic_field_ut", RepairKind.FIELD_FILLED, MAX_FIELD)
+_SPECIFIC_FORCE = _Sensor("specific_force_mps2", RepairKind.FORCE_FILLED, MAX_ANY_FORCE)
+_ANGULAR_RATE = _Sensor("angular_rate_radps", RepairKind.RATE_FILLED, MAX_ANY_RATE)
+_MAGNETIC_FIELD = _Sensor("magnetic_field_ut", RepairKind.FIELD_FILLED, MAX_ANY_FIELD)
 
 
 def repair_samples(  # noqa: PLR0913 - what a logger knows
@@ -105,7 +100,7 @@ def repair_samples(  # noqa: PLR0913 - what a logger knows
     )
     line = repair_times(times, sensors, source)
     repairs = list(line.repairs)
-    sensors = [_at_times(line, values) for values in sensors]
+    sensors = [line.averaged(values) for values in sensors]
     force, rate = sensors[0], sensors[1]
     lost_force = _missing(force, _SPECIFIC_FORCE) | _placeholders(force)
     lost_rate = _missing(rate, _ANGULAR_RATE)
@@ -202,20 +197,6 @@ def _numbers(values: ArrayLike, name: str, source: str) -> Floats:
         ) from error
 
 
-def _at_times(line: Timeline, values: Floats) -> Floats:
-    """Return one row for each time; rows that share one are averaged."""
-    if len(line.rows) == len(values) and (np.diff(line.rows) == 1).all():
-        ordered = values
-    else:
-        ordered = values[line.rows]
-    if len(line.starts) == len(line.rows):
-        return ordered
-    sizes = np.diff(line.starts, append=len(line.rows))
-    # one by one, because infinities of both signs may meet in a sum
-    finite = np.where(np.isfinite(ordered), ordered, np.nan)
-    return np.asarray(np.add.reduceat(finite, line.starts) / sizes[:, None])
-
-
 def _missing(values: Floats, sensor: _Sensor) -> Flags:
     # a comparison with NaN is False, so that this finds NaN and infinity too
     return ~all_of_rows(np.abs(values) <= sensor.largest)
@@ -240,17 +221,12 @@ def _placeholders(specific_force_mps2: Floats) -> Flags:
 
 def _refuse_unpaired(lost_force: Flags, lost_rate: Flags, source: str) -> None:
     """Refuse two streams of different times in one table."""
-    pairs = np.count_nonzero(~lost_force & ~lost_rate)
-    alone = min(
-        np.count_nonzero(lost_force & ~lost_rate),
-        np.count_nonzero(lost_rate & ~lost_force),
-    )
-    if alone > MIN_UNPAIRED * len(lost_force):
+    if are_unpaired(~lost_force, ~lost_rate):
         raise InputError(
             "only {count} of {total} rows hold both specific force and angular rate",
             where=source,
             remedy="bring the streams to common times by interpolation first",
-            count=pairs,
+            count=np.count_nonzero(~lost_force & ~lost_rate),
             total=len(lost_force),
         )
 

@@ -14,24 +14,18 @@ from numpy.typing import NDArray
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import (
+    MAX_GAP_S,
+    MAX_TIME,
+    MAX_USUAL_RATE_HZ,
+    MIN_RATE_HZ,
+)
 from hapticplayer.model.timing import time_unit_remedy
 
 Rows = NDArray[np.intp]
 
-MIN_RATE_HZ = 5.0
-"""Slower than this is no motion log; mostly it is time in another unit."""
-
-MAX_USUAL_RATE_HZ = 2000.0
-"""Faster than motion sensors are logged."""
-
 # A sensor at exactly the lowest rate has times that are rounded.
 ROUNDING = 0.99
-
-MAX_TIME = 1e20
-"""No clock counts so far, not even in nanoseconds since 1970."""
-
-MAX_GAP_S = 3600.0
-"""Silence beyond it: the rows belong to two recordings, or a time is wrong."""
 
 # Steps below this part of an interval are one moment for the sensor.
 SAME_MOMENT = 0.05
@@ -98,6 +92,17 @@ class Timeline:
     rows: Rows
     starts: Rows
     repairs: tuple[Repair, ...]
+
+    def averaged(self, values: Floats) -> Floats:
+        """Return one row (M, 3) for each time of the given (N, 3); several are averaged."""
+        is_in_order = len(self.rows) == len(values) and (np.diff(self.rows) == 1).all()
+        ordered = values if is_in_order else values[self.rows]
+        if len(self.starts) == len(self.rows):
+            return ordered
+        sizes = np.diff(self.starts, append=len(self.rows))
+        # one by one, because infinities of both signs may meet in a sum
+        finite = np.where(np.isfinite(ordered), ordered, np.nan)
+        return np.asarray(np.add.reduceat(finite, self.starts) / sizes[:, None])
 
     def first_row(self, flags: NDArray[np.bool_]) -> int:
         """Return the given row of the first time that is flagged, (M,)."""

@@ -12,11 +12,7 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
-
-PLAUSIBLE_NORM_MPS2 = (4.0, 40.0)
-"""Norm of the specific force in calm windows: 1 g at rest, 1.8 g in a runner's hand."""
-
-SURELY_G = (0.8, 1.25)
+from hapticplayer.model.limits import PLAUSIBLE_NORM_MPS2, SURELY_G, are_gaps
 
 CALM_WINDOW_S = 0.5
 
@@ -191,7 +187,7 @@ def _evidence(
     rows = starts[:, None] + np.arange(length)
     # a gap counts as one interval
     held_s = np.diff(time_s)[rows - 1]
-    held_s[held_s > 3.0 * interval_s] = interval_s
+    held_s[are_gaps(held_s, interval_s)] = interval_s
 
     def coarse(values: Floats) -> Floats:
         weighted = values[rows] * held_s[..., None]

@@ -7,8 +7,9 @@ import pytest
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import ImuLog
+from hapticplayer.model.limits import GAP_STEPS
 from hapticplayer.motion import METHODS, analyse
-from hapticplayer.motion.flaws import MAX_STEP_INTERVALS, find_flaws
+from hapticplayer.motion.flaws import find_flaws
 
 STEP_S = 0.01
 
@@ -56,7 +57,7 @@ def test_the_interval_is_the_median_step(count, rng):
 
 @pytest.mark.parametrize(("dropped", "is_gap"), [(1, False), (2, False), (3, True)])
 def test_a_step_beyond_three_intervals_is_a_gap(dropped, is_gap, log):
-    assert MAX_STEP_INTERVALS == 3.0
+    assert GAP_STEPS == 3.0
     # steps of 3 intervals are rounded either way, hence not exactly on it
     holed = without(log, slice(500, 500 + dropped))
     late = holed.time_s + np.where(np.arange(len(holed)) >= 500, -0.001, 0.0)
