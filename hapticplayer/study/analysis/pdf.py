@@ -28,10 +28,6 @@ _HEADING_MM = 12.0
 _SMALL = 0.8  # size of the font at which names are wrapped
 _LEAST_NAME = 0.25  # of the page, for the names of rows
 _MARK = (163, 32, 32)
-_LEAST_FILLED = 0.3
-"""Share of the last page above which the text has to end."""
-_SCALES = (1.0, 0.97, 1.03, 0.94, 1.06, 0.91)
-"""Sizes of text and figures that are tried until the last page is filled so far."""
 
 
 def write_pdf(
@@ -41,7 +37,7 @@ def write_pdf(
     blocks: Iterable[ReportBlock],
     pngs: dict[str, bytes],
 ) -> None:
-    """Write the report, in another size if the last page would be nearly empty.
+    """Write the report.
 
     Args:
         path: of the new file.
@@ -50,55 +46,32 @@ def write_pdf(
         blocks: of the report.
         pngs: the figures by name.
     """
-    blocks = tuple(blocks)
-    filled = {}
-    for scale in _SCALES:
-        pdf = _typeset(title, mark, blocks, pngs, scale)
-        filled[scale] = 1.0 if pdf.pages_count == 1 else pdf.y / pdf.h
-        if filled[scale] > _LEAST_FILLED:
-            pdf.output(str(path))
-            return
-        _close_fonts(pdf)
-    best = max(filled, key=lambda scale: filled[scale])
-    _typeset(title, mark, blocks, pngs, best).output(str(path))
-
-
-def _close_fonts(pdf: "FPDF") -> None:
-    """Close the files of fonts, as its `output` does."""
-    for font in pdf.fonts.values():
-        if close := getattr(font, "close", None):
-            close()
-
-
-def _typeset(
-    title: str,
-    mark: str,
-    blocks: tuple[ReportBlock, ...],
-    pngs: dict[str, bytes],
-    scale: float,
-) -> "FPDF":
     pdf = _new_pdf(title, mark)
-    width = min(1.0, scale) * pdf.epw
-    figure_mm = width * SIZE_IN[1] / SIZE_IN[0] + _HEADING_MM
-    _paragraph(pdf, title, 1.4 * scale * _HEADING_PT, bold=True)
+    blocks = tuple(blocks)
+    figure_mm = pdf.epw * SIZE_IN[1] / SIZE_IN[0] + _HEADING_MM
+    _paragraph(pdf, title, 1.4 * _HEADING_PT, bold=True)
     for block, after in zip_longest(blocks, blocks[1:]):
         match block:
             case Heading(text):
                 room = figure_mm if isinstance(after, ReportFigure) else _LEAST_ROOM_MM
-                if pdf.will_page_break(room + _HEADING_MM):
-                    pdf.add_page()
+                _keep_together(pdf, room + _HEADING_MM)
                 pdf.ln(3.0)
-                _paragraph(pdf, text, scale * _HEADING_PT, bold=True)
+                _paragraph(pdf, text, _HEADING_PT, bold=True)
             case Paragraph(text):
-                _paragraph(pdf, text, scale * _TEXT_PT)
+                _paragraph(pdf, text, _TEXT_PT)
             case ReportFigure(name, caption, text):
-                if pdf.will_page_break(figure_mm):
-                    pdf.add_page()
-                pdf.image(io.BytesIO(pngs[name]), w=width, alt_text=text or caption)
-                _paragraph(pdf, caption, scale * _TEXT_PT)
+                _keep_together(pdf, figure_mm)
+                pdf.image(io.BytesIO(pngs[name]), w=pdf.epw, alt_text=text or caption)
+                _paragraph(pdf, caption, _TEXT_PT)
             case ReportTable():
-                _add_table(pdf, block, scale)
-    return pdf
+                _add_table(pdf, block)
+    pdf.output(str(path))
+
+
+def _keep_together(pdf: "FPDF", height_mm: float) -> None:
+    """Begin a page where so much does not fit on this one."""
+    if pdf.will_page_break(height_mm):
+        pdf.add_page()
 
 
 def _new_pdf(title: str, mark: str) -> "FPDF":
@@ -141,14 +114,13 @@ def _paragraph(pdf: "FPDF", text: str, size_pt: float, *, bold: bool = False) ->
     pdf.ln(0.0 if bold else 1.5)
 
 
-def _add_table(pdf: "FPDF", table: ReportTable, scale: float) -> None:
+def _add_table(pdf: "FPDF", table: ReportTable) -> None:
     """Write a table; if it is too wide, in a smaller font and with names wrapped."""
     from fpdf.enums import TableBordersLayout
 
-    if pdf.will_page_break(_LEAST_ROOM_MM):
-        pdf.add_page()
-    _paragraph(pdf, table.title, scale * _TEXT_PT, bold=True)
-    pdf.set_font(_FONT, "B", scale * _TABLE_PT)
+    _keep_together(pdf, _LEAST_ROOM_MM)
+    _paragraph(pdf, table.title, _TEXT_PT, bold=True)
+    pdf.set_font(_FONT, "B", _TABLE_PT)
     rows = (table.head, *table.rows)
     widths = [
         max(map(pdf.get_string_width, cells)) + 2.0 * _PADDING_MM
@@ -157,7 +129,7 @@ def _add_table(pdf: "FPDF", table: ReportTable, scale: float) -> None:
     room = max(pdf.epw / _SMALL - sum(widths[1:]), _LEAST_NAME * pdf.epw)
     widths[0] = min(widths[0], room)
     fitted = min(1.0, pdf.epw / sum(widths))
-    size_pt = scale * fitted * _TABLE_PT
+    size_pt = fitted * _TABLE_PT
     pdf.set_font(_FONT, "", size_pt)
     with pdf.table(
         rows,
@@ -173,5 +145,5 @@ def _add_table(pdf: "FPDF", table: ReportTable, scale: float) -> None:
         pass
     if table.note:
         pdf.ln(0.8)
-        _paragraph(pdf, table.note, scale * _TABLE_PT)
+        _paragraph(pdf, table.note, _TABLE_PT)
     pdf.ln(3.5)

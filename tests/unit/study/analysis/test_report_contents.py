@@ -20,8 +20,6 @@ from hapticplayer.study.answers import Participant, collect_answers
 from hapticplayer.study.conduct import AnsweredPlayback, Conduct
 from hapticplayer.study.creation import create_study
 
-A4_PT = 841.9
-
 
 def parts(answers):
     resampling = Resampling(seed=7, count=99)
@@ -246,21 +244,6 @@ def test_a_header_is_repeated_on_each_page_of_its_table(tmp_path):
 
 def test_real_data_have_no_mark(make_answers):
     assert parts(make_answers(5, 4, sequences=1)).mark == ""
-
-
-def test_the_last_page_of_a_pdf_is_not_nearly_empty(tmp_path):
-    words = "All answers were given on a scale of five steps. " * 6
-    made = []
-    for count in range(32, 44, 2):
-        path = tmp_path / f"{count}.pdf"
-        write_pdf(path, "Rides", "", [Paragraph(words)] * count, {})
-        pages = pages_of(path.read_bytes())
-        lowest_pt = min(  # the footer is lower
-            float(y) for y in re.findall(rb" ([0-9.]+) Td", pages[-1]) if float(y) > 50
-        )
-        made.append((len(pages), 1.0 - lowest_pt / A4_PT))
-    assert {pages for pages, _ in made} == {2, 3}
-    assert min(filled for _, filled in made) > 0.25
 
 
 def pages_of(pdf: bytes) -> list[bytes]:
