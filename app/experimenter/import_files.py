@@ -215,7 +215,7 @@ class FilesPage(QWidget):
         video = self.tr(
             "Video: {camera}{width} \u00d7 {height}, {rate} fps, {duration}, {sound}"
         ).format(
-            camera=f"{translated(found.clip_camera)}, " if found.clip_camera else "",
+            camera=f"{translated(found.clip.camera)}, " if found.clip.camera else "",
             width=clip.width,
             height=clip.height,
             rate=local(f"{clip.frame_rate_hz:.4g}"),

@@ -143,8 +143,8 @@ class SyncPage(QWidget):
             spin.blockSignals(True)
             spin.setValue(value)
             spin.blockSignals(False)
-        self.keep_skew.setVisible(bool(found.clip_camera))
-        self.keep_skew.setToolTip(found.clip_camera)
+        self.keep_skew.setVisible(bool(found.clip.camera))
+        self.keep_skew.setToolTip(found.clip.camera)
         pats_s = tuple(pat.heard_s for pat in sync.pats) if sync else ()
         clock = ClockMap(offset_s, sync.clock_map.rate if sync else 1.0)
         is_by_turns = sync is not None and sync.method == "frames"
@@ -197,8 +197,8 @@ class SyncPage(QWidget):
         """Keep the camera's skew for its next clips, where that was wanted."""
         found = self._recognised
         is_wanted = found is not None and not found.knows_clip_clock
-        if is_wanted and self.keep_skew.isChecked() and found and found.clip_camera:
-            store_skew(found.clip_camera, self._late_s)
+        if is_wanted and self.keep_skew.isChecked() and found and found.clip.camera:
+            store_skew(found.clip.camera, self._late_s)
 
     def _shifted(self) -> Synchronisation | None:
         """The result with the skew that is wanted now."""

@@ -51,6 +51,7 @@ class ClipInfo:
     audio_rate_hz: int  # as stored; 0 without sound
     has_telemetry: bool
     names_force: bool = False  # whether its metadata say that force belongs to it
+    camera: str = ""  # that its metadata name
     remote: ClipBytes | None = None
 
     @property
@@ -82,14 +83,14 @@ def probe(path: AnyClip) -> ClipInfo:
             audio_rate_hz=audio.rate if audio is not None else 0,
             has_telemetry=find_telemetry(container) is not None,
             names_force=any(key.lower() == POINTER for key in container.metadata),
+            camera=_camera(container),
             remote=remote,
         )
 
 
-def camera_of(path: AnyClip) -> str:
-    """Return the name of the camera of a clip, "" if unknown; raises MediaError."""
-    with open_media(path) as container:
-        said = {key.lower(): value for key, value in container.metadata.items()}
+def _camera(container: InputContainer) -> str:
+    """Return the name of the camera of a clip, "" if unknown."""
+    said = {key.lower(): value for key, value in container.metadata.items()}
     make, model = (
         next((said[key].strip() for key in keys if said.get(key, "").strip()), "")
         for keys in (_MAKES, _MODELS)

@@ -23,7 +23,7 @@ from hapticplayer.errors import (
     message_of,
     no_progress,
 )
-from hapticplayer.media.clip_info import ClipInfo, camera_of, probe
+from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import ImuLog
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
@@ -46,7 +46,6 @@ class ImportPreview:
 
     Attributes:
         clip: the video.
-        clip_camera: camera named in the clip, or "".
         recorder: that recorded the motion.
         samples: their number.
         rate_hz: median.
@@ -66,7 +65,6 @@ class ImportPreview:
     """
 
     clip: ClipInfo
-    clip_camera: str
     recorder: str
     samples: int
     rate_hz: float
@@ -124,7 +122,6 @@ def preview_import(
     progress(1.0, "")
     return ImportPreview(
         clip=clip,
-        clip_camera=camera_of(video),
         recorder=recording.camera,
         samples=len(imu),
         rate_hz=imu.rate_hz,
@@ -160,7 +157,7 @@ def _sync(
     except (InputError, UsageError) as failure:
         problem = message_of(failure)
     is_heard = clip.has_audio and not (found and found.method == "embedded")
-    sound = loudness_of(clip) if is_heard else _NOTHING
+    sound = loudness_of(clip.path) if is_heard else _NOTHING
     return found, problem, sound, seen[-1] if seen else None
 
 
@@ -176,7 +173,7 @@ def _turn_rates(imu: ImuLog, frames: FrameRotation | None) -> tuple[Curve, Curve
     return turn_rate_of_frames(frames), turn_rate_of_gyro(imu)
 
 
-def loudness_of(clip: ClipInfo) -> Curve:
+def loudness_of(clip: Path) -> Curve:
     """Return times (N,) in s and the loudness (N,) of a clip with sound.
 
     Raises:
@@ -185,7 +182,7 @@ def loudness_of(clip: ClipInfo) -> Curve:
     from hapticplayer.capture.sync.events import loudness
     from hapticplayer.capture.sync.synchronize import read_sound
 
-    heard = read_sound(clip.path)
+    heard = read_sound(clip)
     level = loudness(heard.samples, heard.rate_hz)
     return np.arange(len(level)) / 1000.0, np.asarray(level, dtype=float)
 

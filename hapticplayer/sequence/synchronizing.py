@@ -32,7 +32,7 @@ from hapticplayer.errors import (
     joined,
     no_progress,
 )
-from hapticplayer.media.clip_info import ClipInfo, camera_of
+from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ClockMap
 from hapticplayer.model.ranges import SKEW_S
 from hapticplayer.structures import read_json
@@ -152,7 +152,7 @@ def find_sync(
             )
         late_s = choices.sound_late_s
         if late_s is None:
-            late_s = stored_skews().get(camera_of(clip.path), 0.0)
+            late_s = stored_skews().get(clip.camera, 0.0)
         return read_sound(clip.path, late_s)
 
     offset_s, own = choices.offset_s, recording.clock_map

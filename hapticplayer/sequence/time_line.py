@@ -13,7 +13,6 @@ from hapticplayer.errors import (
     message_of,
     no_progress,
 )
-from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import EffectList
 from hapticplayer.rendering.event import Event
@@ -56,10 +55,9 @@ def time_line_of(folder: Path, *, progress: Progress = no_progress) -> TimeLine:
     sequence = store.open_sequence(folder)
     store.motion_of(sequence)
     effects = store.effects_of(sequence)
-    clip = probe(sequence.clip)
     progress(0.2, Message("reading the sound"))
-    silence = np.zeros(0), np.zeros(0)
-    loudness = loudness_of(clip) if clip.has_audio else silence
+    silence, has_audio = (np.zeros(0),) * 2, sequence.description.clip.has_audio
+    loudness = loudness_of(sequence.clip) if has_audio else silence
     progress(0.5, Message("finding events"))
     try:
         return TimeLine(effects, events_of(folder), loudness)

@@ -89,13 +89,13 @@ def test_the_pats_are_heard_left_and_ticked_right(wizard, ride, wait_for, monkey
 
 
 def test_a_skew_moves_the_offset_and_is_kept_for_its_camera(
-    wizard, ride, wait_for, tmp_path, monkeypatch
+    wizard, ride, wait_for, tmp_path
 ):
     folder, _ = ride
-    monkeypatch.setattr(
-        "hapticplayer.sequence.import_preview.camera_of", lambda _path: "Cam 5"
-    )
     found = preview_import(folder / "ride.mp4", folder / "log.csv")
+    found = dataclasses.replace(
+        found, clip=dataclasses.replace(found.clip, camera="Cam 5")
+    )
     wizard.on_found(found)
     wizard.go_to(SYNC)
     page = wizard.sync
@@ -223,7 +223,7 @@ def test_a_low_window_cuts_no_text_off(wizard, ride, application):
     found = preview_import(ride[0] / "ride.mp4", ride[0] / "log.csv")
     seen = FrameEvidence(10.0, 0.94, 3.0, 0.9, 20.0, 0.001, 0.01, 0.002, "vectors")
     sync = Synchronisation(ClockMap(4.0, confidence=0.3), "frames", frames=seen)
-    wizard.on_found(dataclasses.replace(found, found=sync, clip_camera="Cam 5"))
+    wizard.on_found(dataclasses.replace(found, found=sync))
     wizard.go_to(SYNC)
     wizard.resize(940, 540)  # a screen of 1080 lines at 200 %
     application.processEvents()
