@@ -92,7 +92,7 @@ class SimulatedFalcon:
         self._corrupt = count
 
     def lose_homing(self) -> None:
-        """Say from now on that the position means nothing."""
+        """Say from now on that the position is invalid."""
         self.simulation.is_homed = False
 
     def _check_plug(self) -> None:

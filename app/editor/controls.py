@@ -31,10 +31,8 @@ class PlayBar(QWidget):
         self.show_state()
         self.time = ElidedLabel()
         self.time.setAccessibleName(self.tr("Time"))
-        self.closer = text_button("+", self.tr("Show less of the clip (+)"), "tool")
-        self.wider = text_button(
-            "\u2212", self.tr("Show more of the clip (\u2212)"), "tool"
-        )
+        self.closer = text_button("+", self.tr("Zoom in (+)"), "tool")
+        self.wider = text_button("\u2212", self.tr("Zoom out (\u2212)"), "tool")
         self.whole = text_button(self.tr("&Whole clip"), self.tr("Show the whole clip"))
         self.closer.setAccessibleName(self.tr("Zoom in"))
         self.wider.setAccessibleName(self.tr("Zoom out"))

@@ -66,7 +66,7 @@ def made_report(answers: Answers, *, progress: Progress) -> Report:
 
 
 def answers_with_force(folder: Path, *, progress: Progress) -> Answers:
-    """Return the answers of a study, with what hands got: its records are large."""
+    """Return the answers of a study, with the measured force per trial: its records are large."""
     return read_answers(folder, lambda fraction, step: progress(_READ * fraction, step))
 
 

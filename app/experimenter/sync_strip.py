@@ -246,7 +246,7 @@ class SyncStrip(QWidget):
             self._choose(self._held_shift_s + moved_s)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let go."""
+        """Release the device."""
         self._held_x = None
         event.accept()
 

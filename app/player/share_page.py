@@ -82,7 +82,7 @@ class SharePage(JobDialog):
 
     def _lay_out(self) -> None:
         text = self.tr(
-            "A video file to send: every player shows it, hapticplayer makes it felt."
+            "A video file to send: every player shows it, hapticplayer also plays the force."
         )
         self.one_file.setChecked(True)
         self.with_motion.setToolTip(

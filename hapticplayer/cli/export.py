@@ -72,7 +72,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
 
 
 def _export_sequence(options: argparse.Namespace) -> int:
-    """Write a force track of a sequence, and say what it has cost."""
+    """Write a force track of a sequence, and say its size and largest error."""
     target = Path(options.output)
     form = format_of(target, options.format)
     is_ours = form.is_ours if options.overwrite else None

@@ -113,7 +113,7 @@ def export_track(
     form: ForceFormat,
     choices: WriteChoices,
 ) -> dict[str, Any]:
-    """Write a track to a new file, and return what it has cost.
+    """Write a track to a new file, and return its size and largest error.
 
     Args:
         track: any.

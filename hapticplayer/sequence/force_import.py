@@ -79,7 +79,7 @@ def export_force(
         progress: called before it is written; raises Cancelled to stop.
 
     Returns:
-        What it has cost, see `export_track`, with `feedback` and `is_estimated`.
+        Size and largest error, see `export_track`, with `feedback` and `is_estimated`.
 
     Raises:
         UsageError: for an unknown track or format, or one that takes no motion.

@@ -1,4 +1,4 @@
-"""Answers of participants who never sat there, of a population that is known.
+"""Simulated answers from a known population.
 
 A rating is a latent value, rounded and cut to 1..5:
 

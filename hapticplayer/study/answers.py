@@ -161,7 +161,7 @@ def read_answers(study_folder: str | Path, progress: Progress | None = None) -> 
 
     Args:
         study_folder: with its definition.
-        progress: called while the records of the device are read, for what hands got;
+        progress: called while the records of the device are read, for the measured force;
             they are large, and not read for None.
     """
     return collect_answers(open_study(study_folder), progress)

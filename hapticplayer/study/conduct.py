@@ -76,7 +76,7 @@ def conduct_of(
     Args:
         definition: of the study.
         sessions: with answers.
-        trial_forces: what hands got in their trials, by code.
+        trial_forces: measured force per trial, by code.
     """
     by_code = trial_forces or {}
     sessions = list(sessions)

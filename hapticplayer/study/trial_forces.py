@@ -1,4 +1,4 @@
-"""What hands got in the trials of a session, from its records."""
+"""Measured force per trial of a session, from its records."""
 
 from collections.abc import Iterator, Mapping
 from itertools import chain

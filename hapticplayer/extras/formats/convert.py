@@ -39,7 +39,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
-    """Convert, and say what was assumed and what it has cost."""
+    """Convert, and say what was assumed, its size and largest error."""
     source, target = Path(options.source), Path(options.target)
     form = format_of(target, options.write_as)
     is_ours = form.is_ours if options.overwrite else None

@@ -84,7 +84,7 @@ class TCodePort:
         return b""
 
     def close(self) -> None:
-        """Let go."""
+        """Release the device."""
         if self._descriptor is not None:
             os.close(self._descriptor)
             self._descriptor = None

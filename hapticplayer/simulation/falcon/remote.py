@@ -179,7 +179,7 @@ class Controls:
         self._send(ScriptedEvent.CORRUPT, count)
 
     def lose_homing(self) -> None:
-        """Let the device say from now on that its position means nothing."""
+        """Let the device say from now on that its position is invalid."""
         self._send(ScriptedEvent.LOSE_HOMING)
 
     def close(self) -> None:
