@@ -113,23 +113,31 @@ def read_json(
     return decode(content, kind, str(path), error, remedy)
 
 
-def check_version(
+def check_schema(
     content: Any,
-    schema: str,
-    version: int,
+    schema: tuple[str, int],
     where: str,
+    other: Refusal,
     error: type[InputError] = InputError,
-    remedy: str = "update hapticplayer",
 ) -> None:
-    """Raise an error for an object of another schema or version; see `convert`."""
-    known = content if isinstance(content, dict) else {}
-    if (known.get("schema"), known.get("version")) != (schema, version):
+    """Raise the error for an object of another schema, or of another version of it.
+
+    Args:
+        content: to be checked.
+        schema: name and version.
+        where: the file, for messages.
+        other: how another object is refused.
+        error: to be raised.
+    """
+    if not isinstance(content, dict) or content.get("schema") != schema[0]:
+        raise error(other[0], where=where, remedy=other[1])
+    if content.get("version") != schema[1]:
         raise error(
             "has version {found}, this program reads {version}",
             where=where,
-            remedy=remedy,
-            found=repr(known.get("version"))[:_MAX_SHOWN],
-            version=version,
+            remedy="update hapticplayer",
+            found=repr(content.get("version"))[:_MAX_SHOWN],
+            version=schema[1],
         )
 
 

@@ -7,7 +7,6 @@ than the others is begun earlier.
 """
 
 import enum
-import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -18,7 +17,7 @@ from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model.ranges import finite_number
 from hapticplayer.storage import config_home
-from hapticplayer.untrusted import read_regular
+from hapticplayer.structures import read_json
 
 MOST_S = 1.0
 LARGE_S = 0.200
@@ -173,10 +172,9 @@ def table_s(table: Mapping[str, Any], part: str) -> dict[str, float]:
 def read_settings(path: Path) -> dict[str, Any]:
     """Return the window's settings; none of a file that is not valid."""
     try:
-        values = json.loads(read_regular(path, _MAX_BYTES))
-    except (InputError, ValueError, RecursionError):
+        return read_json(path, dict[str, Any], most_bytes=_MAX_BYTES)
+    except InputError:
         return {}
-    return values if isinstance(values, dict) else {}
 
 
 def version_of(values: Mapping[str, Any]) -> float:

@@ -2,7 +2,7 @@
 
 import dataclasses
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from msgspec import Meta, Struct, structs
 
@@ -16,8 +16,8 @@ from hapticplayer.model.calibration import (
     SensorCalibration,
 )
 from hapticplayer.storage import FILE, IsOurs, refuse_existing
-from hapticplayer.structures import check_version, convert
-from hapticplayer.untrusted import parse_json, read_regular
+from hapticplayer.structures import check_schema, convert, read_json
+from hapticplayer.untrusted import parse_json
 
 SCHEMA, VERSION = "hapticplayer.calibration", 1
 MAX_BYTES = 1 << 16
@@ -136,13 +136,9 @@ def read_calibration(path: Path) -> StoredCalibration:
     Raises:
         InputError: when it cannot be read or holds anything else.
     """
-    text = read_regular(path, MAX_BYTES, InputError, _REMEDY)
-    content = parse_json(text, str(path), InputError, _REMEDY)
-    if not isinstance(content, dict) or content.get("schema") != SCHEMA:
-        raise InputError(
-            "is not a calibration of a sensor", where=str(path), remedy=_REMEDY
-        )
-    check_version(content, SCHEMA, VERSION, str(path))
+    content = read_json(path, dict[str, Any], InputError, _REMEDY, MAX_BYTES)
+    other = Message("is not a calibration of a sensor"), _REMEDY
+    check_schema(content, (SCHEMA, VERSION), str(path), other)
     held = structs.asdict(
         convert(content, _CalibrationFile, str(path), InputError, _REMEDY)
     )

@@ -9,10 +9,14 @@ from hapticplayer.errors import Message, SequenceError
 from hapticplayer.model import ClockMap
 from hapticplayer.model.mapping import AxisGains
 from hapticplayer.model.ranges import MEDIA_TIME_S
-from hapticplayer.structures import check_version, convert
+from hapticplayer.structures import check_schema, convert
 
 SCHEMA, VERSION = "hapticplayer.sequence", 1
 IMPORT_AGAIN = Message("import it again")
+_OTHER = (
+    Message("is not the description of a sequence"),
+    Message("give the folder of a sequence"),
+)
 
 _Count = Annotated[int, Meta(ge=0)]
 _Amount = Annotated[float, Meta(ge=0.0, le=1e9)]
@@ -116,13 +120,7 @@ def checked_description(content: dict[str, Any], where: str) -> Description:
     Raises:
         SequenceError: names the wrong field and what is allowed there.
     """
-    if content.get("schema") != SCHEMA:
-        raise SequenceError(
-            "is not the description of a sequence",
-            where=where,
-            remedy="give the folder of a sequence",
-        )
-    check_version(content, SCHEMA, VERSION, where, SequenceError)
+    check_schema(content, (SCHEMA, VERSION), where, _OTHER, SequenceError)
     return convert(content, Description, where, SequenceError, IMPORT_AGAIN)
 
 

@@ -13,7 +13,7 @@ from hapticplayer.errors import (
     message_of,
 )
 from hapticplayer.rendering.effects.values import UP, Effect, EffectList, Target
-from hapticplayer.structures import check_version, convert, read_json
+from hapticplayer.structures import check_schema, convert, read_json
 
 SCHEMA, VERSION = "hapticplayer.effects", 1
 MAX_BYTES = 1 << 20
@@ -69,9 +69,8 @@ def effects_in(content: Any, where: str) -> EffectList:
         content: as `written` returns it.
         where: the file, for messages.
     """
-    if not isinstance(content, dict) or content.get("schema") != SCHEMA:
-        raise InputError("is not a list of effects", where=where, remedy=_GIVE)
-    check_version(content, SCHEMA, VERSION, where)
+    other = Message("is not a list of effects"), _GIVE
+    check_schema(content, (SCHEMA, VERSION), where, other)
     effects = []
     for number, entry in enumerate(convert(content, _List, where).effects):
         try:

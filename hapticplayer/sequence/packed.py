@@ -22,7 +22,7 @@ from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import store
 from hapticplayer.sequence.arrays import arrays_in
 from hapticplayer.sequence.description import FileEntry, checked_description
-from hapticplayer.structures import check_version, convert, decode
+from hapticplayer.structures import check_schema, convert, decode
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES
 
 MANIFEST = "hapticplayer.json"
@@ -153,7 +153,8 @@ def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Pack
     small = _AttachedFiles(str(carrier), attached)
     where = f"{carrier}: {MANIFEST}"
     manifest = decode(attached[MANIFEST].content, dict[str, Any], where, *_REFUSAL)
-    check_version(manifest, SCHEMA, VERSION, where, SequenceError)
+    other = Message("is not a manifest of hapticplayer"), _ASK_AGAIN
+    check_schema(manifest, (SCHEMA, VERSION), where, other, SequenceError)
     given = convert(manifest, _Manifest, where, SequenceError, _ASK_AGAIN)
     payload = VideoDigest(*structs.astuple(given.video))
     content = small.content(store.DESCRIPTION, given.files)

@@ -8,8 +8,7 @@ from typing import Any
 
 from hapticplayer import storage
 from hapticplayer.errors import Message, Progress, StudyError
-from hapticplayer.structures import convert
-from hapticplayer.study import json_files
+from hapticplayer.structures import read_json
 from hapticplayer.study.conduct import Conduct, conduct_of
 from hapticplayer.study.definition import (
     LIKERT,
@@ -338,8 +337,7 @@ def read_reviewed(session_folder: Path) -> set[str]:
     if not path.exists():
         return set()
     try:
-        content = json_files.parse(json_files.read_file(path), str(path))
-        return convert(content, dict[str, set[str]], str(path), StudyError)["passed"]
+        return read_json(path, dict[str, set[str]], StudyError)["passed"]
     except (StudyError, KeyError):
         return set()  # the safe side: they have to be reviewed again
 

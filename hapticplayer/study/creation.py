@@ -13,10 +13,9 @@ from hapticplayer import storage
 from hapticplayer.errors import Message, StudyError, entry_named
 from hapticplayer.rendering import chosen_feedback
 from hapticplayer.storage import json_text
-from hapticplayer.study.definition import StudyFeedback
+from hapticplayer.study.definition import StudyFeedback, read_file
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.estimates import refuse_estimates
-from hapticplayer.study.json_files import read_file
 from hapticplayer.study.plan import LETTERS
 from hapticplayer.study.session_folder import sha256
 from hapticplayer.study.study_folder import Study, open_study

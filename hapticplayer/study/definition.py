@@ -2,15 +2,20 @@
 
 import enum
 from itertools import product
-from typing import Annotated, Literal, TypeVar
+from pathlib import Path
+from typing import Annotated, Literal, NoReturn, TypeVar
 
 from msgspec import Meta, Struct
 
+from hapticplayer.errors import Message, StudyError
 from hapticplayer.model import ranges
 from hapticplayer.rendering import condition_named
 from hapticplayer.rendering.condition import described
-from hapticplayer.structures import FILLED, KEY, MAX_TEXT
+from hapticplayer.structures import FILLED, KEY, MAX_JSON_BYTES, MAX_TEXT
+from hapticplayer.untrusted import read_regular
 
+GIVE_STUDY = Message("give the folder of a study")
+_CORRECT = Message("correct it")
 SCHEMA = "hapticplayer.study"
 VERSION = 1
 LIKERT = (1, 2, 3, 4, 5)
@@ -368,3 +373,15 @@ class Definition(JsonObject, frozen=True):
         if self.use_published and question.published:
             return question.published.get(language) or question.text[language]
         return question.text[language]
+
+
+def read_file(path: Path, max_bytes: int = MAX_JSON_BYTES) -> bytes:
+    """The content of a small file of a study; raises StudyError."""
+    return read_regular(path, max_bytes, StudyError, GIVE_STUDY)
+
+
+def refuse(
+    path: str, field: str, what: Message, remedy: Message = _CORRECT
+) -> NoReturn:
+    """Raise StudyError for a place in a file, such as `sequences[2].key`."""
+    raise StudyError(what, where=f"{path}, {field}" if field else path, remedy=remedy)

@@ -12,9 +12,9 @@ from hapticplayer.rendering import (
     ParameterKind,
     condition_named,
 )
-from hapticplayer.structures import check_version, convert, missing, unknown
-from hapticplayer.study import json_files
+from hapticplayer.structures import check_schema, convert, decode, missing, unknown
 from hapticplayer.study.definition import (
+    GIVE_STUDY,
     MAX_CONDITIONS,
     SCHEMA,
     VERSION,
@@ -24,19 +24,17 @@ from hapticplayer.study.definition import (
     StudyFeedback,
     Text,
     TrialKind,
+    refuse,
 )
-from hapticplayer.study.json_files import refuse
 
 DEFINITION = "study.json"
 
 
 def parse_definition(content: bytes, path: str) -> Definition:
     """Return the definition in a JSON text; `path` is for messages."""
-    value = json_files.parse(content, path)
-    if not isinstance(value, dict) or value.get("schema") != SCHEMA:
-        what = Message("is not the definition of a study")
-        refuse(path, "", what, Message("give the folder of a study"))
-    check_version(value, SCHEMA, VERSION, path, StudyError)
+    value = decode(content, dict[str, Any], path, StudyError)
+    other = Message("is not the definition of a study"), GIVE_STUDY
+    check_schema(value, (SCHEMA, VERSION), path, other, StudyError)
     made = convert(value, Definition, path, StudyError)
     _check_texts(made, path)
     _check_keys(made, path)

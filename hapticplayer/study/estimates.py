@@ -1,15 +1,11 @@
 """Keeps motion that nothing measured out of studies that do not name it."""
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
-from hapticplayer.errors import InputError, Message, SequenceError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model import Feedback, rendered_feedback
-from hapticplayer.sequence.store import DESCRIPTION
-from hapticplayer.structures import read_json
-from hapticplayer.study.definition import Definition
-from hapticplayer.study.json_files import refuse
+from hapticplayer.sequence.store import DESCRIPTION, read_description
+from hapticplayer.study.definition import Definition, refuse
 
 
 def refuse_estimates(definition: Definition, path: str, folder: Path) -> None:
@@ -39,11 +35,7 @@ def _is_estimated(description: Path) -> bool:
     if not description.is_file():
         return False
     try:
-        feedbacks: Any = read_json(description, dict[str, Any], SequenceError).get(
-            "feedbacks"
-        )
+        feedbacks = read_description(description.parent).feedbacks
     except InputError:
         return False  # what is wrong with it is said when it is opened
-    if not isinstance(feedbacks, Mapping):
-        return False
     return rendered_feedback(feedbacks) is Feedback.ESTIMATED

@@ -24,7 +24,7 @@ from hapticplayer.errors import InputError, Message, StudyError
 from hapticplayer.storage import StorageError
 from hapticplayer.structures import convert
 from hapticplayer.structures import decode as decode_json
-from hapticplayer.study.json_files import read_file
+from hapticplayer.study.definition import read_file
 
 VERSION = 1
 MAX_BYTES, MAX_RECORD_BYTES = 256 << 20, 1 << 20

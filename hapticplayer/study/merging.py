@@ -6,8 +6,8 @@ from pathlib import Path
 
 from hapticplayer import storage
 from hapticplayer.errors import StudyError
+from hapticplayer.study.definition import read_file
 from hapticplayer.study.journal import MAX_BYTES, decode
-from hapticplayer.study.json_files import read_file
 from hapticplayer.study.session_folder import ANSWERS, sha256
 from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Study
 from hapticplayer.untrusted import open_regular

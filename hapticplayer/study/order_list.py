@@ -13,8 +13,7 @@ from msgspec import Meta
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.structures import convert
-from hapticplayer.study.definition import Condition, Definition
-from hapticplayer.study.json_files import read_file, refuse
+from hapticplayer.study.definition import Condition, Definition, read_file, refuse
 from hapticplayer.study.orders import first_repeat
 
 ORDERS = "orders.csv"

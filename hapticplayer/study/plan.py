@@ -15,9 +15,15 @@ from msgspec import Meta
 
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.storage import json_text
-from hapticplayer.structures import convert
-from hapticplayer.study import json_files
-from hapticplayer.study.definition import Condition, JsonObject, Key, OrderMethod, Seed
+from hapticplayer.structures import convert, decode
+from hapticplayer.study.definition import (
+    Condition,
+    JsonObject,
+    Key,
+    OrderMethod,
+    Seed,
+    refuse,
+)
 from hapticplayer.untrusted import ESCAPED
 
 SCHEMA = "hapticplayer.session"
@@ -82,12 +88,12 @@ def parse_plan_file(content: bytes, path: str) -> Plan:
     Raises:
         StudyError: when it is damaged.
     """
-    described = json_files.parse(content, path)
-    if not isinstance(described, dict) or described.get("schema") != SCHEMA:
-        json_files.refuse(path, "", Message("is not a session"))
+    described = decode(content, dict[str, Any], path, StudyError)
+    if described.get("schema") != SCHEMA:
+        refuse(path, "", Message("is not a session"))
     if described.pop("sha256", None) != _digest(described):
         what = Message("is damaged (its checksum differs)")
-        json_files.refuse(path, "", what, Message("copy the session again"))
+        refuse(path, "", what, Message("copy the session again"))
     return plan_of_record(described, path)
 
 
@@ -95,7 +101,7 @@ def plan_of_record(content: Any, path: str) -> Plan:
     """Return the plan in a record."""
     if isinstance(content, dict) and content.get("version") != VERSION:
         what = Message("was written by another version of the program")
-        json_files.refuse(path, "", what, Message("update hapticplayer"))
+        refuse(path, "", what, Message("update hapticplayer"))
     return convert(content, Plan, path, StudyError)
 
 

@@ -8,10 +8,9 @@ from pathlib import Path
 from hapticplayer import storage
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
-from hapticplayer.study.definition import Definition
+from hapticplayer.study.definition import Definition, read_file
 from hapticplayer.study.definition_reader import parse_definition
 from hapticplayer.study.journal import Records, encode, read_journal
-from hapticplayer.study.json_files import read_file
 from hapticplayer.study.plan import (
     Plan,
     describe,

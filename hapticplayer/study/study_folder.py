@@ -14,10 +14,9 @@ from pathlib import Path
 from hapticplayer import __version__, storage
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
-from hapticplayer.study.definition import Condition, Definition, OrderMethod
+from hapticplayer.study.definition import Condition, Definition, OrderMethod, read_file
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.journal import Journal, refuse_if_open
-from hapticplayer.study.json_files import read_file
 from hapticplayer.study.order_list import ORDERS, read_orders
 from hapticplayer.study.orders import Assignment, Balance, assign, balance_of
 from hapticplayer.study.plan import Plan, checked_code, is_code, new_code

@@ -182,7 +182,7 @@ def signed(attached):
     ("name", "change", "says"),
     [
         (MANIFEST, lambda c: c.update(version=9), "has version 9"),
-        (MANIFEST, lambda c: c.update(schema="x\x1b[2J"), "this program reads"),
+        (MANIFEST, lambda c: c.update(schema="x\x1b[2J"), "is not a manifest"),
         (MANIFEST, lambda c: c.pop("video"), "missing entry 'video'"),
         (MANIFEST, lambda c: c.update(files=3), "files: must be an object"),
         (
