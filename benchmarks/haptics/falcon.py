@@ -16,7 +16,7 @@ import numpy as np
 
 from benchmarks.common import Report, interleaved, medians, ratio, rms
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import DEVICES
+from hapticplayer.devices import find_device
 from hapticplayer.devices.falcon.driver import Options
 from hapticplayer.devices.falcon.geometry import FALCON_GEOMETRY
 from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
@@ -26,13 +26,13 @@ from hapticplayer.devices.falcon.protocol import (
     encode_command,
     encode_reply,
 )
+from hapticplayer.extras.faults.usb import driver
 from hapticplayer.haptics.scheduling import (
     DEVICE_PRIORITY,
     CpuLatencyRequest,
     acquire,
     grant,
 )
-from hapticplayer.simulation.usb import driver
 
 PERIOD_S = 0.001
 SETTLING_TICKS = 200
@@ -118,7 +118,7 @@ def _exchange(options: Options | None, ticks: int) -> dict[str, float]:
 def _start_falcon() -> tuple[subprocess.Popen[bytes], int]:
     """Return the process of a simulated Falcon, and our end of its line."""
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-    command = [sys.executable, "-P", "-m", DEVICES["falcon-simulated"].server]
+    command = [sys.executable, "-P", "-m", find_device("falcon-simulated").server]
     command += ["--line", str(theirs.fileno()), "--running"]
     server = subprocess.Popen(command, pass_fds=[theirs.fileno()])
     theirs.close()

@@ -163,18 +163,6 @@ _BUILT_IN = (
         patience_s=45.0,  # ten uploads, should the first nine fail
         guide="hapticplayer.devices.falcon.guide:FALCON",
     ),
-    DeviceEntry(
-        "falcon-simulated",
-        Message("Falcon on simulated USB"),
-        "the Falcon's own driver on simulated USB, for developers",
-        FALCON,
-        f"{_SIMULATION}.usb.driver:make",
-        f"{_SIMULATION}.usb.remote:silence",
-        server=f"{_SIMULATION}.usb",
-        direct=f"{_SIMULATION}.usb.driver:simulated",
-        is_for_developers=True,
-        patience_s=45.0,
-    ),
 )
 DEVICES: dict[str, DeviceEntry] = {entry.name: entry for entry in _BUILT_IN}
 """Those of the core; `installed_devices` has also those of extensions."""

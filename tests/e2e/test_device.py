@@ -6,7 +6,7 @@ import signal
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.simulation.usb.board import synthetic_image
+from hapticplayer.extras.faults.usb.board import synthetic_image
 from tests.e2e.command import hapticplayer, report_of, started
 
 FALCON = ("--device", "falcon-simulated")

@@ -8,9 +8,9 @@ from app.player.setup_page import SetupPage
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.simulation.usb.board import Stage, synthetic_image
-from hapticplayer.simulation.usb.driver import make_set
-from hapticplayer.simulation.usb.mechanics import Homing
+from hapticplayer.extras.faults.usb.board import Stage, synthetic_image
+from hapticplayer.extras.faults.usb.driver import make_set
+from hapticplayer.extras.faults.usb.mechanics import Homing
 
 
 def small_image():

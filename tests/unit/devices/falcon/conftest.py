@@ -12,9 +12,9 @@ from hapticplayer.devices.falcon.firmware import MemoryBlock, build_image, parse
 from hapticplayer.devices.falcon.ftdi import Ftdi
 from hapticplayer.devices.falcon.link import DirectLink
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
-from hapticplayer.simulation.usb.board import Board, Stage
-from hapticplayer.simulation.usb.chip import Chip
+from hapticplayer.extras.faults.usb.backend import SimulatedBus, SimulatedPort
+from hapticplayer.extras.faults.usb.board import Board, Stage
+from hapticplayer.extras.faults.usb.chip import Chip
 from tests.doubles import BenchMechanics
 
 

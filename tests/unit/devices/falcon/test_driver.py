@@ -16,9 +16,9 @@ from hapticplayer.devices.falcon.driver import (
 from hapticplayer.devices.falcon.link import DirectLink
 from hapticplayer.devices.falcon.protocol import Lights
 from hapticplayer.errors import DeviceError
+from hapticplayer.extras.faults.usb.board import Stage
+from hapticplayer.extras.faults.usb.mechanics import SimulatedMechanics
 from hapticplayer.simulation.falcon.simulation import Simulation
-from hapticplayer.simulation.usb.board import Stage
-from hapticplayer.simulation.usb.mechanics import SimulatedMechanics
 
 ZERO = (0.0, 0.0, 0.0)
 PUSH = (1.0, 2.0, -3.0)

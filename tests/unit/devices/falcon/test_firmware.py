@@ -17,7 +17,7 @@ from hapticplayer.devices.falcon.firmware import (
 )
 from hapticplayer.devices.falcon.firmware import image as image_module
 from hapticplayer.errors import Cancelled, DeviceError, UsageError
-from hapticplayer.simulation.usb.board import Stage
+from hapticplayer.extras.faults.usb.board import Stage
 
 QUICK = replace(firmware.RETRY_LIMITS, attempts=3)
 

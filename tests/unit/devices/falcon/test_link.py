@@ -11,7 +11,7 @@ from hapticplayer.devices.falcon.link import NO_ANSWER, OLD_S, ThreadedLink
 from hapticplayer.devices.falcon.protocol import Reply, encode_reply
 from hapticplayer.devices.falcon.transport import FalconGoneError
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.usb.board import Stage
+from hapticplayer.extras.faults.usb.board import Stage
 from tests.unit.devices.falcon.conftest import Bench
 
 LONG_S = 20.0  # for what happens at once unless it is broken

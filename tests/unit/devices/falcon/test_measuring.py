@@ -13,10 +13,10 @@ from hapticplayer.devices.falcon.firmware import open_running
 from hapticplayer.devices.falcon.link import DirectLink
 from hapticplayer.devices.falcon.transport import open_falcon
 from hapticplayer.errors import DeviceError
+from hapticplayer.extras.faults.usb.board import Stage, synthetic_image
+from hapticplayer.extras.faults.usb.driver import make_set
 from hapticplayer.simulation.falcon.parameters import Electronics
 from hapticplayer.simulation.falcon.simulation import Simulation
-from hapticplayer.simulation.usb.board import Stage, synthetic_image
-from hapticplayer.simulation.usb.driver import make_set
 
 
 class Lab:

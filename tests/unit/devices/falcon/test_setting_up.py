@@ -12,10 +12,10 @@ from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.setting_up import Step, set_up
 from hapticplayer.devices.falcon.transport import FalconGoneError, open_falcon
 from hapticplayer.errors import Cancelled, DeviceError
+from hapticplayer.extras.faults.usb.board import Stage
+from hapticplayer.extras.faults.usb.driver import make_set
+from hapticplayer.extras.faults.usb.mechanics import Homing
 from hapticplayer.simulation.falcon.simulation import Simulation
-from hapticplayer.simulation.usb.board import Stage
-from hapticplayer.simulation.usb.driver import make_set
-from hapticplayer.simulation.usb.mechanics import Homing
 
 
 def guidance(*ways, homed_at_end=False):
@@ -89,7 +89,7 @@ class World:
         self.driver = self.set.driver
 
     def run(self, until):
-        from hapticplayer.simulation.usb.board import synthetic_image
+        from hapticplayer.extras.faults.usb.board import synthetic_image
 
         def show(progress):
             self.shown.append(progress)

@@ -3,8 +3,8 @@
 from hapticplayer.devices import find_device
 from hapticplayer.devices.falcon.ftdi import RUN_BAUD
 from hapticplayer.devices.falcon.silence import Silencer
-from hapticplayer.simulation.usb.board import Stage, synthetic_image
-from hapticplayer.simulation.usb.driver import make_set
+from hapticplayer.extras.faults.usb.board import Stage, synthetic_image
+from hapticplayer.extras.faults.usb.driver import make_set
 
 PUSH = (3.0, 0.0, 0.0)
 

@@ -8,9 +8,9 @@ import usb.core
 from hapticplayer.devices.falcon import kinematics
 from hapticplayer.devices.falcon.ftdi import LOADER_BAUD, RUN_BAUD
 from hapticplayer.devices.falcon.protocol import Lights, MotorCommand
+from hapticplayer.extras.faults.usb.board import Stage
+from hapticplayer.extras.faults.usb.mechanics import Homing, SimulatedMechanics
 from hapticplayer.simulation.falcon.simulation import Simulation
-from hapticplayer.simulation.usb.board import Stage
-from hapticplayer.simulation.usb.mechanics import Homing, SimulatedMechanics
 
 ZERO_FRAME = b"<AAAAAAAAAAAAAA>"
 BYTE_S = 10 / 1.5e6

@@ -13,9 +13,9 @@ from hapticplayer.devices.falcon.transport import (
     open_falcon,
 )
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
-from hapticplayer.simulation.usb.board import Board, Stage
-from hapticplayer.simulation.usb.chip import Chip
+from hapticplayer.extras.faults.usb.backend import SimulatedBus, SimulatedPort
+from hapticplayer.extras.faults.usb.board import Board, Stage
+from hapticplayer.extras.faults.usb.chip import Chip
 from tests.doubles import BenchMechanics
 
 

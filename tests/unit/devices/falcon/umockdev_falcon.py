@@ -31,8 +31,8 @@ from hapticplayer.devices.falcon.transport import (
     open_falcon,
 )
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.usb.board import Board, synthetic_image
-from hapticplayer.simulation.usb.chip import Chip, UsbFault
+from hapticplayer.extras.faults.usb.board import Board, synthetic_image
+from hapticplayer.extras.faults.usb.chip import Chip, UsbFault
 from tests.doubles import BenchMechanics
 
 CONTROL, BULK = 0xC0185500, 0xC0185502

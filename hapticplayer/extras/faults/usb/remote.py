@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.protocol import encode_command
-from hapticplayer.simulation.usb.chip import UsbFault
+from hapticplayer.extras.faults.usb.chip import UsbFault
 
 _REQUEST = struct.Struct("<cId3H")  # kind, serial, timeout s, three words
 _ANSWER = struct.Struct("<Iii")  # serial, errno, bytes taken

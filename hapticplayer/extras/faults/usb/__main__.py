@@ -1,4 +1,4 @@
-"""Entry: `python -m hapticplayer.simulation.usb`."""
+"""Entry: `python -m hapticplayer.extras.faults.usb`."""
 
 import gc
 import os
@@ -7,22 +7,22 @@ import sys
 import threading
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.haptics.scheduling import outlive_the_player
-from hapticplayer.simulation.falcon.options import device_parser, simulation_of
-from hapticplayer.simulation.falcon.record import PlantRecorder
-from hapticplayer.simulation.usb.board import Board, Stage
-from hapticplayer.simulation.usb.chip import Chip
-from hapticplayer.simulation.usb.mechanics import (
+from hapticplayer.extras.faults.usb.board import Board, Stage
+from hapticplayer.extras.faults.usb.chip import Chip
+from hapticplayer.extras.faults.usb.mechanics import (
     Homing,
     RecordedMechanics,
     SimulatedMechanics,
 )
-from hapticplayer.simulation.usb.server import UsbServer, serve_acts
+from hapticplayer.extras.faults.usb.server import UsbServer, serve_acts
+from hapticplayer.haptics.scheduling import outlive_the_player
+from hapticplayer.simulation.falcon.options import device_parser, simulation_of
+from hapticplayer.simulation.falcon.record import PlantRecorder
 
 
 def main(argv: list[str] | None = None) -> int:
     """Be a Falcon on USB until all others have closed their end of the line."""
-    parser = device_parser("hapticplayer.simulation.usb")
+    parser = device_parser("hapticplayer.extras.faults.usb")
     parser.add_argument("--running", action="store_true", help="with its firmware")
     parser.add_argument("--unhomed", action="store_true", help="its owner will home it")
     options = parser.parse_args(argv)

@@ -20,8 +20,8 @@ import usb.core
 from usb.backend import IBackend
 
 from hapticplayer.devices.falcon.transport import PRODUCT_ID, VENDOR_ID
-from hapticplayer.simulation.usb.chip import Chip, UsbFault
-from hapticplayer.simulation.usb.remote import RemoteChip
+from hapticplayer.extras.faults.usb.chip import Chip, UsbFault
+from hapticplayer.extras.faults.usb.remote import RemoteChip
 
 _GET_DESCRIPTOR, _STRING = 6, 3
 _STANDARD_IN, _VENDOR_OUT = 0x80, 0x40

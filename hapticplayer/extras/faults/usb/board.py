@@ -18,7 +18,7 @@ from hapticplayer.devices.falcon.firmware.loader import AUTOBAUD, HELLO, HELLO_A
 from hapticplayer.devices.falcon.ftdi import HELLO_BAUD, RUN_BAUD
 from hapticplayer.devices.falcon.protocol import CommandParser, encode_reply
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.usb.mechanics import Mechanics
+from hapticplayer.extras.faults.usb.mechanics import Mechanics
 
 _LOADER_MOST_BAUD = 250_000.0
 _TOLERANCE = 0.04  # of a rate; a serial line forgives about that much

@@ -8,12 +8,12 @@ from hapticplayer.devices.falcon.driver import DEFAULTS, FalconDriver, Options
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.silence import NO_LINE
 from hapticplayer.devices.falcon.transport import OpenTransport, Transport, open_falcon
+from hapticplayer.extras.faults.usb.backend import SimulatedBus, SimulatedPort
+from hapticplayer.extras.faults.usb.board import Board, Stage, synthetic_image
+from hapticplayer.extras.faults.usb.chip import Chip
+from hapticplayer.extras.faults.usb.mechanics import Homing, SimulatedMechanics
+from hapticplayer.extras.faults.usb.remote import RemoteChip
 from hapticplayer.simulation.falcon.simulation import Simulation
-from hapticplayer.simulation.usb.backend import SimulatedBus, SimulatedPort
-from hapticplayer.simulation.usb.board import Board, Stage, synthetic_image
-from hapticplayer.simulation.usb.chip import Chip
-from hapticplayer.simulation.usb.mechanics import Homing, SimulatedMechanics
-from hapticplayer.simulation.usb.remote import RemoteChip
 
 
 @dataclass(frozen=True, slots=True)

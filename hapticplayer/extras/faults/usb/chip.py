@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from hapticplayer.clock import Clock
 from hapticplayer.devices.falcon import ftdi
 from hapticplayer.devices.falcon.ftdi import CTS, PAYLOAD_BYTES, Divisor
-from hapticplayer.simulation.usb.board import Board
+from hapticplayer.extras.faults.usb.board import Board
 
 BITS_PER_BYTE = 10
 _MODEM_FIXED, _LINE_IDLE = 0x01, 0x60

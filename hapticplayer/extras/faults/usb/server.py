@@ -5,11 +5,9 @@ import socket
 import threading
 
 from hapticplayer.clock import Clock
-from hapticplayer.simulation.falcon.packets import Control, ScriptedEvent, unpack
-from hapticplayer.simulation.falcon.simulation import Simulation
-from hapticplayer.simulation.usb.board import Board
-from hapticplayer.simulation.usb.chip import Chip, UsbFault
-from hapticplayer.simulation.usb.remote import (
+from hapticplayer.extras.faults.usb.board import Board
+from hapticplayer.extras.faults.usb.chip import Chip, UsbFault
+from hapticplayer.extras.faults.usb.remote import (
     MAX_BYTES,
     NO_ANSWER,
     UsbAnswer,
@@ -18,6 +16,8 @@ from hapticplayer.simulation.usb.remote import (
     pack_answer,
     unpack_request,
 )
+from hapticplayer.simulation.falcon.packets import Control, ScriptedEvent, unpack
+from hapticplayer.simulation.falcon.simulation import Simulation
 
 
 class UsbServer:

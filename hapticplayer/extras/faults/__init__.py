@@ -1,0 +1,1 @@
+"""What developers try the Falcon's driver with."""

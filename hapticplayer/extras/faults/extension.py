@@ -1,0 +1,25 @@
+"""The Falcon's own driver on a simulated USB bus."""
+
+from hapticplayer.devices import DeviceEntry
+from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.errors import Message
+
+_USB = "hapticplayer.extras.faults.usb"
+
+
+def devices() -> tuple[DeviceEntry, ...]:
+    """A Falcon whose chip, board and mechanics are simulated."""
+    return (
+        DeviceEntry(
+            "falcon-simulated",
+            Message("Falcon on simulated USB"),
+            "the Falcon's own driver on simulated USB, for developers",
+            FALCON,
+            f"{_USB}.driver:make",
+            f"{_USB}.remote:silence",
+            server=_USB,
+            direct=f"{_USB}.driver:simulated",
+            is_for_developers=True,
+            patience_s=45.0,
+        ),
+    )
