@@ -242,7 +242,7 @@ class Person(QObject):
                 self.on_check()
                 self.on_action("device", Cause.CLOSING)
             yield self._haste
-        while self._window.player.snapshot().tick is None:
+        while self._window.player.snapshot().leading.tick is None:
             yield 0.1
 
     # --- things: the window --------------------------------------------------

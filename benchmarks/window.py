@@ -65,7 +65,7 @@ def open_window(
     audio = SoundProcess if sound else None
     playing = player(clock, SurfaceSink(surface), audio=audio, haptics=haptics)
     window = PlayerWindow(playing, surface, clock, Settings(settings), plots=plots)
-    playing.set_device("simulated")
+    playing.set_outputs(["simulated"])
     if fullscreen:
         window.enter_fullscreen()
     else:

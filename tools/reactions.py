@@ -71,7 +71,7 @@ class Watch:
         self._begin()
 
     def _begin(self) -> None:
-        self._loop_pid = self.player.snapshot().loop_pid
+        self._loop_pid = self.player.snapshot().leading.loop_pid
         self._seen_s = float("-inf")
         self._mode, self._cause = Mode.IDLE, Cause.NONE
         self._has_begun = False
@@ -83,7 +83,7 @@ class Watch:
 
     def read(self) -> None:
         """Judge the ticks since the last call."""
-        if self.player.snapshot().loop_pid != self._loop_pid:
+        if self.player.snapshot().leading.loop_pid != self._loop_pid:
             self._begin()
         lost = self.player.measurements().ticks_lost
         self.lost += lost - self._lost

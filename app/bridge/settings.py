@@ -1,7 +1,9 @@
 """What the window remembers from one start to the next."""
 
 import contextlib
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QStandardPaths
@@ -26,17 +28,18 @@ from hapticplayer.playback.latency import (
     table_s,
     version_of,
 )
+from hapticplayer.playback.snapshot import OutputSnapshot
 from hapticplayer.storage import StorageError, replace_json
 
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
-OUTLETS, MOST_OUTLETS = "outlets", 16
-"""Name in the settings: what plays beside the device, and whether each is muted."""
+OUTPUTS, MOST_OUTPUTS = "outputs", 16
+"""Name in the settings: the outputs in order, and whether each is muted."""
 
-_PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES, OUTLETS)
+_PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES, OUTPUTS)
 """Specific to this machine, or private: never exported, nor taken from others.
 
-An outlet may have an address on the network, which only its user enters.
+An output may have an address on the network, which only its user enters.
 """
 
 _MOST_TEXTS, _LONGEST_TEXT = 1000, 4096
@@ -82,10 +85,12 @@ class Settings:
         value = self._values.get(name, [])
         return _texts(value) if isinstance(value, list) else []
 
-    def table(self, name: str) -> dict[str, Any]:
+    def table(
+        self, name: str, default: Mapping[str, Any] = MappingProxyType({})
+    ) -> dict[str, Any]:
         """Return a table that was kept; what is in it is to be looked at."""
-        value = self._values.get(name, {})
-        return dict(value) if isinstance(value, dict) else {}
+        value = self._values.get(name, default)
+        return dict(value) if isinstance(value, Mapping) else {}
 
     def keep(self, name: str, value: Any) -> None:
         """Remember a value that JSON knows; written by `save`."""
@@ -162,13 +167,15 @@ def choose_library(settings: Settings, folder: Path) -> None:
         settings.save()
 
 
-def outlets_of(settings: Settings) -> dict[str, bool]:
-    """Return the outlets that are kept, and whether each is muted.
+def outputs_of(settings: Settings) -> dict[str, bool]:
+    """The outputs that are kept, in order, and whether each is muted.
 
-    Those that this version has no driver for are left out.
+    Those that this version has no driver for are left out. Until a person has chosen, it
+    is the simulated device.
     """
     found: dict[str, bool] = {}
-    for name, is_muted in list(settings.table(OUTLETS).items())[:MOST_OUTLETS]:
+    kept = settings.table(OUTPUTS, {"simulated": False})
+    for name, is_muted in list(kept.items())[:MOST_OUTPUTS]:
         with contextlib.suppress(DeviceError):
             find_device(name)
             if name.isprintable():
@@ -176,9 +183,9 @@ def outlets_of(settings: Settings) -> dict[str, bool]:
     return found
 
 
-def keep_outlets(settings: Settings, outlets: dict[str, bool]) -> None:
-    """Remember what plays beside the device, and whether each is muted."""
-    settings.keep(OUTLETS, dict(outlets))
+def keep_outputs(settings: Settings, outputs: Iterable[OutputSnapshot]) -> None:
+    """Remember what plays, in order, and whether each is muted."""
+    settings.keep(OUTPUTS, {one.name: one.is_muted for one in outputs})
     settings.save()
 
 

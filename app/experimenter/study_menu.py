@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow, QMenu
 
 from app.bridge.settings import Settings
 from hapticplayer.clock import Clock
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, StudyError
 
 _PREFIX = "hapticplayer: "
@@ -81,7 +82,8 @@ FOLDER = "study_folder"
 class StudyMenu(QObject):
     """Adds the menu, and does what it offers.
 
-    `release` stops playback, releases the device, and returns its name.
+    `devices` are what stops playback, lends all devices and returns their names, and what
+    takes them back.
     """
 
     running = Signal(bool)
@@ -91,12 +93,13 @@ class StudyMenu(QObject):
         window: QMainWindow,
         clock: Clock,
         report: Callable[[HapticPlayerError], None],
-        release: Callable[[], str],
+        devices: tuple[Callable[[], list[str]], Callable[[], None]],
         settings: Settings,
     ) -> None:
         super().__init__(window)
         self._window, self._clock = window, clock
-        self.report, self._release, self._settings = report, release, settings
+        self.report, self._settings = report, settings
+        self._release, self._take_back = devices
         self.process = StudyProcess(self)
         self.process.ended.connect(self._on_ended)
         menu = QMenu(translate("StudyMenu", "&Study"), window)
@@ -157,10 +160,12 @@ class StudyMenu(QObject):
         from hapticplayer.study.study_folder import open_study
 
         load_study_sources(open_study(folder))  # what is missing is reported here
-        device = self._release()
+        names = self._release() or [NO_DEVICE]
+        chosen = [word for name in names for word in ("--device", name)]
         try:
-            self.process.start(["study", "run", str(folder), "--device", device])
+            self.process.start(["study", "run", str(folder), *chosen])
         except OSError as problem:
+            self._take_back()
             raise StudyError(
                 "cannot be started ({reason})", reason=problem
             ) from problem
@@ -168,6 +173,7 @@ class StudyMenu(QObject):
 
     def _on_ended(self, problem: str) -> None:
         self.running.emit(False)
+        self._try(self._take_back)
         if problem:
             self.report(StudyError(problem))
 

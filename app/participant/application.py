@@ -2,7 +2,7 @@
 
 import argparse
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QTimer
@@ -59,13 +59,13 @@ class StudySession:
         self,
         study: Study,
         study_sources: StudySources,
-        device: str,
+        outputs: Sequence[str],
         clock: Clock,
         *,
         audio: AudioFactory | None = SoundProcess,
         observer: Observer | None = None,
     ) -> None:
-        self.study, self.study_sources, self.device = study, study_sources, device
+        self.study, self.study_sources, self.outputs = study, study_sources, outputs
         self.runner: SessionRunner | None = None
         self._clock, self._observer = clock, observer
         self.surface = VideoSurface()
@@ -95,7 +95,7 @@ class StudySession:
 
     def show(self, *, windowed: bool) -> None:
         """Open both windows, the participant's on a screen of its own if there is."""
-        self.player.set_device(self.device)
+        self.player.set_outputs(self.outputs)
         self.control.show()
         mine, theirs = _screens(self.control.screen())
         self.control.setScreen(mine)
@@ -164,8 +164,8 @@ class StudySession:
             session = begin_session(
                 self.study, language, self.study_sources.clips, self._clock
             )
-        record = next_record(session.folder) if self.device != "none" else None
-        self.player.set_device(self.device, record)
+        record = next_record(session.folder) if self.outputs else None
+        self.player.set_outputs(self.outputs, record)
         self.player.wait_ready()
         name = record.name if record else ""
         stage = make_stage(
@@ -251,7 +251,7 @@ def run(options: argparse.Namespace) -> int:
         session = StudySession(
             study,
             study_sources,
-            options.device,
+            options.outputs,
             SystemClock(),
             audio=partial(SoundProcess, device=settings.text(OUTPUT)),
             observer=streams,

@@ -3,17 +3,19 @@
 import argparse
 import json
 import sys
+from collections.abc import Mapping
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.interrupts import closing_on_signals
-from app.bridge.settings import Settings, default_path, outlets_of
+from app.bridge.settings import Settings, default_path, outputs_of
 from app.player.controls import OUTPUT
 from app.player.remake import OpenWindow, apply_appearance
 from app.player.video_surface import SurfaceSink, VideoSurface
-from app.player.window import DEVICE, PlayerWindow
+from app.player.window import PlayerWindow
 from app.widgets.theme import icon
 from hapticplayer.cli.common import complain, say
 from hapticplayer.cli.play import (
@@ -25,13 +27,12 @@ from hapticplayer.cli.play import (
     wanted_scheduling,
 )
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import NO_DEVICE, installed_devices
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.scheduling import hasten_window, lock_memory
 from hapticplayer.media.memory import keep_freed_memory
 from hapticplayer.playback.conditions import with_feedback
-from hapticplayer.playback.force_output import is_hardware
+from hapticplayer.playback.output import is_hardware
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
@@ -58,8 +59,9 @@ def run(options: argparse.Namespace) -> int:
     settings = Settings(default_path())
     application = make_application(settings)
     clock, surface = SystemClock(), VideoSurface()
-    device = options.device if source else _last_device(settings)
-    record = record_target(options, device)
+    kept = outputs_of(settings)
+    outputs = options.outputs if source else tuple(kept)
+    record = record_target(options, outputs)
     sound = partial(SoundProcess, device=settings.text(OUTPUT))
     player = Player(
         clock,
@@ -72,12 +74,11 @@ def run(options: argparse.Namespace) -> int:
     window = PlayerWindow(player, surface, clock, settings, plots=options.plots)
     try:
         # only now: the haptics process wants to hear from us within a second
-        player.set_device(device, record)
         if source:
-            player.set_outlets(options.outlets)
+            player.set_outputs(outputs, record)
         else:
-            restore_outlets(window, device)
-        if source and is_hardware(device):
+            restore_outputs(window, kept, record)
+        if source and any(is_hardware(one) for one in outputs):
             player.wait_ready()  # it may not be there: nothing is shown then
         _show(window, options, source, feedback)
         if source and feedback:
@@ -132,7 +133,7 @@ def _wait_ready(application: QApplication, player: Player) -> None:
     """Wait for the device; the window is painted, what a person does comes after it."""
     flags = QEventLoop.ProcessEventsFlag
     # the pump beats meanwhile
-    while player.snapshot().device_health is Health.STARTING:
+    while any(one.health is Health.STARTING for one in player.snapshot().outputs):
         application.processEvents(
             flags.WaitForMoreEvents | flags.ExcludeUserInputEvents
         )
@@ -179,7 +180,7 @@ def _run_until_closed(
     if options.json:
         say(json.dumps(window.player.summary()))
     now = window.player.snapshot()
-    problem = now.record_problem or now.log_problem
+    problem = now.leading.record_problem or now.log_problem
     if options.close_at_end:
         problem = window.session.last_problem or problem
     if problem:
@@ -188,19 +189,13 @@ def _run_until_closed(
     return 0
 
 
-def restore_outlets(window: PlayerWindow, device: str) -> None:
-    """Play beside the device on what was chosen last; say why where that fails."""
-    kept = outlets_of(window.settings)
-    kept.pop(device, None)
+def restore_outputs(
+    window: PlayerWindow, kept: Mapping[str, bool], record: Path | None = None
+) -> None:
+    """Play on what was chosen last; say why where that fails."""
     try:
-        window.player.set_outlets(list(kept))
+        window.player.set_outputs(list(kept), record)
     except HapticPlayerError as problem:
         window.session.gateway.report(problem)
-    for outlet in window.player.snapshot().outlets:
-        window.player.set_outlet(outlet.name, is_muted=kept[outlet.name])
-
-
-def _last_device(settings: Settings) -> str:
-    name = settings.text(DEVICE, "simulated")
-    is_known = name.partition(":")[0] in installed_devices() or name == NO_DEVICE
-    return name if is_known else "simulated"
+    for name in window.player.output_names:
+        window.player.set_output(name, is_muted=kept[name])

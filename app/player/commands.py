@@ -72,7 +72,7 @@ _OWN: tuple[Row, ...] = (
     Row("rearm", "&Re-arm the force", "playback", 4, lambda w: w.session.rearm(), ("Ctrl+R",)),
     Row("feedback", "Other feed&back\u2026", "playback", 5, lambda w: w.dialogs.other_feedback(), needs_clip=True),
     Row("set_up_device", "Set up the &device\u2026", "playback", 5, lambda w: w.dialogs.set_up(w.clock)),
-    Row("outlets", "M&ore devices\u2026", "playback", 5, lambda w: w.dialogs.outlets(w.clock)),
+    Row("outputs", "&Outputs\u2026", "playback", 5, lambda w: w.dialogs.outputs(w.clock)),
     Row("get_to_know", "&Try out the forces\u2026", "playback", 5, lambda w: w.dialogs.get_to_know(w.clock), ("Ctrl+K",)),
     Row("latencies", "Measure l&atencies\u2026", "playback", 5, lambda w: w.dialogs.latencies(w.clock)),
     Row("plots", "Live &plots", "view", 0, None, ("P",), toggles=lambda w, on: w.show_plots(are_wanted=on)),

@@ -1,18 +1,19 @@
 """The dialogs about devices; each may have the device while it is open."""
 
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.bridge.settings import Settings, keep_outlets
+from app.bridge.settings import Settings, keep_outputs
 from app.player.choices import PluggedFalcons
 from app.player.controls import OUTPUT
 from app.player.session import Session
 from app.player.video_surface import SurfaceSink
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, takes_motion
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from app.experimenter.import_wizard import ImportWizard
     from app.experimenter.library_page import LibraryPage
     from app.experimenter.rendering_page import RenderingPage
-    from app.player.outlets_page import OutletsPage
+    from app.player.outputs_page import OutputsPage
     from app.player.setup_page import SetupPage
     from app.player.share_page import SharePage
 
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
         EditorPage
         | ImportWizard
         | LibraryPage
-        | OutletsPage
+        | OutputsPage
         | RenderingPage
         | SetupPage
         | SharePage
@@ -38,13 +39,9 @@ if TYPE_CHECKING:
 
 
 class DeviceDialogs(QObject):
-    """Sets devices up, tries them out, and chooses several.
-
-    `device_wanted` names a device that was set up and is to be used.
-    """
+    """Sets devices up, tries them out, and chooses several."""
 
     settings_taken = Signal()
-    device_wanted = Signal(str)
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
         super().__init__(window)
@@ -54,20 +51,22 @@ class DeviceDialogs(QObject):
         self._settings = settings
         self.plugged = PluggedFalcons(parent=self)
 
-    def set_up(self, clock: Clock, outlet: str = "") -> None:
-        """Choose a device, and bring it to where it can be used.
+    def set_up(self, clock: Clock, output: str = "") -> None:
+        """Choose a device in the place of an output, and bring it to where it can be used.
 
-        Of an outlet its own page is shown, and another choice takes its place.
+        Of the leading one where none is named.
         """
         from app.player.setup_page import SetupPage
 
-        before = self._session.player.snapshot().device
-        self._release()
+        names = self._session.player.output_names
+        place = names.index(output) if output in names else 0
+        before = names[place] if names else NO_DEVICE
         self._lend()
+        player = self._session.player
         page = SetupPage(
-            *(clock, outlet or before, self.plugged, self._settings, self._window),
-            is_free=self._are_lent_free,
-            latch=self._session.player.latch,
+            *(clock, before, self.plugged, self._settings, self._window),
+            is_free=lambda: player.are_outputs_free,
+            latch=player.latch,
         )
         wanted, shown, others = list[str](), list[str](), list[bool]()
         page.wanted.connect(wanted.append)
@@ -75,66 +74,54 @@ class DeviceDialogs(QObject):
         page.latency_changed.connect(self.settings_taken)
         page.others_wanted.connect(lambda: others.append(True))
 
-        def go_on(_result: int) -> None:
+        def resume(_result: int) -> None:
             if page in self._working:
                 self._working.remove(page)
-            chosen = next(iter(wanted + shown), "")
-            is_beside = bool(outlet) or takes_motion(chosen)
-            if chosen and is_beside:
-                self._use_beside(chosen, outlet)
-            if not shown:
-                self._take_back()
-            self.device_wanted.emit(before if is_beside else chosen or before)
+            for chosen in wanted + shown:
+                rest = [name for name in names if name not in (before, chosen)]
+                self.choose([*rest[:place], chosen, *rest[place:]])
             if shown:
-                self.get_to_know(clock, chosen)
-            elif others or is_beside:
-                self.outlets(clock)
+                self.get_to_know(clock, shown[0])
+            elif others or output:
+                self.outputs(clock)
+            self._take_back()
 
-        page.finished.connect(go_on)
+        page.finished.connect(resume)
         self._working.append(page)
         page.open()
 
-    def _use_beside(self, name: str, before: str) -> None:
-        """Play on an outlet as well, in the place of one from before, if any."""
-        player = self._session.player
-        muted = {one.name: one.is_muted for one in player.snapshot().outlets}
-        names = [one for one in muted if one not in (before, name)]
-        try:
-            player.set_outlets([*names, name])
-        except HapticPlayerError as problem:
-            self._session.gateway.report(problem)
-        else:
-            kept = {one: muted[one] for one in names}
-            keep_outlets(self._settings, {**kept, name: muted.get(name, False)})
+    def choose(self, names: Sequence[str]) -> None:
+        """Play on these from now on, and remember them."""
+        self._session.choose_outputs(names)
+        keep_outputs(self._settings, self._session.player.snapshot().outputs)
 
     def get_to_know(self, clock: Clock, device: str = "") -> None:
-        """Demonstrate the forces of the chosen device; nothing plays meanwhile."""
-        before = self._session.player.snapshot().device
-        device = device or before
+        """Demonstrate the forces of a device, the leading one where none is named."""
+        device = device or self._session.player.snapshot().leading.name
         if device == NO_DEVICE:
             problem = self.tr("Choose a device first, then try out its forces")
             self._session.gateway.report(HapticPlayerError(problem))
             return
         from app.player.device_page import DevicePage
 
-        self._release()
         self._lend()
         latch = self._session.player.latch
         dialog = DevicePage(clock, device, self._window, latch)
         dialog.finished.connect(lambda _: self._take_back())
-        dialog.finished.connect(lambda _: self._session.choose_device(before))
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
-    def outlets(self, clock: Clock) -> None:
-        """Show what plays beside the device."""
-        from app.player.outlets_page import OutletsPage
+    def outputs(self, clock: Clock) -> None:
+        """Show all that plays."""
+        from app.player.outputs_page import OutputsPage
 
-        session, page = self._session, self._window.findChild(OutletsPage)
+        session, page = self._session, self._window.findChild(OutputsPage)
         if page is None:
-            page = OutletsPage(clock, session, self._window)
-            page.changed.connect(lambda kept: keep_outlets(self._settings, kept))
+            page = OutputsPage(clock, session, self._window)
+            page.changed.connect(
+                lambda: keep_outputs(self._settings, session.player.snapshot().outputs)
+            )
             page.set_up_wanted.connect(lambda name: self.set_up(clock, name))
             self._working.append(page)
             page.finished.connect(lambda _result: self._forget(page))
@@ -152,45 +139,36 @@ class DeviceDialogs(QObject):
         """Measure how late video, sound and force reach the person."""
         from app.player.latency_page import LatencyPage
 
-        device = self._session.player.snapshot().device
-        self._release()
+        device = self._session.player.snapshot().leading.name
+        self._lend()
         latch = self._session.player.latch
         page = LatencyPage(
             *(clock, device, self._settings, self._own_player), latch, self._window
         )
         page.measured.connect(self.settings_taken)
-        page.finished.connect(lambda _: self._session.choose_device(device))
+        page.finished.connect(lambda _: self._take_back())
         page.finished.connect(page.deleteLater)
         page.open()
 
     def _own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:
         sound = partial(SoundProcess, device=self._settings.text(OUTPUT))
         latch = self._session.player.latch
-        return Player(clock, sink, device=device, audio=sound, latch=latch)
-
-    def _release(self) -> None:
-        """Let go of the device, so that a dialog can have it."""
-        self._session.player.pause()
-        self._session.choose_device(NO_DEVICE)
-        self._session.player.wait_released()
+        return Player(clock, sink, outputs=[device], audio=sound, latch=latch)
 
     def _lend(self) -> None:
-        """Let go of what plays beside the device, too."""
-        for one in self._session.player.snapshot().outlets:
-            self._session.player.lend_outlet(one.name)
-
-    def _are_lent_free(self) -> bool:
+        """Pause, and let go of all devices, so that a dialog can have them."""
         player = self._session.player
-        return all(player.is_outlet_free(one.name) for one in player.snapshot().outlets)
+        player.pause()
+        player.lend_outputs()
+        player.wait_released()
 
     def _take_back(self) -> None:
-        """Play on it again."""
-        player = self._session.player
-        for one in player.snapshot().outlets:
-            try:
-                player.take_back_outlet(one.name)
-            except HapticPlayerError as problem:
-                self._session.gateway.report(problem)
+        """Play on what is chosen again."""
+        try:
+            self._session.player.take_back_outputs()
+        except HapticPlayerError as problem:
+            self._session.gateway.report(problem)
+        self._session.changed.emit()
 
     def _open_working(self, dialog: "Working") -> None:
         self._working.append(dialog)

@@ -27,7 +27,7 @@ def entry_of(name: str) -> DeviceEntry:
     return installed_devices()[name.partition(":")[0]]
 
 
-def outlet_text(name: str) -> str:
+def output_text(name: str) -> str:
     """Return a device's name for people, with what was chosen of it."""
     kind, _, chosen = name.partition(":")
     if not takes_motion(kind):
@@ -45,9 +45,9 @@ def takes_settings(name: str) -> bool:
 
 
 def variants() -> list[Choice]:
-    """Return the kinds of those outlets that have several, such as a rig's formats."""
+    """Return the kinds of those outputs that have several, such as a rig's formats."""
     return [
-        Choice(f"{entry.name}:{variant}", outlet_text(f"{entry.name}:{variant}"))
+        Choice(f"{entry.name}:{variant}", output_text(f"{entry.name}:{variant}"))
         for entry in installed_devices().values()
         for variant in guide_of(entry).variants
     ]

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
-from app.player.device_form import entry_of, outlet_text
+from app.player.device_form import entry_of, output_text
 from app.player.force_words import homing_text, step_text, strength_text
 from app.player.health import stop_reason
 from hapticplayer.devices import find_device
@@ -26,7 +26,7 @@ def question_text(name: str) -> str:
         strength=strength_text(record, _largest_n(parts[0])),
         channels=", ".join(part.label for part in parts),
     )
-    return f"{outlet_text(name)}\n\n{what}\n\n{hold} {how_to_stop}"
+    return f"{output_text(name)}\n\n{what}\n\n{hold} {how_to_stop}"
 
 
 def _what(record: DeviceCapabilities, parts: tuple[DevicePart, ...]) -> str:

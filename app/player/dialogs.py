@@ -68,7 +68,7 @@ LATER = (
     "app.player.device_page",
     "app.player.keys_dialog",
     "app.player.latency_page",
-    "app.player.outlets_page",
+    "app.player.outputs_page",
     "app.player.setup_page",
     "app.player.share_page",
     "hapticplayer.study.creation",
@@ -151,12 +151,12 @@ class Dialogs(DeviceDialogs):
         from app.editor.page import EditorPage
         from app.editor.playing import PlayerSetup
 
-        device = self._session.player.snapshot().device
-        self._release()
+        device = self._session.player.snapshot().leading.name
+        self._lend()
         setup = PlayerSetup(clock, device, self._settings, self._own_player)
         page = EditorPage(folder, setup, self._window)
         page.saved.connect(self._show_again)
-        page.finished.connect(lambda _: self._session.choose_device(device))
+        page.finished.connect(lambda _: self._take_back())
         self._open_working(page)
 
     def _show_again(self, folder: Path) -> None:

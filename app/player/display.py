@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QFrame, QVBoxLayout
 
+from app.bridge.languages import translated
 from app.player.health import device_name, mode_text, stop_reason
 from app.plots.grip_scene import (
     ACTIVITIES,
@@ -42,31 +43,37 @@ SIMULATED = "simulated"
 
 def grip_of(now: Snapshot, ticks_since: TicksSince) -> Grip:
     """The grip view of a device, with a title and perhaps a notice."""
-    title = _title(now.device)
-    if now.device == NO_DEVICE:
+    title = _title(now.leading.name)
+    if now.leading.name == NO_DEVICE:
         text = translate(
             "GripView", "No device: choose {name} to see the simulated grip"
         )
         return Grip(title, text.format(name=device_name(SIMULATED)))
-    if now.device_health is Health.FAILED:
-        text = translate("GripView", "The device has failed")
-        return Grip(title, text, Activity.STOPPED)
-    if now.device_health is Health.GONE:
-        text = translate("GripView", "The haptics process has ended")
-        return Grip(title, text, Activity.STOPPED)
-    if now.tick is None:
+    ends = {
+        Health.FAILED: translate("GripView", "The device has failed"),
+        Health.GONE: translate("GripView", "The haptics process has ended"),
+    }
+    if now.leading.health in ends:
+        return Grip(title, ends[now.leading.health], Activity.STOPPED)
+    entry = find_device(now.leading.name)
+    if not entry.capabilities.axes or entry.takes_motion:
+        text = translate("GripView", "This device has no grip")
+        return Grip(title, text)
+    if now.leading.note:
+        return Grip(title, translated(now.leading.note))
+    if now.leading.tick is None:
         return Grip(title, translate("GripView", "Starting"), Activity.CHANGING)
     return _moving(title, now, ticks_since)
 
 
 def _moving(title: str, now: Snapshot, ticks_since: TicksSince) -> Grip:
-    capabilities = find_device(now.device).capabilities
-    latest, mode, feedback = now.tick, now.mode, now.feedback
+    capabilities = find_device(now.leading.name).capabilities
+    latest, mode, feedback = now.leading.tick, now.leading.mode, now.feedback
     position_m = position_of(latest)
     ticks = ticks_since(float(latest["monotonic_s"]) - TRAIL_S)
     return Grip(
         title,
-        _state(mode, now.cause, feedback)
+        _state(mode, now.leading.cause, feedback)
         if position_m
         else translate("GripView", "Position unknown"),
         _activity(mode, feedback),

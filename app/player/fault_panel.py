@@ -22,7 +22,7 @@ from app.widgets.layout import (
 )
 from app.widgets.tables import plain_table
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, find_device
+from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.haptics.contract import RULES, Cause, Mode, Reaction
 from hapticplayer.haptics.processes import Health
@@ -126,9 +126,10 @@ class FaultPanel(QDialog):
 
     def start(self) -> None:
         """Restart the simulated device so that it accepts faults."""
-        player, device = self._session.player, self._session.player.snapshot().device
-        if device != NO_DEVICE and find_device(device).server:
-            player.set_device(device, takes_faults=True)
+        player = self._session.player
+        names = player.output_names
+        if names and find_device(names[0]).server:
+            player.set_outputs(names, takes_faults=True)
             self._session.changed.emit()
         self._poll()
 
@@ -149,8 +150,8 @@ class FaultPanel(QDialog):
         """Give the window a device back that takes no faults."""
         self._timer.stop()
         player, now = self._session.player, self._session.player.snapshot()
-        if now.takes_faults:
-            player.set_device(now.device)
+        if now.leading.takes_faults:
+            player.set_outputs(player.output_names)
             self._session.changed.emit()
         super().done(result)
 
@@ -187,21 +188,21 @@ class FaultPanel(QDialog):
         self.state.setText(health.device(now).text)
         self.hint.setText(self._hint(now))
         for button in self.buttons.values():
-            button.setEnabled(now.takes_faults)
+            button.setEnabled(now.leading.takes_faults)
         self.rearm.setEnabled(now.is_stopped)
         set_role(self.rearm, "rearm" if now.is_stopped else "")
         self._show_outcome()
 
     def _hint(self, now: Snapshot) -> str:
-        if not now.takes_faults:
+        if not now.leading.takes_faults:
             return self.tr(
                 "Faults can only be injected into a simulated device while this "
                 "panel is open: choose it in the window, then press Restart "
                 "device."
             )
-        if now.device_health in _DEAD:
+        if now.leading.health in _DEAD:
             return self.tr("The device has failed: press Restart device.")
-        if now.mode not in (Mode.ENTERING, Mode.FOLLOWING):
+        if now.leading.mode not in (Mode.ENTERING, Mode.FOLLOWING):
             return self.tr("Play a clip with force first.")
         return self.tr(
             "The force is active. Press a fault to see how the safety "

@@ -57,22 +57,24 @@ def readings(snapshot: Snapshot, measured: Measurements) -> tuple[Reading, ...]:
 
 def device(snapshot: Snapshot) -> Reading:
     """Return the device, its health and what it does."""
-    if snapshot.device == NO_DEVICE:
+    if snapshot.leading.name == NO_DEVICE:
         return Reading(Level.NEUTRAL, translate("Health", "none"))
-    name = device_name(snapshot.device)
+    name = device_name(snapshot.leading.name)
     ends: dict[str, str] = {
         Health.FAILED: translate("Health", "failed"),
         Health.GONE: translate("Health", "gone"),
     }
-    if snapshot.device_health in ends:
-        return Reading(Level.BAD, _with(name, ends[snapshot.device_health]))
+    if snapshot.leading.health in ends:
+        return Reading(Level.BAD, _with(name, ends[snapshot.leading.health]))
     if snapshot.is_stopped:
-        return Reading(Level.BAD, f"{name}, {stop_reason(snapshot.cause)}")
-    if snapshot.device_health is Health.STARTING:
-        return Reading(Level.WATCH, _with(name, translate("Health", "starting")))
-    if snapshot.cause is Cause.NOT_HOMED:
-        return Reading(Level.WATCH, _not_homed(name, snapshot.device))
-    return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.mode)}")
+        return Reading(Level.BAD, f"{name}, {stop_reason(snapshot.leading.cause)}")
+    is_starting = snapshot.leading.health is Health.STARTING
+    waits = translate("Health", "starting") if is_starting else snapshot.leading.note
+    if waits:
+        return Reading(Level.WATCH, _with(name, translated(waits)))
+    if snapshot.leading.cause is Cause.NOT_HOMED:
+        return Reading(Level.WATCH, _not_homed(name, snapshot.leading.name))
+    return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.leading.mode)}")
 
 
 def _not_homed(name: str, device: str) -> str:
@@ -130,13 +132,13 @@ def cause_text(cause: Cause) -> str:
 
 def scheduling(snapshot: Snapshot) -> Reading:
     """Return the class that the loop runs in."""
-    if not snapshot.scheduling or is_dead(snapshot):
+    if not snapshot.leading.scheduling or is_dead(snapshot):
         return Reading(Level.NEUTRAL, "\u2013")
     level, text = {
         Scheduling.FIFO: (Level.GOOD, translate("Health", "FIFO")),
         Scheduling.SLICE: (Level.GOOD, translate("Health", "slice")),
         Scheduling.NORMAL: (Level.WATCH, translate("Health", "normal")),
-    }[Scheduling(snapshot.scheduling)]
+    }[Scheduling(snapshot.leading.scheduling)]
     return Reading(level, text)
 
 
@@ -200,7 +202,7 @@ def is_heard(snapshot: Snapshot) -> bool:
 
 def is_dead(snapshot: Snapshot) -> bool:
     """Whether the loop is gone, and its last figures with it."""
-    return snapshot.device_health in (Health.FAILED, Health.GONE)
+    return snapshot.leading.health in (Health.FAILED, Health.GONE)
 
 
 def level_word(level: Level) -> str:

@@ -104,7 +104,7 @@ class HealthLine(QFrame):
         found = readings(snapshot, measured)
         for entry, reading in zip(self.entries, found, strict=True):
             entry.show_reading(reading)
-        self.entries[0].meter.show_levels(snapshot.device_levels)
+        self.entries[0].meter.show_levels(snapshot.leading.levels)
         # why the force has stopped is not cut off while there is room
         self._rooms_px[0] = max(self._rooms_px[0], self.entries[0].needed_px())
         self._share_room()

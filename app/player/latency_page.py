@@ -239,8 +239,8 @@ class LatencyPage(QDialog):
         now = player.snapshot()
         if now.is_stopped:
             self._let_go()
-            self.status.setText(stop_reason(now.cause))
-        elif problem := now.problem or now.device_problem:
+            self.status.setText(stop_reason(now.leading.cause))
+        elif problem := now.problem or now.leading.problem:
             self._let_go()
             self.status.setText(translated(problem))
 

@@ -170,7 +170,7 @@ class Thumbnails(QObject):
 
     def _is_felt(self) -> bool:
         now = self._player.snapshot()
-        return now.is_playing and now.device not in (NO_DEVICE, "simulated")
+        return now.is_playing and now.leading.name not in (NO_DEVICE, "simulated")
 
 
 def _pixmap(made: Thumbnail) -> QPixmap:

@@ -1,6 +1,6 @@
 """What the window does with the player: open, choose, stop."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,15 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.bridge.errors import ErrorGateway
 from app.bridge.jobs import Jobs, in_child
-from hapticplayer.devices import NO_DEVICE
-from hapticplayer.errors import (
-    DeviceError,
-    HapticPlayerError,
-    HapticsError,
-    Progress,
-    UsageError,
-)
-from hapticplayer.haptics.processes import Health
+from hapticplayer.errors import HapticPlayerError, Progress, UsageError
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
@@ -25,8 +17,6 @@ from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict, VideoCheck
 from hapticplayer.rendering import ChosenFeedback
-
-_DEAD = (Health.FAILED, Health.GONE)
 
 
 class Session(QObject):
@@ -39,6 +29,7 @@ class Session(QObject):
         stopped: a person took the force away.
         changed: the phase, the stop, the device or the feedback is another.
         ended: the clip has come to its end.
+        recovered: what was complained about is over; its sentence.
         another_video: the clip is not the one that its force was made for.
     """
 
@@ -48,6 +39,7 @@ class Session(QObject):
     stopped = Signal()
     changed = Signal()
     ended = Signal()
+    recovered = Signal(str)
     another_video = Signal(object)
 
     def __init__(self, player: Player, show: Callable[[str], None]) -> None:
@@ -57,6 +49,7 @@ class Session(QObject):
         self.jobs = Jobs(self.gateway.report)
         self.last_problem = ""
         self._state: tuple[object, ...] = ()
+        self._has_problem = False
         self._warned_of: VideoCheck | None = None
 
     # --- opening -------------------------------------------------------------
@@ -171,18 +164,19 @@ class Session(QObject):
         """Go to the last frame."""
         self.player.seek(self.player.snapshot().duration_s)
 
-    def choose_device(self, name: str) -> None:
-        """Take another device; none where that fails."""
-        now = self.player.snapshot()
-        if name == now.device and now.device_health not in _DEAD:
-            return
+    def choose_outputs(self, names: Sequence[str]) -> None:
+        """Play on these devices, the leading one first."""
         self.last_problem = ""
         try:
-            self.player.set_device(name)
-        except (DeviceError, HapticsError) as problem:
+            self.player.set_outputs(names)
+        except HapticPlayerError as problem:
             self.gateway.report(problem)
-            self.player.set_device(NO_DEVICE)
         self.changed.emit()
+
+    def choose_leading(self, name: str) -> None:
+        """Let a device lead, in the place of the one that leads."""
+        others = [one for one in self.player.output_names[1:] if one != name]
+        self.choose_outputs([name, *others])
 
     def choose_feedback(self, name: str) -> None:
         """Play another force track."""
@@ -210,7 +204,7 @@ class Session(QObject):
         state = (
             now.phase,
             now.is_stopped,
-            now.device_health,
+            tuple((one.name, one.health) for one in now.outputs),
             now.feedback,
             self.jobs.is_busy,
         )
@@ -234,18 +228,13 @@ class Session(QObject):
 
     def _report_problem(self, now: Snapshot) -> None:
         """Report once what the player or the device complains about."""
-        outlets = (one.problem for one in now.outlets if one.problem)
-        text = now.problem or self._device_problem(now) or next(outlets, "")
+        text = now.problem or next((o.problem for o in now.outputs if o.problem), "")
         if text and text != self.last_problem:
             self.last_problem = text
             self.gateway.report(HapticPlayerError(text))
-
-    def _device_problem(self, now: Snapshot) -> str:
-        if now.device_health not in _DEAD:
-            return ""
-        if now.device_health is Health.GONE:
-            return self.tr("The haptics process has ended; choose the device again")
-        return now.device_problem
+        elif self._has_problem and not text:
+            self.recovered.emit(self.last_problem)
+        self._has_problem = bool(text)
 
     def close(self) -> None:
         """Stop what runs, bring the hand to rest and finish the log."""

@@ -57,7 +57,7 @@ class SetupPage(QDialog):
     Signals:
         wanted: a device is to be used.
         demonstration_wanted: its forces are to be felt.
-        others_wanted: the list of more devices is wanted, once this page has closed.
+        others_wanted: the list of outputs is wanted, once this page has closed.
         latency_changed: another latency is compensated from here on.
     """
 
@@ -66,7 +66,7 @@ class SetupPage(QDialog):
     others_wanted = Signal()
     latency_changed = Signal()
 
-    def __init__(  # noqa: PLR0913 - two of them only tests and outlets have
+    def __init__(  # noqa: PLR0913 - two of them only tests and lists have
         self,
         clock: Clock,
         device: str,
@@ -196,7 +196,7 @@ class SetupPage(QDialog):
             self.tr("Use this device"), self.tr("Use it for playback"), "primary"
         )
         self.others = text_button(
-            self.tr("More devices\u2026"), self.tr("Play on several devices at once")
+            self.tr("Outputs\u2026"), self.tr("Play on several devices at once")
         )
         self.close_button = text_button(
             self.tr("Close"), self.tr("Keep the current device")

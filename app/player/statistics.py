@@ -106,7 +106,7 @@ def figures(player: Player) -> list[tuple[str, str]]:
         ),
         (translate("Statistics", "Latency, ms"), _latency(snapshot)),
     ]
-    return rows + _tick(snapshot.tick)
+    return rows + _tick(snapshot.leading.tick)
 
 
 def _tick(latest: Any) -> list[tuple[str, str]]:

@@ -5,8 +5,9 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QSplitter, QStackedWidget, QWidget
 
 from app.bridge.desktop import Desktop
+from app.bridge.languages import translated
 from app.bridge.pump import Cadence, Pump
-from app.bridge.settings import Settings, keep_outlets
+from app.bridge.settings import Settings, keep_outputs
 from app.experimenter.study_menu import StudyMenu
 from app.player import choices
 from app.player.commands import Actions
@@ -27,7 +28,6 @@ from app.widgets.layout import column_of
 from app.widgets.messages import JobBar, MessageBar
 from app.widgets.theme import icon
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 
@@ -39,7 +39,6 @@ WATCH_HZ = 15.0
 LONGEST_TITLE_PX = 600
 PLOTS_PX, _STAGE_PX = 190, 600  # only the proportion counts
 _HANDLE_PX = 3
-DEVICE = "device"
 
 
 class PlayerWindow(QMainWindow):
@@ -118,7 +117,7 @@ class PlayerWindow(QMainWindow):
             self,
             self.clock,
             self.session.gateway.report,
-            self._release_device,
+            (self._release_devices, self._take_back_devices),
             self.settings,
         )
         self.stage = QStackedWidget()
@@ -144,6 +143,7 @@ class PlayerWindow(QMainWindow):
         session.opening.connect(self._on_opening)
         session.opened.connect(self._on_opened)
         session.changed.connect(self._on_changed)
+        session.recovered.connect(self._on_recovered)
         session.another_video.connect(self._on_another_video)
         self.surface.double_clicked.connect(self.toggle_fullscreen)
         self.job_bar.cancelled.connect(session.jobs.cancel)
@@ -168,7 +168,6 @@ class PlayerWindow(QMainWindow):
             menu.aboutToShow.connect(self.dialogs.prepare)
         self.dialogs.keys_changed.connect(commands.apply_keys)
         self.dialogs.settings_taken.connect(self._on_settings_taken)
-        self.dialogs.device_wanted.connect(self._on_device_chosen)
         self.dialogs.plugged.changed.connect(self._offer_devices)
         self.transport.device_opening.connect(self.dialogs.plugged.refresh)
 
@@ -232,25 +231,28 @@ class PlayerWindow(QMainWindow):
 
     def _on_device_chosen(self, name: str) -> None:
         self.messages.hide()
-        outlets = {one.name: one.is_muted for one in self.player.snapshot().outlets}
-        if outlets.pop(name, None) is not None:  # it leads from now on
-            self.player.set_outlets(list(outlets))
-            keep_outlets(self.settings, outlets)
-        self.session.choose_device(name)
-        self.settings.keep(DEVICE, self.player.snapshot().device)
+        self.session.choose_leading(name)
+        keep_outputs(self.settings, self.player.snapshot().outputs)
 
-    def _release_device(self) -> str:
-        """Leave sound and device to a session; return which device it was.
+    def _release_devices(self) -> list[str]:
+        """Leave sound and devices to a session; return which devices these are.
 
         Raises:
             UsageError: when the force is stopped: a session has no part in the latch.
         """
         self.player.latch.refuse()
-        name = self.player.snapshot().device
         self.player.pause()
-        self.session.choose_device(NO_DEVICE)
+        self.player.lend_outputs()
         self.player.wait_released()
-        return name
+        return self.player.output_names
+
+    def _take_back_devices(self) -> None:
+        self.player.take_back_outputs()
+        self.session.changed.emit()
+
+    def _on_recovered(self, problem: str) -> None:
+        if self.messages.text() == translated(problem):
+            self.messages.hide()
 
     def _on_settings_taken(self) -> None:
         self.commands.apply_keys()
@@ -318,7 +320,7 @@ class PlayerWindow(QMainWindow):
         self.transport.show_playing(is_playing=now.is_playing)
         self.transport.show_stopped(is_stopped=self.session.is_stopped)
         self.transport.select_feedback(now.feedback)
-        self._show_device(now.device)
+        self._show_device(now.leading.name)
         self.extras.show_force()
         self.desktop.follow()
         self._display.refresh_soon()
@@ -333,7 +335,10 @@ class PlayerWindow(QMainWindow):
         self.transport.select_device(name)
 
     def _offer_devices(self) -> None:
-        name, falcons = self.player.snapshot().device, self.dialogs.plugged.falcons()
+        name, falcons = (
+            self.player.snapshot().leading.name,
+            self.dialogs.plugged.falcons(),
+        )
         self.transport.set_devices(choices.devices(name, falcons))
         self.transport.select_device(name)
 

@@ -94,9 +94,9 @@ class ForcePlot(PlayheadPlot):
         span_s = self.new_page(now.media_s)
         if span_s:
             self.set_lines(_PLANNED, self._planned(*span_s))
-        is_other = now.loop_pid != self._loop_pid
+        is_other = now.leading.loop_pid != self._loop_pid
         if is_other:
-            self._loop_pid, self._trail = now.loop_pid, Trail()
+            self._loop_pid, self._trail = now.leading.loop_pid, Trail()
         has_more = self._trail.add(ticks_since(self._trail.last_tick_s))
         if has_more or is_other or span_s:  # ticks are read less often than drawn
             self.set_lines(_SENT, thin(cut(*self._trail.page(), *self.page_s)))

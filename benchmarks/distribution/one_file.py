@@ -251,7 +251,7 @@ def _hashes(path: Path, kind: str, *how: str) -> list[str]:
 def _first_force(folder: Path, mkv: Path, rounds: int, report: Report) -> None:
     """Open folder and file in turn, until a tick has a force."""
     clock = SystemClock()
-    player = Player(clock, device="simulated", audio=None)
+    player = Player(clock, outputs=["simulated"], audio=None)
     player.wait_ready()
     known = Path(os.environ["XDG_CACHE_HOME"]) / "hapticplayer" / "checked-videos.json"
     contenders: dict[str, Callable[[], float]] = {

@@ -318,11 +318,11 @@ class _Commanded:
         if self.window.session.is_stopped:
             self.window.session.rearm()
             self.player.play()
-        latest = self.player.snapshot().tick
+        latest = self.player.snapshot().leading.tick
         if latest is None or np.hypot(*latest["force_n"][:2]) < READY_FORCE_N:
             return
         self._timer.stop()
-        self._say(ready=True, loop=self.player.snapshot().loop_pid)
+        self._say(ready=True, loop=self.player.snapshot().leading.loop_pid)
 
     def _obey(self) -> None:
         words = os.read(0, 4096).decode().split()

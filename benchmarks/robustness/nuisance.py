@@ -213,7 +213,7 @@ def _use_the_window(chosen: dict[str, Any]) -> None:
     seen = {
         "minutes": (end_s - begin_s) / 60.0,
         "end_s": end_s,
-        "scheduling": snapshot.scheduling,
+        "scheduling": snapshot.leading.scheduling,
         "platform": application.platformName(),
         "sound": snapshot.audio,
         "things": person.done,

@@ -1,11 +1,11 @@
-"""Synchronisation: frames, sound, force and outlets in playback; a log with its clip."""
+"""Synchronisation: frames, sound, force and outputs in playback; a log with its clip."""
 
 import sys
 
 from benchmarks.common import command
 
 PLACES = {
-    "outlets": "sync.outlets",
+    "outputs": "sync.outputs",
     "outside": "sync.outside",
     "pats": "sync.pats",
     "pictures": "sync.pictures",

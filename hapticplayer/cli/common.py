@@ -137,27 +137,28 @@ def add_accept_changed(command: argparse.ArgumentParser) -> None:
     )
 
 
-def add_outlets(command: argparse.ArgumentParser) -> None:
-    """Add the option that names a device and outlets, once for each of them.
+def add_outputs(command: argparse.ArgumentParser) -> None:
+    """Add the option that names an output, once for each; the first one leads.
 
-    The first device that takes a force is `device`, "none" where only others are named;
-    the rest are `outlets`.
+    They are `outputs`.
     """
     names = device_names()
-    command.set_defaults(device="simulated", outlets=(), named=())
+    command.set_defaults(outputs=("simulated",))
     command.add_argument(
         "--device",
-        action=_AddOutlet,
+        dest="outputs",
+        action=_AddOutput,
         type=partial(_known_name, names),
         metavar="NAME[:OPTIONS]",
-        help=f"{', '.join(names)}; several play at once, each with its own --device; "
-        "falcon:SERIAL for one of several Falcons, rig:FORMAT[,HOST:PORT][,NAME=VALUE] "
-        "for a motion rig, see docs/devices.md (default: simulated)",
+        help=f"{', '.join(names)}; several play at once, each with its own --device, and "
+        "the first one leads; falcon:SERIAL for one of several Falcons, "
+        "rig:FORMAT[,HOST:PORT][,NAME=VALUE] for a motion rig, see docs/devices.md "
+        "(default: simulated)",
     )
 
 
-class _AddOutlet(argparse.Action):
-    """Tells the device from what plays beside it."""
+class _AddOutput(argparse.Action):
+    """Takes the default away with the first name."""
 
     def __call__(
         self,
@@ -166,13 +167,11 @@ class _AddOutlet(argparse.Action):
         values: Any,
         _option: str | None = None,
     ) -> None:
-        if values in namespace.named:
+        named = getattr(namespace, "named_outputs", ())
+        if values in named:
             parser.error(f"argument --device: {values} is there twice")
-        namespace.named = (*namespace.named, values)
-        others = [name for name in namespace.named if name != NO_DEVICE]
-        devices = [name for name in others if not takes_motion(name)]
-        namespace.device = devices[0] if devices else NO_DEVICE
-        namespace.outlets = tuple(n for n in others if n != namespace.device)
+        namespace.named_outputs = (*named, values)
+        namespace.outputs = tuple(n for n in (*named, values) if n != NO_DEVICE)
 
 
 def _known_name(names: Sequence[str], text: str) -> str:

@@ -2,6 +2,7 @@
 
 import argparse
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ from hapticplayer.cli import OpenWindow
 from hapticplayer.cli.common import (
     add_accept_changed,
     add_number,
-    add_outlets,
+    add_outputs,
     add_overwrite,
     complain,
     interruptible,
@@ -20,7 +21,6 @@ from hapticplayer.cli.common import (
     shown_progress,
 )
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.records import is_record
@@ -66,7 +66,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="force track: rows of time_s,fx_n,fy_n,fz_n, held between rows",
     )
     add_accept_changed(parser)
-    add_outlets(parser)
+    add_outputs(parser)
     parser.add_argument("--headless", action="store_true", help="without a window")
     parser.add_argument(
         "--mute",
@@ -155,7 +155,7 @@ def play(options: argparse.Namespace) -> int:
     refuse_outputs(options)
     advise(source, feedback)
     clock = SystemClock()
-    record = record_target(options, options.device)
+    record = record_target(options, options.outputs)
     audio = None if options.mute else SoundProcess
     player = Player(clock, audio=audio, scheduling=wanted_scheduling(options))
     player.set_latencies(saved_latencies())
@@ -163,8 +163,7 @@ def play(options: argparse.Namespace) -> int:
         player.prepare_sound()  # in parallel with the device
     try:
         with interruptible():
-            player.set_device(options.device, record)
-            player.set_outlets(options.outlets)
+            player.set_outputs(options.outputs, record)
             player.wait_ready()
             attach_log(player, options, source, feedback)
             player.open(source, feedback)
@@ -178,9 +177,8 @@ def play(options: argparse.Namespace) -> int:
                 until_s=end_s,
             )
         now = player.snapshot()
-        problem = now.problem or now.device_problem
-        problem = problem or next((o.problem for o in now.outlets if o.problem), "")
-        notes = [outlet.note for outlet in now.outlets if outlet.note]
+        problem = now.problem or next((o.problem for o in now.outputs if o.problem), "")
+        notes = [output.note for output in now.outputs if output.note]
     finally:
         player.close()
     report = player.summary()
@@ -189,7 +187,7 @@ def play(options: argparse.Namespace) -> int:
     for sentence in (*now.notices, *notes):
         if sentence not in {problem, ANOTHER_VIDEO}:
             say_aside(sentence)
-    problem = problem or now.record_problem
+    problem = problem or now.leading.record_problem
     problem = problem or now.log_problem
     if problem:
         complain(problem)
@@ -249,7 +247,7 @@ def wanted_scheduling(options: argparse.Namespace) -> Scheduling | None:
     return Scheduling(options.scheduling) if options.scheduling else None
 
 
-def record_target(options: argparse.Namespace, device: str) -> Path | None:
+def record_target(options: argparse.Namespace, outputs: Sequence[str]) -> Path | None:
     """Return the new file that is to hold every tick of the loop, if one is wanted.
 
     Raises:
@@ -258,7 +256,7 @@ def record_target(options: argparse.Namespace, device: str) -> Path | None:
     """
     if options.record is None:
         return None
-    if device == NO_DEVICE:
+    if not outputs:
         raise UsageError("--record needs a device, for its loop is what is recorded")
     target = Path(options.record)
     make_way(target, is_record if options.overwrite else None)
@@ -305,9 +303,8 @@ def attach_log(
         "title": source.title,
         "duration_s": source.clip.duration_s,
         "feedback": feedback,
-        "device": now.device,
-        "outlets": [outlet.name for outlet in now.outlets],
-        "scheduling": now.scheduling,
+        "outputs": player.output_names,
+        "scheduling": now.leading.scheduling,
         "time": "seconds of CLOCK_MONOTONIC",
     }
     path, overwrite = Path(options.log), options.overwrite
@@ -340,17 +337,21 @@ def _summary_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
                 f"5 to 95 %: {stats['p05']:+.2f} to {stats['p95']:+.2f} ms"
             )
     lines += _channel_texts(report["channels"])
-    for name, one in report["outlets"].items():
-        lines += [_outlet_text(name, one), *_channel_texts(one["channels"])]
+    for name, one in list(report["outputs"].items())[1:]:
+        lines += [_output_text(name, one), *_channel_texts(one["channels"])]
     return "\n".join(lines)
+
+
+def _head_text(source: Source, feedback: str, report: dict[str, Any]) -> str:
+    return f"{source.title} - feedback {feedback}, device {report['device']}"
 
 
 def _channel_texts(channels: list[dict[str, Any]]) -> list[str]:
     return [f"  channel {one['channel']}  {peak_text(one)}" for one in channels]
 
 
-def _outlet_text(name: str, report: dict[str, Any]) -> str:
-    line = f"  outlet     {name}: {report['ticks']} ticks, {report['missed']} missed"
+def _output_text(name: str, report: dict[str, Any]) -> str:
+    line = f"  output     {name}: {report['ticks']} ticks, {report['missed']} missed"
     if stats := report["haptic_minus_video_ms"]:
         line += f", minus video: median {stats['p50']:+.2f} ms, "
         line += f"5 to 95 %: {stats['p05']:+.2f} to {stats['p95']:+.2f} ms"

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.cli import OpenWindow, study_analysis
-from hapticplayer.cli.common import add_device_name, complain, say, say_aside
+from hapticplayer.cli.common import add_outputs, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
 from hapticplayer.study.answers import (
@@ -80,7 +80,7 @@ def _add_run(actions: Any) -> None:
     action.set_defaults(run=_run)
     action.add_argument("--language", metavar="L", help="of the participant's pages")
     action.add_argument("--resume", metavar="CODE", help="resume a session")
-    add_device_name(action)
+    add_outputs(action)
     action.add_argument(
         "--windowed",
         action="store_true",

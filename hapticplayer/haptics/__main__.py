@@ -17,7 +17,7 @@ from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import MessageKind, MessageSocket
 from hapticplayer.haptics.scheduling import (
     FIFO_PRIORITY,
-    OUTLET_PRIORITY,
+    OWN_LOOP_PRIORITY,
     CpuLatencyRequest,
     Scheduling,
     acquire,
@@ -57,7 +57,7 @@ def main(argv: list[str] | None = None) -> int:
         wanted = Scheduling(options.scheduling) if options.scheduling else None
         hold(block.lifeline)  # until the end, which the guard sees
         loop = _loop(options, block, line, device)
-        priority = OUTLET_PRIORITY if entry.loop else FIFO_PRIORITY
+        priority = OWN_LOOP_PRIORITY if entry.loop else FIFO_PRIORITY
         line.send(MessageKind.READY, acquire(wanted, priority).value)
         loop.run()
     finally:

@@ -16,7 +16,7 @@ import struct
 FIFO_PRIORITY = 80
 GUARD_PRIORITY = 81  # it has next to nothing to do, but must not wait for the loop
 DEVICE_PRIORITY = 79  # a real device is not starved by the player either
-OUTLET_PRIORITY = 78  # of what needs no 1 kHz: after the loop and its device
+OWN_LOOP_PRIORITY = 78  # of what needs no 1 kHz: after the loop and its device
 SLICE_NS = 100_000
 WINDOW_SLICE_NS = 400_000  # shorter than others' 1.4 to 3 ms; the loop comes first
 _PR_SET_TIMERSLACK = 29

@@ -1,6 +1,6 @@
 """One sample of the signal for a motion rig: fifteen numbers.
 
-Without numpy: the outlet's loop loads this.
+Without numpy: the rig's loop loads this.
 """
 
 from typing import NamedTuple

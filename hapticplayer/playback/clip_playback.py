@@ -49,7 +49,7 @@ class ClipPlayback:
         self.problem = ""  # of the clip
         self.end_s = 0.0
         self.loop_s: tuple[float, float] | None = None
-        self.latency, self.outlets_s = Latency(), 0.0  # the largest of the outlets
+        self.latency, self.outputs_s = Latency(), 0.0  # the largest latency of them
         self.media = MediaClock()
         self.video = VideoOutput(clock, sink, presented)
         self.sound = Sound(clock, self.media, audio)
@@ -138,7 +138,7 @@ class ClipPlayback:
             self.seek(self.media_s)
 
     def set_device(self, device: str) -> None:
-        """Compensate the latency of another haptic device."""
+        """Compensate the latency of another leading device."""
         self._device = device
         self._note_latency()
 
@@ -188,7 +188,7 @@ class ClipPlayback:
         self._first_sound_by_s = self._clock.now_s() + FIRST_SOUND_TIMEOUT_S
 
     def _start_clock(self, _media_s: float) -> None:
-        lead_s = max(self.latency.lead_s, self.outlets_s)
+        lead_s = max(self.latency.lead_s, self.outputs_s)
         self.media.start(self._clock.now_s() + lead_s)
 
     def _forget(self, _media_s: float) -> None:
@@ -216,10 +216,6 @@ class ClipPlayback:
     def clock(self) -> PlaybackClock:
         """Return the clock of the clip as it is to be met by a person."""
         return self.media.snapshot(self._clock.now_s())
-
-    def force_clock(self) -> PlaybackClock:
-        """Return the clock for the haptic loop, ahead by the device's latency."""
-        return self.clock().ahead(self.latency.device_s)
 
     def _note_progress(self, now_s: float) -> None:
         if self.phase is Phase.BUFFERING:

@@ -1,4 +1,4 @@
-"""A gentle test of any device or outlet, through all that guards a hand in play.
+"""A gentle test of any device, through all that guards a hand in play.
 
 The same loop, limits, ramps and guard as in play: each part of the device is opened by a
 `ForcePlayer`, one after the other.

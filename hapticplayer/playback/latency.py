@@ -109,7 +109,7 @@ class Latencies:
         return Latency(self.display_s, self.sound_s.get(sound, 0.0), device_s)
 
     def of_device(self, name: str) -> "DeviceLatency":
-        """Return the best that is known of a device or outlet.
+        """Return the best that is known of a device.
 
         What its settings say counts first, then what was measured or entered for it, then
         what its driver keeps by the device's own clock, then what is typical.

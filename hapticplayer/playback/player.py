@@ -11,6 +11,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
@@ -18,14 +19,15 @@ from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback.clip_playback import FASTEST, SLOWEST, ClipPlayback
 from hapticplayer.playback.clock import AudioReport
-from hapticplayer.playback.force_output import ForceOutput
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import PlaybackLog, Reporter
-from hapticplayer.playback.outlets import NO_TRACK, Outlets
+from hapticplayer.playback.output import NO_TRACK, OutputContext
+from hapticplayer.playback.outputs import Outputs
 from hapticplayer.playback.phases import Phase, PhaseEvent
 from hapticplayer.playback.snapshot import Measurements, Snapshot, SyncTraces
 from hapticplayer.playback.sound import AudioFactory
@@ -45,7 +47,7 @@ class Player:
     Args:
         clock: of the machine.
         sink: where frames go; None for nowhere.
-        device: name of the haptic device, or "none".
+        outputs: names of the devices to play on, the leading one first.
         audio: makes the sound output, see `SoundKeeper`; None plays without sound.
         scheduling: of the haptic loop; None for the best there is.
         haptics: makes the owner of the haptics processes; None for the usual one.
@@ -57,7 +59,7 @@ class Player:
         clock: Clock,
         sink: FrameSink | None = None,
         *,
-        device: str = NO_DEVICE,
+        outputs: Sequence[str] = (),
         audio: AudioFactory | None = SoundProcess,
         scheduling: Scheduling | None = None,
         haptics: Callable[..., HapticsProcesses] | None = None,
@@ -71,11 +73,10 @@ class Player:
             clock, sink, audio, self._reporter, self._note_frame, self._note_sound
         )
         make = haptics or HapticsProcesses
-        self._force = ForceOutput(
-            *(clock, self._reporter, device, scheduling, make), latch=self._latch
-        )
-        self._outlets = Outlets(clock, self._reporter, scheduling, make, self._latch)
-        self._clip.set_device(device)
+        context = OutputContext(clock, self._reporter, self._latch, scheduling, make)
+        self._outputs = Outputs(context)
+        self._outputs.use(outputs)
+        self._follow_outputs()
         self._logged_audio_s = float("-inf")
         self._was_stalled = False
         self._verdict: Verdict | None = None
@@ -92,8 +93,7 @@ class Player:
         self._end_source()
         self._clip.open(source)
         self._feedback = feedback or source.feedback
-        self._force.load(source.tracks)
-        self._outlets.load(source.tracks, source.motion)
+        self._outputs.load(source.tracks, source.motion)
 
     def prepare_sound(self) -> None:
         """Open the sound output already: a clip with sound is about to be opened."""
@@ -150,9 +150,13 @@ class Player:
 
     def set_latencies(self, latencies: Latencies) -> None:
         """Begin earlier from here on what reaches the person later."""
-        self._outlets.set_latencies(latencies)
-        self._clip.outlets_s = self._outlets.lead_s
+        self._outputs.set_latencies(latencies)
+        self._clip.outputs_s = self._outputs.lead_s
         self._clip.set_latencies(latencies)
+
+    def _follow_outputs(self) -> None:
+        self._clip.outputs_s = self._outputs.lead_s
+        self._clip.set_device(self._outputs.leading.name)
 
     # --- commands: the force --------------------------------------------------
 
@@ -177,68 +181,72 @@ class Player:
             return
         tracks = {**source.tracks, name: track}
         self._clip.source = replace(source, tracks=tracks)
-        self._force.replace(name, track)
-        self._outlets.replace(name, track)
+        self._outputs.replace(name, track)
         self._reporter.event("track_replaced", feedback=name)
 
-    def set_device(
-        self, name: str, record: Path | None = None, *, takes_faults: bool = False
+    def set_outputs(
+        self,
+        names: Sequence[str],
+        record: Path | None = None,
+        *,
+        takes_faults: bool = False,
     ) -> None:
-        """Release the device and open another one, recording its ticks if wanted.
+        """Play on these devices, in this order, and on no others; see `Outputs.use`.
 
-        Waits for the old one only where both are hardware; see `HapticsProcesses`.
+        Names are those of `devices`, with their settings. The first one leads: its
+        position is shown, its buttons count, its ticks are recorded and take faults.
         """
-        self._force.use(name, record, takes_faults=takes_faults)
-        self._reporter.event("device", device=name)
-        self._clip.set_device(name)
+        try:
+            self._outputs.use(names, record, takes_faults=takes_faults)
+        finally:
+            self._follow_outputs()
+            self._reporter.event("outputs", outputs=self.output_names)
 
-    def set_outlets(self, names: Sequence[str]) -> None:
-        """Play on these as well, each in processes of its own, and on no others.
+    @property
+    def output_names(self) -> list[str]:
+        """Names of the outputs, the leading one first."""
+        return [one.name for one in self._outputs if one.name != NO_DEVICE]
 
-        Names are those of `devices`, with their settings. Raises as `Outlets.use`.
-        """
-        self._outlets.use(names)
-        self._clip.outlets_s = self._outlets.lead_s
-        self._reporter.event("outlets", outlets=list(names))
-
-    def set_outlet(
+    def set_output(
         self, name: str, *, feedback: str | None = None, is_muted: bool | None = None
     ) -> None:
-        """Give an outlet a condition of its own ("" for the player's), or mute it.
+        """Give an output a condition of its own ("" for the player's), or mute it.
 
         None keeps what is.
 
         Raises:
-            UsageError: when there is no such outlet.
+            UsageError: when there is no such output.
         """
-        outlet = self._outlets[name]
+        output = self._outputs[name]
         if feedback is not None:
-            outlet.feedback = feedback
+            output.feedback = feedback
         if is_muted is not None:
-            outlet.is_muted = is_muted
-        now = {"feedback": outlet.feedback, "muted": outlet.is_muted}
-        self._reporter.event("outlet", outlet=name, **now)
+            output.is_muted = is_muted
+        now = {"feedback": output.feedback, "muted": output.is_muted}
+        self._reporter.event("output", output=name, **now)
 
-    def lend_outlet(self, name: str) -> None:
-        """Let go of an outlet's device, for a test; see `Outlets.lend`."""
-        self._outlets.lend(name)
+    def lend_outputs(self, name: str = "") -> None:
+        """Let go of one device or of all, for a test or others; see `Outputs.lend`."""
+        self._outputs.lend(name)
+        self._reporter.event("outputs_lent")
 
-    def is_outlet_free(self, name: str) -> bool:
-        """Whether a device that was lent has come to rest, so that others can open it."""
-        return self._outlets.is_free(name)
+    def take_back_outputs(self, name: str = "") -> None:
+        """Play again on what was lent; see `Outputs.take_back`."""
+        self._reporter.event("outputs_taken_back")
+        self._outputs.take_back(name)
 
-    def take_back_outlet(self, name: str) -> None:
-        """Play again on an outlet that was lent; see `Outlets.take_back`."""
-        self._outlets.take_back(name)
+    @property
+    def are_outputs_free(self) -> bool:
+        """Whether what was lent or released is at rest, so that others can open it."""
+        return self._outputs.are_free
 
     def wait_ready(self) -> None:
-        """Wait for device and outlets; see `HapticsProcesses.wait_ready`."""
-        self._force.processes.wait_ready()
-        self._outlets.wait_ready()
+        """Wait for the outputs; see `HapticsProcesses.wait_ready`."""
+        self._outputs.wait_ready()
 
     def wait_released(self) -> None:
         """Wait until other programs can open the hardware that was released."""
-        self._force.wait_released(hardware_only=True)
+        self._outputs.wait_released(hardware_only=True)
 
     def stop_force(self) -> None:
         """Set the force to zero at once and pause; only `rearm` brings it back."""
@@ -249,8 +257,7 @@ class Player:
 
     def _stop_all(self) -> None:
         self._is_held = True
-        self._force.processes.stop_force()
-        self._outlets.stop()
+        self._outputs.stop()
 
     def rearm(self) -> None:
         """Let the force fade in again after a stop: a person asks for it.
@@ -258,29 +265,24 @@ class Player:
         Raises:
             UsageError: when a grip is not near the middle; the force stays off.
         """
-        if not all(one.is_near_middle() for one in self._force_outputs()):
+        if not all(one.is_near_middle() for one in self._outputs):
             raise UsageError("move the grip to the centre first, then re-arm again")
         self._latch.rearm(self._clock.now_s())
-        self._force.processes.rearm()
-        self._outlets.rearm()
+        self._outputs.rearm()
         self._is_held = False
         self._reporter.event("rearm")
-
-    def _force_outputs(self) -> list[ForceOutput]:
-        return [self._force, *(one.output for one in self._outlets)]
 
     def _follow_latch(self) -> None:
         """Stop, or let the force come back, where another owner of the latch did."""
         if self._latch.is_set and not self._is_held:
             self._stop_all()
         elif self._is_held and not self._latch.is_set:
-            self._force.processes.rearm()
-            self._outlets.rearm()
+            self._outputs.rearm()
         self._is_held = self._latch.is_set
 
     def inject(self, fault: str) -> float:
         """Make a fault happen; see `HapticsProcesses.inject`."""
-        return self._force.processes.inject(fault)
+        return self._outputs.leading.processes.inject(fault)
 
     # --- commands: the log, the end --------------------------------------------
 
@@ -291,16 +293,15 @@ class Player:
 
     def restart_meters(self) -> None:
         """Measure the force against frames and sound from here on."""
-        self._force.restart_meters()
-        self._outlets.restart_meters()
+        for one in self._outputs:
+            one.restart_meters()
 
     def close(self) -> None:
         """Ramp the force to zero, end all threads and finish the log."""
         self._stop_all()  # before anything that takes its time
         self._end_source()
         self._clip.close()
-        self._force.close()
-        self._outlets.close()
+        self._outputs.close()
         self._clip.video.close()
         if (log := self._reporter.log) is not None:
             self._reporter.log = None
@@ -311,9 +312,7 @@ class Player:
 
     def snapshot(self) -> Snapshot:
         """Return the state of clip and device."""
-        clip, processes = self._clip, self._force.processes
-        tick = self._force.history.latest()
-        mode, cause = self._force.activity()
+        clip = self._clip
         return Snapshot(
             phase=clip.phase,
             source=clip.source,
@@ -328,45 +327,40 @@ class Player:
             sound_output=clip.sound.name,
             reported_latency_s=clip.sound.reported_latency_s,
             latency=clip.latency,
-            device=processes.device,
-            device_health=processes.health,
-            device_problem=self._force.problem,
-            device_levels=processes.levels,
-            takes_faults=processes.takes_faults,
-            loop_pid=processes.pids.get("loop"),
-            scheduling=processes.scheduling,
-            record_problem=processes.record_problem,
             is_stopped=self._latch.is_set,
-            mode=mode,
-            cause=cause,
-            tick=tick,
             frames_shown=clip.video.shown,
             frames_dropped=clip.video.dropped,
             frames_damaged=clip.video.damaged,
             problem=clip.problem or clip.waiting,
             notices=tuple(self._reporter.notices),
             log_problem=self._log_problem,
-            outlets=self._outlets.states(self._feedback),
+            outputs=self._outputs.states(self._feedback),
         )
 
     def measurements(self) -> Measurements:
         """Return lateness and synchronisation so far."""
-        return self._force.measurements(self._clip.sound.underrun_s)
+        return self._outputs.leading.measurements(self._clip.sound.underrun_s)
 
     def ticks_since(self, monotonic_s: float) -> NDArray[Any]:
-        """Return the ticks after a time, of the last 12 s, oldest first; see `TICK`."""
-        return self._force.history.since(monotonic_s)
+        """The leading output's ticks of the last 12 s after a time, oldest first.
+
+        See `TICK`; none of a rig, whose ticks hold its motion.
+        """
+        leading = self._outputs.leading
+        if leading.takes_motion:
+            return np.empty(0, TICK)
+        return leading.history.since(monotonic_s)
 
     def sync_traces(self) -> SyncTraces:
         """Return the last differences between force, frames and sound."""
-        return self._force.traces()
+        return self._outputs.leading.traces()
 
     def summary(self) -> dict[str, Any]:
         """The summary at the end of the log."""
         video = self._clip.video
         return {
-            **self._force.summary(),
-            "outlets": self._outlets.summary(),
+            **self._outputs.leading.summary(),
+            "outputs": self._outputs.summary(),
             "frames": {
                 "shown": video.shown,
                 "dropped": video.dropped,
@@ -381,17 +375,15 @@ class Player:
     def poll(self) -> float:
         """Do what is due and return the monotonic time of the next call, s."""
         now_s = self._clock.now_s()
-        self._force.poll()
-        self._outlets.read()
+        for one in self._outputs:
+            one.poll()
         self._follow_latch()
         next_s = self._clip.advance(now_s)
         self._note_waiting()
         has_no_force = self._has_stalled(now_s) or self._is_withheld()
         has_no_force = has_no_force or self._latch.is_set
         track = NO_TRACK if has_no_force else self._feedback
-        self._force.processes.beat()
-        self._force.processes.publish(self._clip.force_clock(), track)
-        self._outlets.publish(self._clip.clock(), track)
+        self._outputs.publish(self._clip.clock(), track)
         return min(next_s, now_s + POLL_S)
 
     def _has_stalled(self, now_s: float) -> bool:
@@ -436,16 +428,13 @@ class Player:
 
     def _note_frame(self, shown_s: float, frame_s: float) -> None:
         seen_s = shown_s + self._clip.latency.display_s
-        commanded_s = seen_s - self._clip.latency.device_s
-        self._force.video.event(commanded_s, frame_s)
-        self._outlets.note_frame(seen_s, frame_s)
+        self._outputs.note_frame(seen_s, frame_s)
         self._reporter.line("frame", monotonic_s=seen_s, media_s=frame_s)
 
     def _note_sound(self, report: AudioReport) -> None:
         if report.monotonic_s < self._logged_audio_s + AUDIO_LOG_PERIOD_S:
             return
         self._logged_audio_s = report.monotonic_s
-        commanded_s = report.monotonic_s - self._clip.latency.device_s
-        self._force.audio.event(commanded_s, report.media_s)
+        self._outputs.note_sound(report.monotonic_s, report.media_s)
         at = {"monotonic_s": report.monotonic_s, "media_s": report.media_s}
         self._reporter.line("audio", **at)

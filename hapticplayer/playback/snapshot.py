@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
@@ -16,12 +17,12 @@ from hapticplayer.playback.phases import PLAYING_PHASES, Phase
 from hapticplayer.playback.source import Source
 
 
-@dataclass(frozen=True, slots=True)
-class OutletState:
-    """An outlet as front ends show it.
+@dataclass(frozen=True, slots=True, eq=False)
+class OutputSnapshot:
+    """An output as front ends show it; without arguments: no device.
 
     Attributes:
-        name: as it was chosen, with its settings.
+        name: as it was chosen, with its settings; "none" without a device.
         health: of its processes.
         problem: what is wrong with it, "" for nothing.
         note: what a person may want to do about it, "" for nothing.
@@ -32,23 +33,34 @@ class OutletState:
         latency_source: how that is known.
         mode: what its loop does, and why.
         cause: of the mode.
+        tick: the newest, see `TICK`; None before the first, and of a rig.
         loop_pid: of its process, None where there is none.
         levels: of the channels of a sound card, empty for other devices.
+        takes_faults: whether they can be injected.
+        scheduling: class of its loop, "" before it runs.
+        record_problem: why the recording of its ticks is incomplete.
     """
 
-    name: str
-    health: Health
-    problem: str
-    note: str
-    feedback: str
-    is_muted: bool
-    gain: float
-    latency_s: float
-    latency_source: LatencySource
-    mode: Mode
-    cause: Cause
-    loop_pid: int | None
+    name: str = NO_DEVICE
+    health: Health = Health.NONE
+    problem: str = ""
+    note: str = ""
+    feedback: str = ""
+    is_muted: bool = False
+    gain: float = 1.0
+    latency_s: float = 0.0
+    latency_source: LatencySource = LatencySource.ASSUMED
+    mode: Mode = Mode.IDLE
+    cause: Cause = Cause.NONE
+    tick: Any = None
+    loop_pid: int | None = None
     levels: tuple[ChannelLevel, ...] = ()
+    takes_faults: bool = False
+    scheduling: str = ""
+    record_problem: str = ""
+
+
+NO_OUTPUT = OutputSnapshot()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,25 +82,19 @@ class Snapshot:
     # what the sound output says of itself; 0 before it does
     reported_latency_s: float = 0.0
     latency: Latency = field(default_factory=Latency)  # what is compensated
-    device: str = "none"  # name, "none" without a device
-    device_health: Health = Health.NONE
-    device_problem: str = ""  # what is wrong with device or process, "" for nothing
-    device_levels: tuple[ChannelLevel, ...] = ()  # of its sound channels
-    takes_faults: bool = False
-    loop_pid: int | None = None
-    scheduling: str = ""  # class of the haptic loop, "" without a device
-    record_problem: str = ""  # why the recording of the ticks is incomplete
     is_stopped: bool = False  # the latch: no force until a person re-arms
-    mode: Mode = Mode.IDLE
-    cause: Cause = Cause.NONE
-    tick: Any = None  # the newest tick, see `TICK`; None before the first
     frames_shown: int = 0
     frames_dropped: int = 0
     frames_damaged: int = 0
     problem: str = ""  # what is wrong with the clip, "" for nothing
     notices: tuple[str, ...] = ()
     log_problem: str = ""  # why the log is incomplete, once it is closed
-    outlets: tuple[OutletState, ...] = ()  # what plays beside the device
+    outputs: tuple[OutputSnapshot, ...] = ()  # the first one leads
+
+    @property
+    def leading(self) -> OutputSnapshot:
+        """The output whose position is shown and whose buttons count."""
+        return self.outputs[0] if self.outputs else NO_OUTPUT
 
     @property
     def duration_s(self) -> float:

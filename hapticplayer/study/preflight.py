@@ -105,34 +105,36 @@ def volume_in_checks(checks: object) -> int | None:
 
 
 def _device(now: Snapshot, checks: Checks) -> SessionCheck:
-    if now.device == NO_DEVICE:
+    if now.leading.name == NO_DEVICE:
         return SessionCheck(DEVICE, not checks.device, Message("none"))
-    is_real = SIMULATED not in now.device or not checks.device
-    is_good = is_real and now.device_health is Health.READY
+    is_real = SIMULATED not in now.leading.name or not checks.device
+    is_good = is_real and now.leading.health is Health.READY
     found = Message(
         "{device}, {state}",
-        device=find_device(now.device).label,
-        state=Message(now.device_health),
+        device=find_device(now.leading.name).label,
+        state=Message(now.leading.health),
     )
     return SessionCheck(DEVICE, is_good, found)
 
 
 def _homed(now: Snapshot, checks: Checks) -> SessionCheck:
-    if now.device == NO_DEVICE:
+    if now.leading.name == NO_DEVICE:
         return SessionCheck(HOMED, not checks.device, Message("no device"))
-    if now.tick is None:
+    if now.leading.tick is None:
         return SessionCheck(HOMED, False, Message("no data from the device yet"))
-    is_homed = now.cause is not Cause.NOT_HOMED
+    is_homed = now.leading.cause is not Cause.NOT_HOMED
     return SessionCheck(
         HOMED, is_homed, Message("yes") if is_homed else Message("not yet")
     )
 
 
 def _scheduling(now: Snapshot, checks: Checks) -> SessionCheck:
-    if now.device == NO_DEVICE:
+    if now.leading.name == NO_DEVICE:
         return SessionCheck(SCHEDULING, not checks.device, Message("no device"))
-    is_good = now.scheduling in checks.scheduling
-    return SessionCheck(SCHEDULING, is_good, Message(now.scheduling or "\u2013"))
+    is_good = now.leading.scheduling in checks.scheduling
+    return SessionCheck(
+        SCHEDULING, is_good, Message(now.leading.scheduling or "\u2013")
+    )
 
 
 def _disk(checks: Checks, folder: Path) -> SessionCheck:

@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
-from hapticplayer.playback.force_output import described
+from hapticplayer.playback.output import described
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Measurements, Snapshot
@@ -233,8 +232,8 @@ class _PlaybackMonitor:
             "lost": measured.ticks_lost - before.ticks_lost,
             "force_rms_n": [round(float(value), 4) for value in rms_n],
             "faults": self._faults,
-            "device": after.device,
-            "scheduling": after.scheduling,
+            "outputs": self._player.output_names,
+            "scheduling": after.leading.scheduling,
         }
 
     def reasons(self, limits: PlaybackLimits, checks: Checks) -> list[str]:
@@ -249,7 +248,7 @@ class _PlaybackMonitor:
             found.append("frames_dropped")
         if checks.sound:
             found += self._sound_reasons(limits, after, measured)
-        if after.device != NO_DEVICE:
+        if after.outputs:
             found += self._force_reasons(limits, after)
         elif checks.device:
             found.append("no_device")
@@ -275,12 +274,12 @@ class _PlaybackMonitor:
 
     def _force_reasons(self, limits: PlaybackLimits, after: Snapshot) -> list[str]:
         found = []
-        if after.device_health in (Health.FAILED, Health.GONE):
+        if any(one.health in (Health.FAILED, Health.GONE) for one in after.outputs):
             found.append("device_lost")
         if self._missed > limits.missed_share * max(1, self._ticks):
             found.append("periods_missed")
         if not self._ticks:
             found.append("no_ticks")
-        if after.record_problem:
+        if after.leading.record_problem:
             found.append("record_incomplete")
         return found

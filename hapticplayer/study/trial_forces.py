@@ -89,7 +89,9 @@ def _span_s(playback: Mapping[str, Any]) -> tuple[float, float] | None:
 
 
 def _limits(playback: Mapping[str, Any]) -> Limits:
+    outputs = playback.get("outputs")
+    leading = str(outputs[0]) if isinstance(outputs, list) and outputs else ""
     try:
-        return limits_of(find_device(str(playback.get("device"))).capabilities)
+        return limits_of(find_device(leading).capabilities)
     except DeviceError:  # of a package that this machine lacks
         return Limits()

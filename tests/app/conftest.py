@@ -158,10 +158,12 @@ def make_window(application, qtbot, settings) -> Iterator[MakeWindow]:
     """Make a shown window with a player of its own; closed after the test."""
     made = []
 
-    def make(device: str = "none", **more) -> PlayerWindow:
+    def make(*outputs: str, **more) -> PlayerWindow:
         surface = VideoSurface()
         clock = SystemClock()
-        player = Player(clock, SurfaceSink(surface), device=device, audio=None, **more)
+        player = Player(
+            clock, SurfaceSink(surface), outputs=outputs, audio=None, **more
+        )
         window = PlayerWindow(player, surface, clock, settings)
         made.append(window)
         window.show()
@@ -205,7 +207,7 @@ def feel(wait_for) -> Callable[..., None]:
                 window.session.rearm()
             if not player.snapshot().is_playing:
                 player.play()
-            return player.snapshot().mode is Mode.FOLLOWING
+            return player.snapshot().leading.mode is Mode.FOLLOWING
 
         wait_for(is_felt)
 

@@ -47,7 +47,7 @@ from app.player.dialogs import about_dialog
 from app.player.fault_panel import FaultPanel
 from app.player.keys_dialog import KeysDialog
 from app.player.latency_page import LatencyPage
-from app.player.outlets_page import OutletsPage
+from app.player.outputs_page import OutputsPage
 from app.player.question import Question
 from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
@@ -126,8 +126,8 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         ),
         "feedback": lambda: ConditionDialog(["mine"], window),
         "faults": lambda: FaultPanel(window.clock, window.session, window),
-        "outlets": lambda: OutletsPage(window.clock, window.session, window),
-        "outlets-test": lambda: _outlets_in_test(window),
+        "outputs": lambda: OutputsPage(window.clock, window.session, window),
+        "outputs-test": lambda: _outputs_in_test(window),
         "rig": lambda: RigPanel(window.clock, window, (0,)),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "latencies": lambda: LatencyPage(
@@ -142,9 +142,9 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
     }
 
 
-def _outlets_in_test(window: PlayerWindow) -> OutletsPage:
-    """Return the page as it is while an outlet is tested."""
-    page = OutletsPage(window.clock, window.session, window)
+def _outputs_in_test(window: PlayerWindow) -> OutputsPage:
+    """Return the page as it is while an output is tested."""
+    page = OutputsPage(window.clock, window.session, window)
     page._tested = "wheel:event5,axis=x,sign=-"
     page.panel.set_device(page._tested)
     page._show_panel(is_wanted=True)
@@ -194,7 +194,7 @@ def _editor_with_effect(window: PlayerWindow) -> EditorPage:
 
 
 def make_player(clock, sink, device) -> Player:
-    return Player(clock, sink, device=device, audio=None)
+    return Player(clock, sink, outputs=[device], audio=None)
 
 
 def _library(window: PlayerWindow):

@@ -48,10 +48,10 @@ def sit(application, qtbot, wait_for):
     """Open the windows of a session, smaller than a screen."""
     made = []
 
-    def open_windows(study, device="none", size=(1280, 720), observer=None, **begin):
+    def open_windows(study, outputs=(), size=(1280, 720), observer=None, **begin):
         sources = load_study_sources(study)
         session = StudySession(
-            study, sources, device, SystemClock(), audio=None, observer=observer
+            study, sources, outputs, SystemClock(), audio=None, observer=observer
         )
         made.append(session)
         session.show(windowed=True)

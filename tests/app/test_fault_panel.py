@@ -30,7 +30,7 @@ def panel(window, wait_for):
 
 
 def is_acting(window):
-    latest = window.player.snapshot().tick
+    latest = window.player.snapshot().leading.tick
     return latest is not None and latest["mode"] in (Mode.ENTERING, Mode.FOLLOWING)
 
 
@@ -87,18 +87,18 @@ def test_the_force_comes_back_after_re_arming(panel, window, wait_for):
 
 def test_an_unplugged_device_is_restarted(panel, window, wait_for):
     panel.buttons["unplug"].click()
-    wait_for(lambda: window.player.snapshot().device_health is Health.FAILED)
+    wait_for(lambda: window.player.snapshot().leading.health is Health.FAILED)
     panel.again.click()
-    wait_for(lambda: window.player.snapshot().device_health is Health.READY)
+    wait_for(lambda: window.player.snapshot().leading.health is Health.READY)
     assert window.session.is_stopped  # it is re-armed as after any other trip
-    assert window.player.snapshot().takes_faults
+    assert window.player.snapshot().leading.takes_faults
 
 
 def test_faults_are_over_when_the_panel_closes(panel, window, wait_for):
-    assert window.player.snapshot().takes_faults
+    assert window.player.snapshot().leading.takes_faults
     panel.reject()
-    assert window.player.snapshot().device == "simulated"
-    assert not window.player.snapshot().takes_faults
+    assert window.player.snapshot().leading.name == "simulated"
+    assert not window.player.snapshot().leading.takes_faults
 
 
 def test_without_a_simulated_device_no_fault_can_be_pressed(make_window, wait_for):

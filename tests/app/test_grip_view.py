@@ -30,7 +30,7 @@ from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.playback.meters import TickHistory
-from hapticplayer.playback.snapshot import Snapshot
+from hapticplayer.playback.snapshot import OutputSnapshot, Snapshot
 
 RADIUS_M, SIDE_PX = 0.040, 320.0
 FRONT = Camera(0.0, 0.0)
@@ -77,7 +77,7 @@ def grip(
         history.add(records, 0)
         tick = history.latest()
         last = {"tick": tick, "mode": Mode(tick["mode"]), "cause": Cause(tick["cause"])}
-    now = Snapshot(device=device, device_health=health, feedback=feedback, **last)
+    now = Snapshot(feedback=feedback, outputs=(OutputSnapshot(device, health, **last),))
     return grip_of(now, history.since)
 
 

@@ -9,7 +9,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
 from hapticplayer.playback.phases import Phase
-from hapticplayer.playback.snapshot import Measurements, Snapshot
+from hapticplayer.playback.snapshot import Measurements, OutputSnapshot, Snapshot
 
 GOOD = Snapshot(
     phase=Phase.PLAYING,
@@ -17,11 +17,10 @@ GOOD = Snapshot(
     feedback="realistic",
     clock="audio",
     audio="default",
-    device="simulated",
-    device_health=Health.READY,
-    scheduling="fifo",
-    mode=Mode.FOLLOWING,
     frames_shown=300,
+)
+LEADING = OutputSnapshot(
+    "simulated", Health.READY, scheduling="fifo", mode=Mode.FOLLOWING
 )
 MEASURED = Measurements(
     loop=LoopStats(10_000, 0, 20.0, 53.0, 200.0, 900.0),
@@ -33,8 +32,12 @@ MEASURED = Measurements(
 def with_changes(changes) -> tuple[Snapshot, Measurements]:
     names = {field.name for field in dataclasses.fields(Measurements)}
     measured = {name: changes.pop(name) for name in names & set(changes)}
+    fields = {field.name for field in dataclasses.fields(OutputSnapshot)}
+    leading = {name: changes.pop(name) for name in (fields & set(changes))}
+    outputs = (dataclasses.replace(LEADING, **leading),)
+    is_stopped = outputs[0].mode is Mode.TRIPPED
     return (
-        dataclasses.replace(GOOD, **changes),
+        dataclasses.replace(GOOD, outputs=outputs, is_stopped=is_stopped, **changes),
         dataclasses.replace(MEASURED, **measured),
     )
 
@@ -78,8 +81,8 @@ def test_all_is_well():
             Level.BAD,
             "window not responding",
         ),
-        ({"device_health": Health.GONE}, 0, Level.BAD, "gone"),
-        ({"device_health": Health.FAILED}, 0, Level.BAD, "failed"),
+        ({"health": Health.GONE}, 0, Level.BAD, "gone"),
+        ({"health": Health.FAILED}, 0, Level.BAD, "failed"),
         (
             {"mode": Mode.IDLE, "cause": Cause.NOT_HOMED},
             0,
@@ -87,13 +90,13 @@ def test_all_is_well():
             "pull the grip out, then push it in",
         ),
         (
-            {"device": "shaker", "mode": Mode.IDLE, "cause": Cause.NOT_HOMED},
+            {"name": "shaker", "mode": Mode.IDLE, "cause": Cause.NOT_HOMED},
             0,
             Level.WATCH,
             "starting",
         ),
-        ({"device_health": Health.STARTING}, 0, Level.WATCH, "starting"),
-        ({"device": "none", "device_health": Health.NONE}, 0, Level.NEUTRAL, "none"),
+        ({"health": Health.STARTING}, 0, Level.WATCH, "starting"),
+        ({"name": "none", "health": Health.NONE}, 0, Level.NEUTRAL, "none"),
         ({"scheduling": "normal"}, 1, Level.WATCH, "normal"),
         ({"scheduling": ""}, 1, Level.NEUTRAL, "\u2013"),
         ({"loop": LoopStats(10_000, 0, 20, 900, 2e3, 5e3)}, 2, Level.WATCH, "900"),
@@ -113,7 +116,7 @@ def test_all_is_well():
         ({"clock": "monotonic", "audio": ""}, 6, Level.NEUTRAL, "monotonic"),
         ({"clock": "monotonic"}, 6, Level.WATCH, "no sound"),
         ({"clock": "monotonic"}, 4, Level.NEUTRAL, "\u2013"),
-        ({"device_health": Health.GONE}, 2, Level.NEUTRAL, "\u2013"),
+        ({"health": Health.GONE}, 2, Level.NEUTRAL, "\u2013"),
     ],
 )
 def test_an_unhealthy_entry_says_why(changes, entry, level, words):
@@ -182,7 +185,7 @@ def test_new_values_are_not_drawn_in_the_old_room(qtbot):
     line = HealthLine()
     qtbot.addWidget(line)
     line.resize(936, 44)
-    show(line, device="none", loop=None)
+    show(line, name="none", loop=None)
     line.show()
     qtbot.waitExposed(line)
     show(line, force_minus_audio=None)

@@ -73,7 +73,7 @@ def stopped(make_window, settings, sequence, tmp_path, wait_for, feel, felt, ans
     feel(window)
     window.commands.stop.trigger()
     wait_for(lambda: window.transport.stop.text() == "Re-arm")
-    wait_for(lambda: not window.player.snapshot().tick["force_n"].any())
+    wait_for(lambda: not window.player.snapshot().leading.tick["force_n"].any())
     return window
 
 
@@ -113,10 +113,10 @@ def play_on(window, wait_for):
     """Play with a device, as a person would try it."""
     wait_for(lambda: not window.session.jobs.is_busy)
     wait_for(lambda: not shown_dialogs())
-    if window.player.snapshot().device == NO_DEVICE:
+    if window.player.snapshot().leading.name == NO_DEVICE:
         window.transport.device_chosen.emit("simulated")
-    wait_for(lambda: window.player.snapshot().device_health is not Health.STARTING)
-    if window.player.snapshot().device_health is not Health.READY:
+    wait_for(lambda: window.player.snapshot().leading.health is not Health.STARTING)
+    if window.player.snapshot().leading.health is not Health.READY:
         window.transport.device_chosen.emit("simulated")
     window.player.seek(0.1)
     window.player.play()
@@ -143,7 +143,7 @@ def test_no_command_or_dialog_undoes_a_stop(stopped, wait_for, felt, feel):
         if found != (True, "Re-arm", True, 0.0):
             wrong[command.name] = found
     assert not wrong
-    window.session.choose_device("simulated")
+    window.session.choose_leading("simulated")
     window.commands.rearm.trigger()
     feel(window)
     assert max(felt) > 0.1
@@ -152,4 +152,4 @@ def test_no_command_or_dialog_undoes_a_stop(stopped, wait_for, felt, feel):
 @pytest.mark.realtime
 def test_a_study_does_not_begin_during_a_stop(stopped):
     with pytest.raises(UsageError, match="re-arm"):
-        stopped._release_device()
+        stopped._release_devices()

@@ -71,16 +71,16 @@ def test_a_latency_of_the_settings_is_not_changed_here(field):
 
 def test_a_latency_entered_on_the_page_is_compensated(make_window, wait_for):
     window = make_window("none")
-    window.player.set_outlets(["rumble"])
-    (outlet,) = window.player.snapshot().outlets
-    assert (outlet.latency_s, outlet.latency_source.value) == (0.015, "assumed")
+    window.player.set_outputs(["rumble"])
+    (output,) = window.player.snapshot().outputs
+    assert (output.latency_s, output.latency_source.value) == (0.015, "assumed")
     window.commands.set_up_device.trigger()
     page = window.findChild(SetupPage)
     page.device.setCurrentIndex(page.device.findData("rumble"))
     page.device.activated.emit(page.device.currentIndex())
     enter(page.latency, 45.0)
-    (outlet,) = window.player.snapshot().outlets
-    assert outlet.latency_s == pytest.approx(0.045)
-    assert outlet.latency_source.value == "entered"
+    (output,) = window.player.snapshot().outputs
+    assert output.latency_s == pytest.approx(0.045)
+    assert output.latency_source.value == "entered"
     page.reject()
     wait_for(lambda: not page.isVisible())

@@ -45,7 +45,7 @@ HUMAN_S = -0.030  # people tap before the beat
 
 
 def player_of(clock, sink, device, audio=None, latch=None):
-    return Player(clock, sink, device=device, audio=audio, latch=latch)
+    return Player(clock, sink, outputs=[device], audio=audio, latch=latch)
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import faces
 import pytest
 from PySide6.QtGui import QColor, QPixmap
 
-from app.player.outlets_page import OutletsPage
+from app.player.outputs_page import OutputsPage
 from app.widgets import theme
 from app.widgets.level_meter import LEAST_DB, LevelMeter, levels_text
 from hapticplayer.haptics.processes import Health
@@ -45,19 +45,19 @@ def test_its_words_change_only_with_what_is_heard(application):
     assert levels_text(LEVELS[:1]) == "channel 3 \u221212 dB"
 
 
-def test_an_outlet_with_channels_has_a_meter(make_window, wait_for, qtbot):
+def test_an_output_with_channels_has_a_meter(make_window, wait_for, qtbot):
     """From the block that the loop writes to the bars."""
     window = make_window()
-    window.commands.outlets.trigger()
-    page = window.findChild(OutletsPage)
-    window.player.set_outlets(["simulated", "rig:outsim"])
+    window.commands.outputs.trigger()
+    page = window.findChild(OutputsPage)
+    window.player.set_outputs(["simulated", "rig:outsim"])
 
     def states():
-        return {one.name: one for one in window.player.snapshot().outlets}
+        return {one.name: one for one in window.player.snapshot().outputs}
 
     wait_for(lambda: states()["simulated"].health is Health.READY)
     assert not page.meters["simulated"].isVisible()
-    block = window.player._outlets["simulated"].output.processes.block
+    block = window.player._outputs["simulated"].processes.block
     block.write_levels(LEVELS)
     page.look()
     qtbot.wait(20)
@@ -73,10 +73,10 @@ def test_an_outlet_with_channels_has_a_meter(make_window, wait_for, qtbot):
 
 def test_the_health_line_shows_channels_of_the_main_device(make_window, wait_for):
     window = make_window("simulated")
-    wait_for(lambda: window.player.snapshot().device_health is Health.READY)
+    wait_for(lambda: window.player.snapshot().leading.health is Health.READY)
     entry = window.health.entries[0]
     plain_px = entry.needed_px()
-    window.player._force.processes.block.write_levels(LEVELS)
+    window.player._outputs.leading.processes.block.write_levels(LEVELS)
     wait_for(lambda: entry.meter.levels != ())
     assert entry.meter.isVisible()
     assert entry.needed_px() > plain_px

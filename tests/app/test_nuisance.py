@@ -26,7 +26,7 @@ class Use:
 
     def __init__(self, window, qtbot):
         self.window, self.qtbot = window, qtbot
-        self.seen_s = window.player.snapshot().tick["monotonic_s"]
+        self.seen_s = window.player.snapshot().leading.tick["monotonic_s"]
         self.causes: set[Cause] = set()
 
     def look(self):
@@ -115,7 +115,7 @@ def test_using_the_window_causes_no_unintended_reaction(
 ):
     window = make_window("simulated")
     window.session.show_source(long_source)
-    wait_for(lambda: window.player.snapshot().tick is not None)
+    wait_for(lambda: window.player.snapshot().leading.tick is not None)
     person = Use(window, qtbot)
     feel(window, person.look)
     person.causes.clear()

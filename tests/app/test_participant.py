@@ -238,7 +238,7 @@ def test_a_session_is_resumed_in_new_windows(make_study, sit, wait_for):
 def test_a_missing_disk_stops_the_participant_until_it_is_back(
     make_study, sit, wait_for
 ):
-    session = sit(make_study(), device="simulated")
+    session = sit(make_study(), outputs=["simulated"])
     person = Person(session, wait_for)
     person.begin_trial()
     session.player.set_end(0.2)

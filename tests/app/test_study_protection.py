@@ -14,6 +14,8 @@ from sitting import KEYS, Person
 from app.bridge.desktop import NAME, Mpris
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.experimenter.study_menu import StudyProcess
+from hapticplayer.haptics.processes import Health
+from hapticplayer.playback.output import LENT
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.pages import PageKind
 
@@ -88,20 +90,25 @@ def test_media_keys_find_no_player_while_a_session_runs(
     assert [str(problem) for problem in texts] == ["the Falcon is not plugged in"]
 
 
-def test_a_session_takes_the_device_of_the_window(
+def test_a_session_borrows_the_outputs_of_the_window(
     window, make_study, tmp_path, monkeypatch, wait_for
 ):
-    window.session.choose_device("simulated")
+    window.session.choose_leading("simulated")
     study, seen = make_study(), tmp_path / "arguments"
     program = tmp_path / "session"
-    program.write_text(f'#!/bin/sh\necho "$@" > {seen}\n')
+    program.write_text(f'#!/bin/sh\necho "$@" >> {seen}\n')
     program.chmod(0o700)
     monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.study_menu.run()
-    assert window.player.snapshot().device == "none"
+    lent = window.player.snapshot().leading
+    assert (lent.name, lent.note) == ("simulated", LENT)
     wait_for(lambda: not window.study_menu.process.is_running)
-    said = seen.read_text().split()
+    # not ready: every process of the program is the script meanwhile
+    assert window.player.snapshot().leading.health is not Health.NONE
+    assert window.player.snapshot().leading.note == ""
+    assert window.player.output_names == ["simulated"]
+    said = seen.read_text().splitlines()[0].split()
     assert said[:4] == ["-m", "app", "study", "run"]
     assert said[4:] == [str(study.folder), "--device", "simulated"]
 
@@ -127,10 +134,10 @@ def test_a_study_without_clips_is_refused_before_any_change(
     study, texts = create_study(tmp_path / "empty"), []
     monkeypatch.setattr(window.study_menu, "report", texts.append)
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
-    window.session.choose_device("simulated")
+    window.session.choose_leading("simulated")
     window.study_menu.run()
     assert "'bike' has no folder with a sequence" in str(texts[0])
-    assert window.player.snapshot().device == "simulated"
+    assert window.player.snapshot().leading.name == "simulated"
     assert not window.study_menu.process.is_running
 
 

@@ -53,7 +53,7 @@ def pulled(inlet):
 def test_a_trial_is_streamed_without_answers_and_codes(
     streams, inlets, make_study, sit, wait_for
 ):
-    session = sit(make_study(), device="simulated", observer=streams)
+    session = sit(make_study(), outputs=["simulated"], observer=streams)
     person = Person(session, wait_for)
     person.to_trials()
     person.trial(ANSWERS)

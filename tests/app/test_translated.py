@@ -173,7 +173,7 @@ def test_a_question_about_a_log_is_asked_in_german(german, qtbot, tmp_path):
 
 
 def test_a_device_that_is_not_there_is_told_in_german(german, wait_for):
-    german.session.choose_device("falcon:NONE")
+    german.session.choose_leading("falcon:NONE")
     wait_for(german.messages.isVisible)
     said = german.messages.text()
     assert re.match(

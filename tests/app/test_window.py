@@ -259,9 +259,9 @@ def test_space_on_a_focused_button_presses_it(playing, wait_for):
 
 
 def test_a_missing_falcon_leaves_the_window_without_a_device(window, wait_for):
-    window.session.choose_device("falcon:NOWHERE0")  # nobody has one of that number
+    window.session.choose_leading("falcon:NOWHERE0")  # nobody has one of that number
     wait_for(lambda: "Falcon" in window.messages.text())
-    assert not window.player.snapshot().tick
+    assert not window.player.snapshot().leading.tick
 
 
 @pytest.mark.realtime
@@ -275,7 +275,7 @@ def test_stop_trips_and_rearm_lets_the_force_back(
     wait_for(lambda: window.session.is_stopped)
     wait_for(lambda: window.transport.stop.text() == "Re-arm")
     assert window.player.snapshot().phase is Phase.PAUSED
-    wait_for(lambda: not window.player.snapshot().tick["force_n"].any())
+    wait_for(lambda: not window.player.snapshot().leading.tick["force_n"].any())
     wait_for(lambda: "STOPPED" in window.health.entries[0].text())
     window.transport.stop.click()
     wait_for(lambda: not window.session.is_stopped)
@@ -288,7 +288,7 @@ def test_escape_stops_also_while_a_dialog_is_open(make_window, source, wait_for)
     window.session.show_source(source)
     window.dialogs.import_recording()
     dialog = window.findChild(ImportWizard)
-    wait_for(lambda: window.player.snapshot().tick is not None)
+    wait_for(lambda: window.player.snapshot().leading.tick is not None)
     key(dialog, Qt.Key.Key_Escape)
     wait_for(lambda: window.session.is_stopped)
     assert not any(w.isVisible() for w in window.findChildren(ImportWizard))
@@ -302,9 +302,9 @@ def test_changing_feedback_and_device_while_it_plays(
     feel(window)
     window.transport.feedback_chosen.emit("none")
     assert window.player.snapshot().feedback == "none"
-    first = window.player.snapshot().loop_pid
+    first = window.player.snapshot().leading.loop_pid
     window.transport.device_chosen.emit("none")
-    assert window.player.snapshot().loop_pid is None
+    assert window.player.snapshot().leading.loop_pid is None
     wait_for(lambda: not is_alive(first))  # it ends beside the window
     wait_for(lambda: window.health.entries[0].text() == "none")
 
@@ -331,12 +331,12 @@ def test_a_device_is_let_go_of_without_holding_the_window_up(
 
     window = make_window("simulated")
     window.session.show_source(source)
-    wait_for(lambda: window.player.snapshot().device_health == "ready")
-    first = window.player.snapshot().loop_pid
+    wait_for(lambda: window.player.snapshot().leading.health == "ready")
+    first = window.player.snapshot().leading.loop_pid
     monkeypatch.setattr(HapticsProcesses, "close", close_slowly)
     window.transport.device_chosen.emit("none")
     # back already, although the old device is still being closed
-    assert window.player.snapshot().device == "none"
+    assert window.player.snapshot().leading.name == "none"
     assert is_alive(first)
     window.player.wait_released()  # nothing that only one process can have
     may_end.set()
@@ -349,12 +349,12 @@ def test_a_dead_haptics_process_is_shown_and_can_be_restarted(
 ):
     window = make_window("simulated")
     window.session.show_source(source)
-    wait_for(lambda: window.player.snapshot().tick is not None)
-    os.kill(window.player.snapshot().loop_pid, signal.SIGKILL)
+    wait_for(lambda: window.player.snapshot().leading.tick is not None)
+    os.kill(window.player.snapshot().leading.loop_pid, signal.SIGKILL)
     wait_for(lambda: "choose the device again" in window.messages.text())
     wait_for(lambda: "gone" in window.health.entries[0].text())
     window.transport.device_chosen.emit("simulated")
-    wait_for(lambda: window.player.snapshot().tick is not None)
+    wait_for(lambda: window.player.snapshot().leading.tick is not None)
     assert window.player.snapshot().source is source
 
 
@@ -409,7 +409,7 @@ def test_closing_leaves_nothing_running(make_window, long_source, feel):
     window = make_window("simulated")
     window.session.show_source(long_source)
     feel(window)
-    process = window.player.snapshot().loop_pid
+    process = window.player.snapshot().leading.loop_pid
     assert len(programs_we_started() - before) >= 3  # loop, guard, simulated device
     window.close()
     assert programs_we_started() <= before

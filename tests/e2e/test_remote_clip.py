@@ -79,7 +79,7 @@ class Viewer:
     """A player of an address on a simulated device."""
 
     def __init__(self, url, start_s=0.0):
-        self.player = Player(CLOCK, device="simulated", audio=None)
+        self.player = Player(CLOCK, outputs=["simulated"], audio=None)
         self.player.wait_ready()
         self.player.open(open_source(HttpClip(url, CLOCK)))
         self.player.seek(start_s)
@@ -104,7 +104,7 @@ class Viewer:
 
 
 def is_felt(now):
-    return now.mode is Mode.FOLLOWING and now.tick["force_n"].any()
+    return now.leading.mode is Mode.FOLLOWING and now.leading.tick["force_n"].any()
 
 
 @pytest.mark.parametrize("name", ["ride.mkv", "ride.mp4"])
@@ -130,7 +130,7 @@ def test_seeks_on_nginx_are_felt_where_they_land(nginx, packed, name):
         for at_s in (9.0, 3.0, 7.0, 5.0):
             one.player.seek(at_s)
             one.until(lambda now, at_s=at_s: is_felt(now) and now.media_s > at_s + 0.4)
-            tick = one.now.tick
+            tick = one.now.leading.tick
             expected = track.at(float(tick["media_s"]))[0]
             assert np.abs(tick["planned_n"] - expected).max() < 0.05
 
@@ -168,7 +168,9 @@ def test_a_bad_server_pauses_clip_and_force_until_it_is_well(server, monkeypatch
             server.gate.clear()
         one.until(
             lambda now: (
-                now.phase is Phase.BUFFERING and now.mode is Mode.IDLE and now.problem
+                now.phase is Phase.BUFFERING
+                and now.leading.mode is Mode.IDLE
+                and now.problem
             )
         )
         assert "ride.mkv" in one.now.problem
@@ -186,7 +188,7 @@ def test_force_is_withheld_from_another_video(server, packed):
     server.contents["/ride.mp4"] = other[:at] + b"1234" + other[at + 4 :]
     with Viewer(server.url("/ride.mp4")) as one:
         one.until(lambda now: now.phase is Phase.PLAYING and now.media_s > 0.5)
-        assert not one.now.tick["force_n"].any()
+        assert not one.now.leading.tick["force_n"].any()
         assert "not the video that the force was made for" in one.now.notices[0]
 
 

@@ -125,4 +125,4 @@ def _latencies(stage: Stage) -> Pictures:
 
 
 def _player(clock: Clock, sink: SurfaceSink, device: str) -> Player:
-    return Player(clock, sink, device=device, audio=None)
+    return Player(clock, sink, outputs=[device], audio=None)

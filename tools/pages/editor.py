@@ -52,7 +52,7 @@ def _page(stage: Stage, folder: Path) -> EditorPage:
 
 
 def _player(clock: Clock, sink: SurfaceSink, device: str) -> Player:
-    return Player(clock, sink, device=device, audio=None)
+    return Player(clock, sink, outputs=[device], audio=None)
 
 
 def _wait(stage: Stage, page: EditorPage) -> None:

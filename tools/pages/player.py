@@ -29,7 +29,9 @@ STEADY, MOST_LOOKS = 10, 200  # until the whole window is up to date; on a slow 
 def pictures(stage: Stage) -> Pictures:
     """Yield every state of the player's window."""
     surface = VideoSurface()
-    player = Player(SystemClock(), SurfaceSink(surface), device="simulated", audio=None)
+    player = Player(
+        SystemClock(), SurfaceSink(surface), outputs=["simulated"], audio=None
+    )
     window = PlayerWindow(player, surface, SystemClock(), stage.settings)
     resize_within_screen(window, WIDTH_PX, HEIGHT_PX)
     try:
@@ -107,7 +109,7 @@ def _with_force(stage: Stage, window: PlayerWindow) -> QPixmap:
     def is_steady() -> bool:
         if player.snapshot().media_s > LATEST_S:
             player.seek(AT_S)
-        latest = player.snapshot().tick
+        latest = player.snapshot().leading.tick
         felt.append(latest is not None and int(latest["mode"]) == Mode.FOLLOWING)
         return all(felt[-STEADY:]) or len(felt) > MOST_LOOKS
 
@@ -163,7 +165,7 @@ def _faults(stage: Stage, window: PlayerWindow) -> Pictures:
     yield "player-unplugged", window.grab()
     panel.close()
     stage.wait()
-    window.session.choose_device("simulated")
+    window.session.choose_leading("simulated")
     window.messages.hide()
 
 

@@ -120,7 +120,7 @@ def test_a_loop_follows_the_effect_and_goes_there(make_page, folder):
 def test_a_slider_is_felt_while_the_clip_plays(make_page, folder, wait_for):
     page = make_page(folder, "simulated")
     player = page.playing.session.player
-    wait_for(lambda: player.snapshot().tick is not None)
+    wait_for(lambda: player.snapshot().leading.tick is not None)
     page.editing.add(PULSE, "Add")
     page.play_bar.loop.click()
     page.playing.toggle()
@@ -130,12 +130,12 @@ def test_a_slider_is_felt_while_the_clip_plays(make_page, folder, wait_for):
 
         Less than planned: the hand gives way, and outward force is reduced.
         """
-        tick = player.snapshot().tick
+        tick = player.snapshot().leading.tick
         is_in_pulse = 0.7 < tick["media_s"] < 1.4
         return float(tick["force_n"][0]) if is_in_pulse else 0.0
 
     wait_for(lambda: pushed() > 1.0)
-    begin_s = float(player.snapshot().tick["monotonic_s"])
+    begin_s = float(player.snapshot().leading.tick["monotonic_s"])
     page.panel.fields["amplitude"].slider.setValue(60)  # -2 N
     wait_for(lambda: pushed() < -1.0)
     ticks = player.ticks_since(begin_s)

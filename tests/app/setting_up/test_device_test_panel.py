@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.player.device_page import DevicePage
-from app.player.outlets_page import OutletsPage
+from app.player.outputs_page import OutputsPage
 from app.player.setup_page import SetupPage
 from hapticplayer.haptics.processes import Health
 from tests.app.setting_up.conftest import choose
@@ -57,34 +57,33 @@ def test_a_falcon_is_tested_only_when_it_is_homed(make_page, wait_for):
 
 def test_a_test_waits_until_the_window_has_let_go(make_window, wait_for):
     window = make_window("none")
-    window.player.set_outlets(["simulated"])
+    window.player.set_outputs(["simulated"])
     states = window.player.snapshot
-    wait_for(lambda: states().outlets[0].health is Health.READY)
+    wait_for(lambda: states().outputs[0].health is Health.READY)
     window.commands.set_up_device.trigger()
     page = window.findChild(SetupPage)
     choose(page, "simulated")
-    assert states().outlets[0].health is Health.NONE
+    assert states().outputs[0].health is Health.NONE
     begin_test(page, wait_for, until_s=0.0)
     page.reject()
     wait_for(lambda: not page.panel.is_running)
     page.reject()
-    wait_for(lambda: states().outlets[0].health is Health.READY)
+    wait_for(lambda: states().outputs[0].health is Health.READY)
 
 
-def test_the_forces_of_an_outlet_are_tried_and_it_plays_again(make_window, wait_for):
+def test_the_forces_of_an_output_are_tried_and_it_plays_again(make_window, wait_for):
     window = make_window("none")
-    window.player.set_outlets(["simulated"])
-    window.commands.outlets.trigger()
-    window.findChild(OutletsPage).set_up_wanted.emit("simulated")
+    window.player.set_outputs(["simulated"])
+    window.commands.outputs.trigger()
+    window.findChild(OutputsPage).set_up_wanted.emit("simulated")
     window.findChild(SetupPage).forces.click()
     wait_for(lambda: window.findChild(DevicePage) is not None)
     page, states = window.findChild(DevicePage), window.player.snapshot
-    assert states().outlets[0].health is Health.NONE  # it is lent to the page
+    assert states().outputs[0].health is Health.NONE  # it is lent to the page
     page.begin()
     wait_for(lambda: page.test.done_s > 0.0)
     page.reject()
-    wait_for(lambda: states().outlets[0].health is Health.READY)
-    assert states().device == "none"
+    wait_for(lambda: states().outputs[0].health is Health.READY)
 
 
 def test_a_device_test_leads_on_to_the_forces(make_window, wait_for):
@@ -93,4 +92,4 @@ def test_a_device_test_leads_on_to_the_forces(make_window, wait_for):
     window.findChild(SetupPage).forces.click()
     wait_for(lambda: window.findChild(DevicePage) is not None)
     window.findChild(DevicePage).reject()
-    wait_for(lambda: window.player.snapshot().device == "simulated")
+    wait_for(lambda: window.player.snapshot().leading.name == "simulated")

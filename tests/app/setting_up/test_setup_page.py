@@ -5,15 +5,16 @@ from dataclasses import replace
 
 import pytest
 
-from app.bridge.settings import outlets_of
+from app.bridge.settings import outputs_of
 from app.player import check_list
-from app.player.outlets_page import OutletsPage
+from app.player.outputs_page import OutputsPage
 from app.player.setup_page import SetupPage
 from hapticplayer.devices import DEVICES, guides, installed_devices
 from hapticplayer.devices.checks import Check
 from hapticplayer.devices.guides import Guide
 from hapticplayer.errors import Message
 from hapticplayer.extras.rigs.packets import FORMATS
+from hapticplayer.haptics.processes import Health
 from tests.app.setting_up.conftest import choose
 
 
@@ -108,35 +109,33 @@ def test_a_device_of_another_package_has_a_page(others, make_page, wait_for):
     assert page.text.text() == "Connect it as its maker says."
 
 
-def test_a_rig_is_set_up_and_plays_beside_the_device(make_window, wait_for):
+def test_a_rig_may_take_the_place_of_the_leading_device(make_window, wait_for):
     window = make_window("simulated")
     window.commands.set_up_device.trigger()
     page = window.findChild(SetupPage)
     choose(page, "rig:outsim", "127.0.0.1:9")
     page.use.click()
     name = "rig:outsim,127.0.0.1:9"
-    wait_for(lambda: [o.name for o in window.player.snapshot().outlets] == [name])
-    wait_for(lambda: window.player.snapshot().device == "simulated")
-    assert outlets_of(window.settings) == {name: False}
+    wait_for(lambda: window.player.output_names == [name])
+    wait_for(lambda: outputs_of(window.settings) == {name: False})
+    wait_for(lambda: window.player.snapshot().leading.health is Health.READY)
 
 
-def test_more_devices_lead_here_and_back(make_window, wait_for):
-    window = make_window("simulated")
-    window.player.set_outlets(["rumble"])
-    window.commands.outlets.trigger()
-    window.findChild(OutletsPage).set_up_wanted.emit("rumble")
+def test_the_outputs_lead_here_and_back(make_window, wait_for):
+    window = make_window("simulated", "rumble")
+    window.commands.outputs.trigger()
+    window.findChild(OutputsPage).set_up_wanted.emit("rumble")
     page = window.findChild(SetupPage)
     assert page.chosen == "rumble"
     choose(page, "tcode")
     page.use.click()
-    beside = ["tcode"]
-    wait_for(lambda: [o.name for o in window.player.snapshot().outlets] == beside)
-    window.findChild(OutletsPage).accept()
+    wait_for(lambda: window.player.output_names == ["simulated", "tcode"])
+    window.findChild(OutputsPage).accept()
     window.commands.set_up_device.trigger()
     pages = window.findChildren(SetupPage)
     next(one for one in pages if one.isVisible()).others.click()
-    wait_for(lambda: any(o.isVisible() for o in window.findChildren(OutletsPage)))
-    wait_for(lambda: window.player.snapshot().device == "simulated")
+    wait_for(lambda: any(o.isVisible() for o in window.findChildren(OutputsPage)))
+    wait_for(lambda: window.player.snapshot().leading.health is Health.READY)
 
 
 def test_the_first_page_leads_here_and_the_choice_is_taken(make_window, wait_for):
@@ -148,14 +147,14 @@ def test_the_first_page_leads_here_and_the_choice_is_taken(make_window, wait_for
     page.begin()
     wait_for(page.use.isEnabled)
     page.use.click()
-    wait_for(lambda: window.player.snapshot().device == "simulated")
-    assert window.settings.text("device") == "simulated"
+    wait_for(lambda: window.player.snapshot().leading.name == "simulated")
+    assert outputs_of(window.settings) == {"simulated": False}
 
 
 def test_closing_it_gives_the_device_from_before_back(make_window, wait_for):
     window = make_window("simulated")
     window.commands.set_up_device.trigger()
     page = window.findChild(SetupPage)
-    assert window.player.snapshot().device == "none"
+    assert window.player.snapshot().leading.health is Health.NONE
     page.close_button.click()
-    wait_for(lambda: window.player.snapshot().device == "simulated")
+    wait_for(lambda: window.player.snapshot().leading.health is Health.READY)

@@ -66,7 +66,7 @@ def clock():
 @pytest.fixture
 def player(clock, silent_clip):
     Noted.made = []
-    made = Player(clock, device="simulated", audio=None, haptics=Noted)
+    made = Player(clock, outputs=["simulated"], audio=None, haptics=Noted)
     made.open(source_of(silent_clip))
     yield made
     made.close()
@@ -78,8 +78,12 @@ def pass_time(player, clock, seconds=0.3):
         player.poll()
 
 
+def made():
+    return [one for one in Noted.made if one.device != NO_DEVICE]
+
+
 def newest():
-    return Noted.made[-1]
+    return made()[-1]
 
 
 def edit(player):
@@ -87,17 +91,17 @@ def edit(player):
 
 
 CHANGES = {
-    "device": lambda player: player.set_device("simulated"),
-    "faults": lambda player: player.set_device("simulated", takes_faults=True),
+    "device": lambda player: player.set_outputs(["simulated"]),
+    "faults": lambda player: player.set_outputs(["simulated"], takes_faults=True),
     "none-and-back": lambda player: (
-        player.set_device(NO_DEVICE),
-        player.set_device("simulated"),
+        player.set_outputs([NO_DEVICE]),
+        player.set_outputs(["simulated"]),
     ),
-    "another-output": lambda player: player.set_outlets([RIG]),
+    "another-output": lambda player: player.set_outputs(["simulated", RIG]),
+    "another-order": lambda player: player.set_outputs([RIG, "simulated"]),
     "lent-and-back": lambda player: (
-        player.set_outlets([RIG]),
-        player.lend_outlet(RIG),
-        player.take_back_outlet(RIG),
+        player.lend_outputs(),
+        player.take_back_outputs(),
     ),
     "clip": lambda player: player.open(player.snapshot().source),
     "feedback": lambda player: player.set_feedback("other"),
@@ -120,13 +124,13 @@ def test_whatever_is_opened_during_a_stop_is_stopped(player, clock, change):
     assert not any("rearm" in one.said for one in Noted.made)
     now = player.snapshot()
     assert now.is_stopped
-    assert now.mode is Mode.TRIPPED
+    assert now.leading.mode is Mode.TRIPPED
     player.rearm()
     pass_time(player, clock)
     now = player.snapshot()
     assert not now.is_stopped
-    assert now.mode is Mode.IDLE
-    assert now.device == NO_DEVICE or newest().said[-1] == "rearm"
+    assert now.leading.mode is Mode.IDLE
+    assert now.leading.name == NO_DEVICE or newest().said[-1] == "rearm"
     assert newest().device == RIG or newest().tracks - {""}
 
 
@@ -134,13 +138,13 @@ def test_a_grip_button_holds_the_next_device_too(player, clock):
     newest().show(Mode.TRIPPED, Cause.GRIP_BUTTON)
     pass_time(player, clock)
     assert player.snapshot().is_stopped
-    player.set_device("simulated")
+    player.set_outputs(["simulated"])
     assert newest().said == ["stop"]
 
 
 def test_a_trip_of_one_output_stops_all_of_them(player, clock):
-    player.set_outlets([SECOND])
-    leading, second = Noted.made
+    player.set_outputs(["simulated", SECOND])
+    leading, second = made()
     second.show(Mode.TRIPPED, Cause.RUNAWAY)
     pass_time(player, clock)
     assert leading.said == ["stop"]
@@ -148,8 +152,8 @@ def test_a_trip_of_one_output_stops_all_of_them(player, clock):
 
 
 def test_an_output_that_is_lost_leaves_the_others_alone(player, clock):
-    player.set_outlets([RIG])
-    leading, rig = Noted.made
+    player.set_outputs(["simulated", RIG])
+    leading, rig = made()
     pass_time(player, clock)
     rig.show(Mode.TRIPPED, Cause.UNPLUGGED)
     rig.health = Health.FAILED
@@ -163,7 +167,7 @@ def test_a_lost_device_with_a_grip_has_to_be_rearmed(player, clock):
     newest().health = Health.FAILED
     pass_time(player, clock)
     assert player.snapshot().is_stopped
-    player.set_device("simulated")
+    player.set_outputs(["simulated"])
     assert newest().said == ["stop"]
 
 
@@ -189,15 +193,15 @@ def test_a_loop_that_refuses_to_rearm_stops_the_player_again(player, clock):
 def test_two_players_with_one_latch_stop_together(clock, silent_clip):
     Noted.made, latch = [], StopLatch()
     first, second = (
-        Player(clock, device="simulated", audio=None, haptics=Noted, latch=latch)
+        Player(clock, outputs=["simulated"], audio=None, haptics=Noted, latch=latch)
         for _ in range(2)
     )
     second.stop_force()
     pass_time(first, clock)
-    assert [one.said[0] for one in Noted.made] == ["stop", "stop"]
+    assert [one.said[0] for one in made()] == ["stop", "stop"]
     second.rearm()
     pass_time(first, clock)
-    assert [one.said[-1] for one in Noted.made] == ["rearm", "rearm"]
+    assert [one.said[-1] for one in made()] == ["rearm", "rearm"]
     for player in (first, second):
         player.close()
 

@@ -157,7 +157,7 @@ def test_sound_that_joins_a_running_clock_is_heard_on_it():
 
 def test_the_meters_compare_what_the_person_meets(theatre):
     noted = {"video": [], "audio": []}
-    force = theatre.player._force
+    force = theatre.player._outputs.leading
     force.video.event = lambda *event: noted["video"].append(event)
     force.audio.event = lambda *event: noted["audio"].append(event)
     notes = played(theatre, 1.0, display_s=0.05, device_s={DEVICE: 0.02})

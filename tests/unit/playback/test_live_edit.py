@@ -21,7 +21,7 @@ class Session:
 
     def __init__(self, folder):
         self.clock = SystemClock()
-        self.player = Player(self.clock, device="simulated", audio=None)
+        self.player = Player(self.clock, outputs=["simulated"], audio=None)
         self.ticks = self.player.ticks_since(0.0)
         self.player.open(open_source(folder))
         self.player.wait_ready()
@@ -48,7 +48,7 @@ def test_effects_are_felt_while_the_clip_plays(sequence_folder):
     player = session.player
     try:
         player.play()
-        session.poll_until(lambda: player.snapshot().mode is Mode.FOLLOWING)
+        session.poll_until(lambda: player.snapshot().leading.mode is Mode.FOLLOWING)
         first = len(session.ticks)
         for amplitude in (1.0, 0.4):
             values = {"amplitude": amplitude}

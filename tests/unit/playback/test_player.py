@@ -13,8 +13,9 @@ from hapticplayer.media.video import VideoDecoder
 from hapticplayer.model import ForceTrack
 from hapticplayer.playback import sound
 from hapticplayer.playback.clock import ClockSource
-from hapticplayer.playback.force_output import ForceOutput
+from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.log import Reporter
+from hapticplayer.playback.output import Output, OutputContext
 from hapticplayer.playback.phases import Phase
 from tests.conftest import clip_of
 from tests.unit.playback.conftest import Theatre
@@ -199,15 +200,18 @@ class GivenTracks:
         pass
 
 
-def test_each_device_gets_the_edited_track(manual_clock):
-    reporter = Reporter(manual_clock)
-    output = ForceOutput(manual_clock, reporter, "simulated", None, GivenTracks)
+def test_an_output_gets_the_edited_track_also_after_it_was_lent(manual_clock):
+    context = OutputContext(
+        manual_clock, Reporter(manual_clock), StopLatch(), None, GivenTracks
+    )
+    output = Output(context, "simulated")
     track = ForceTrack([0.0, 3.0], [[0, 4.5, 0], [0, 4.5, 0]])
-    output.load({"realistic": track, "other": track})
+    output.load({"realistic": track, "other": track}, None)
     edited = ForceTrack([0.0, 3.0], [[0, 2.0, 0], [0, 2.0, 0]])
     output.replace("other", edited)
     assert output.processes.given[-1] == ("other", edited)
-    output.use("rumble")
+    output.lend()
+    output.take_back()
     assert dict(output.processes.given) == {"realistic": track, "other": edited}
     output.wait_released()
 

@@ -39,7 +39,7 @@ def source(tmp_path_factory):
 
 def stage_of(source, device, limits=LOOSE, checks=NOTHING):
     clock = SystemClock()
-    player = Player(clock, device=device, audio=None)
+    player = Player(clock, outputs=[device], audio=None)
     return PlayerStage(player, {"clip": source}, source, (limits, checks), clock), clock
 
 
@@ -78,10 +78,14 @@ def test_a_stop_is_a_fault_and_rearming_restores_the_force(source):
         player.wait_ready()
         stage.prepare(Condition("clip", "realistic"))
         stage.begin()
-        run(stage, clock, lambda _s: player.snapshot().mode is Mode.FOLLOWING)
+        run(stage, clock, lambda _s: player.snapshot().leading.mode is Mode.FOLLOWING)
         stage.halt()
-        assert player.snapshot().mode is Mode.TRIPPED
-        run(stage, clock, lambda _s: player.snapshot().tick["mode"] == Mode.TRIPPED)
+        assert player.snapshot().leading.mode is Mode.TRIPPED
+        run(
+            stage,
+            clock,
+            lambda _s: player.snapshot().leading.tick["mode"] == Mode.TRIPPED,
+        )
         played = stage.played("paused")
         assert not played.is_valid
         assert played.reasons[0] == "paused"
@@ -89,7 +93,7 @@ def test_a_stop_is_a_fault_and_rearming_restores_the_force(source):
         stage.rearm()
         stage.prepare(Condition("clip", "realistic"))
         stage.begin()
-        run(stage, clock, lambda _s: player.snapshot().mode is Mode.FOLLOWING)
+        run(stage, clock, lambda _s: player.snapshot().leading.mode is Mode.FOLLOWING)
     finally:
         player.close()
 
@@ -102,7 +106,9 @@ def test_a_trial_whose_ticks_could_not_be_recorded_is_not_valid(source, monkeypa
         stage.begin()
         run(stage, clock)
         assert "record_incomplete" not in stage.played().reasons
-        full = replace(stage.player.snapshot(), record_problem="No space left")
+        now = stage.player.snapshot()
+        leading = replace(now.leading, record_problem="No space left")
+        full = replace(now, outputs=(leading,))
         monkeypatch.setattr(stage.player, "snapshot", lambda: full)
         assert "record_incomplete" in stage.played().reasons
     finally:
@@ -148,7 +154,7 @@ def test_a_session_shows_the_demonstration_of_the_device(tmp_path, monkeypatch):
 
 
 def test_checks_say_what_is_missing(tmp_path):
-    player = Player(ManualClock(), device="none", audio=None)
+    player = Player(ManualClock(), outputs=["none"], audio=None)
     screen = {"width_px": 1920, "height_px": 1080, "refresh_hz": 60.0, "screens": 2}
     wanted = Checks(disk_free_mb=10**9)
     silent = {"volume_percent": 0, "is_sound_heard": False}

@@ -191,9 +191,9 @@ def test_a_real_device_takes_none_at_any_level():
 
 def test_faults_are_injected_only_on_request():
     player = Player(SystemClock(), audio=None)
-    player.set_device("simulated")
+    player.set_outputs(["simulated"])
     try:
-        assert not player.snapshot().takes_faults
+        assert not player.snapshot().leading.takes_faults
         with pytest.raises(UsageError):
             player.inject(Fault.UNPLUG)
     finally:

@@ -67,7 +67,7 @@ def started(demo, devices, *more):
 
 
 def loop_of(player, device):
-    """Return the pid of the loop of an outlet, once it runs."""
+    """Return the pid of the loop of an output, once it runs."""
     clock = SystemClock()
     end_s = clock.now_s() + PATIENCE_S
     while clock.now_s() < end_s:
@@ -97,8 +97,8 @@ def test_a_device_and_two_rigs_play_and_come_to_rest(demo, rigs):
     summary = json.loads(out)
     assert summary["device"] == "simulated"
     assert summary["ticks"] > 1000
-    assert list(summary["outlets"]) == list(rigs.devices)
-    assert all(one["ticks"] > 100 for one in summary["outlets"].values())
+    assert list(summary["outputs"]) == list(devices)
+    assert all(one["ticks"] > 100 for one in summary["outputs"].values())
     rigs.close()
     for port, kind in ((rigs.first, "outsim"), (rigs.second, "beamng")):
         report = rigs.receiver.report()[port]

@@ -12,16 +12,15 @@ from PySide6.QtWidgets import QApplication
 
 from app.bridge.languages import translated
 from app.bridge.settings import (
-    OUTLETS,
+    OUTPUTS,
     Settings,
     default_path,
-    keep_outlets,
-    outlets_of,
+    outputs_of,
 )
 from app.player import application as program
-from app.player.device_form import outlet_text
-from app.player.outlets_page import OutletsPage, state_text
-from app.player.window import DEVICE, PlayerWindow
+from app.player.device_form import output_text
+from app.player.outputs_page import OutputsPage, state_text
+from app.player.window import PlayerWindow
 from hapticplayer import __version__, cli, storage
 from hapticplayer.clock import SystemClock
 from hapticplayer.extras.rigs.receiver import PacketReceiver
@@ -31,7 +30,7 @@ from hapticplayer.model import RigTrack
 from hapticplayer.playback import device_test
 from hapticplayer.playback.latency import LatencySource
 from hapticplayer.playback.phases import Phase
-from hapticplayer.playback.snapshot import OutletState
+from hapticplayer.playback.snapshot import OutputSnapshot
 from hapticplayer.rendering.rig import RigStep
 
 
@@ -43,12 +42,12 @@ def receiver():
 
 @pytest.fixture
 def page(window):
-    window.commands.outlets.trigger()
-    return window.findChild(OutletsPage)
+    window.commands.outputs.trigger()
+    return window.findChild(OutputsPage)
 
 
 def playing_on(window):
-    return {one.name: one for one in window.player.snapshot().outlets}
+    return {one.name: one for one in window.player.snapshot().outputs}
 
 
 def add_rig(page, receiver):
@@ -66,7 +65,7 @@ def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, receiver, wa
     page.look()
     assert page.states[name].text() == "at rest"
     page.add()
-    assert page.problem.text() == "This device plays already"
+    assert page.problem.text() == "This device is already in use"
     page.remove(name)
     assert playing_on(window) == {}
     assert page.states == {}
@@ -101,7 +100,7 @@ def short_test(monkeypatch):
 
 
 def begin_test(page, name, wait_for):
-    """Agree to the test of an outlet, and wait until it moves."""
+    """Agree to the test of an output, and wait until it moves."""
     page.tests[name].click()
     assert not page.panel.is_running
     assert "Esc or STOP ends it" in page.panel.question.text.text()
@@ -136,7 +135,7 @@ def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
     assert report["peak_mps2"] > 0.1
     assert report["is_neutral"]
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
-    assert page.chosen() == {name: False}
+    assert list(playing_on(window)) == [name]
 
 
 def test_a_person_may_decline(window, page, receiver, wait_for):
@@ -151,7 +150,7 @@ def test_a_person_may_decline(window, page, receiver, wait_for):
 
 def test_escape_stops_a_test_and_everything_else(window, page, wait_for):
     name = "simulated"
-    window.player.set_outlets([name])
+    window.player.set_outputs([name])
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
     page.look()
     begin_test(page, name, wait_for)
@@ -165,15 +164,15 @@ def test_escape_stops_a_test_and_everything_else(window, page, wait_for):
 
 
 def test_names_and_states_are_words():
-    assert outlet_text("rig:outsim,gain=0.5") == "Motion rig: outsim, gain=0.5"
-    assert outlet_text("simulated") == "Simulated"
+    assert output_text("rig:outsim,gain=0.5") == "Motion rig: outsim, gain=0.5"
+    assert output_text("simulated") == "Simulated"
     assumed = LatencySource.ASSUMED
     values = ("", "realistic", False, 1.0, 0.0, assumed, Mode.FOLLOWING, Cause.NONE, 1)
-    playing = OutletState("rig", Health.READY, "", *values)
+    playing = OutputSnapshot("rig", Health.READY, "", *values)
     assert state_text(playing) == "active"
-    lost = OutletState("rig", Health.FAILED, "the network is down", *values)
+    lost = OutputSnapshot("rig", Health.FAILED, "the network is down", *values)
     assert state_text(lost) == "the network is down"
-    assert state_text(OutletState("rig", Health.STARTING, "", *values)) == "starting"
+    assert state_text(OutputSnapshot("rig", Health.STARTING, "", *values)) == "starting"
 
 
 def choose(page, kind, text=""):
@@ -196,15 +195,15 @@ def test_any_kind_takes_the_settings_that_it_has(window, page):
     assert "assumed" in figures.toolTip()
     choose(page, "falcon", "1\u200b2")
     page.add()
-    assert page.problem.text() == "Settings are letters, digits and signs"
+    assert page.problem.text() == "Settings may contain letters, digits and punctuation"
 
 
 def test_the_problem_of_an_output_is_read_whole(dressed, make_window, wait_for, qtbot):
     dressed(language="de")
     window = make_window()
-    window.commands.outlets.trigger()
-    page, names = window.findChild(OutletsPage), ["wheel:event99,full=3", "rumble"]
-    window.player.set_outlets([*names, "rig:outsim,rate=500,invert=sway+yaw+roll"])
+    window.commands.outputs.trigger()
+    page, names = window.findChild(OutputsPage), ["wheel:event99,full=3", "rumble"]
+    window.player.set_outputs([*names, "rig:outsim,rate=500,invert=sway+yaw+roll"])
     wait_for(lambda: all(playing_on(window)[name].problem for name in names))
     page.look()
     qtbot.wait(50)
@@ -216,19 +215,19 @@ def test_the_problem_of_an_output_is_read_whole(dressed, make_window, wait_for, 
 
 @pytest.mark.realtime
 @pytest.mark.parametrize("way", ["escape", "stop"])
-def test_escape_and_stop_bring_device_and_outlet_to_rest(
+def test_escape_and_stop_bring_device_and_output_to_rest(
     make_window, source, receiver, wait_for, way
 ):
     window = make_window("simulated")
-    window.commands.outlets.trigger()
-    page, player = window.findChild(OutletsPage), window.player
+    window.commands.outputs.trigger()
+    page, player = window.findChild(OutputsPage), window.player
     name = add_rig(page, receiver)
     window.session.show_source(source)
     player.set_loop((0.0, 1.5))
     player.play()
 
     def modes():
-        return {player.snapshot().mode, playing_on(window)[name].mode}
+        return {player.snapshot().leading.mode, playing_on(window)[name].mode}
 
     def are_felt():
         if Mode.TRIPPED in modes():  # by a busy machine
@@ -252,28 +251,33 @@ def test_escape_and_stop_bring_device_and_outlet_to_rest(
 
 def test_chosen_and_muted_outputs_are_kept(window, page, receiver, settings, tmp_path):
     name = add_rig(page, receiver)
-    assert outlets_of(settings) == {name: False}
+    assert outputs_of(settings) == {name: False}
     page.look()
     page.mutes[name].click()
-    assert Settings(tmp_path / "window.json").table(OUTLETS) == {name: True}
+    assert Settings(tmp_path / "window.json").table(OUTPUTS) == {name: True}
     page.remove(name)
-    assert Settings(tmp_path / "window.json").table(OUTLETS) == {}
+    assert Settings(tmp_path / "window.json").table(OUTPUTS) == {}
 
 
-def test_an_outlet_that_becomes_the_device_is_none_any_more(window, page, settings):
+def test_the_first_output_leads_and_the_order_is_kept(window, page, settings):
+    names = ["simulated", "tcode:127.0.0.1:1"]
     choose(page, "simulated")
     page.add()
-    assert outlets_of(settings) == {"simulated": False}
-    window.transport.device_chosen.emit("simulated")
-    assert window.player.snapshot().device == "simulated"
-    assert playing_on(window) == {}
-    assert outlets_of(settings) == {}
+    choose(page, "tcode", "127.0.0.1:1")
+    page.add()
+    assert window.player.snapshot().leading.name == "simulated"
+    page.move_up(names[1])
+    assert window.player.snapshot().leading.name == names[1]
+    assert list(outputs_of(settings)) == names[::-1]
+    window.transport.device_chosen.emit("simulated")  # in the place of what leads
+    assert list(playing_on(window)) == ["simulated"]
+    assert outputs_of(settings) == {"simulated": False}
 
 
 def test_only_what_this_version_knows_is_taken_from_settings(settings):
     kept = {"rig:outsim": True, "teleporter": False, "rig:x": False, "wheel": 1}
-    settings.keep(OUTLETS, {**kept, "falcon:\0": False, "rumble": "yes"})
-    assert outlets_of(settings) == {
+    settings.keep(OUTPUTS, {**kept, "falcon:\0": False, "rumble": "yes"})
+    assert outputs_of(settings) == {
         "rig:outsim": True,
         "wheel": False,
         "rumble": False,
@@ -281,16 +285,17 @@ def test_only_what_this_version_knows_is_taken_from_settings(settings):
 
 
 def test_addresses_neither_leave_nor_come_with_settings(settings, tmp_path):
-    keep_outlets(settings, {"rig:outsim,192.0.2.1:4123": False})
+    settings.keep(OUTPUTS, {"rig:outsim,192.0.2.1:4123": False})
+    settings.save()
     settings.export(tmp_path / "out.json")
     assert "192.0.2.1" not in (tmp_path / "out.json").read_text()
     other = Settings(tmp_path / "other.json")
     (tmp_path / "in.json").write_text(
-        '{"version": 1, "volume": 7, "outlets": {"rig:outsim,192.0.2.1:4123": false}}'
+        '{"version": 1, "volume": 7, "outputs": {"rig:outsim,192.0.2.1:4123": false}}'
     )
     other.take(tmp_path / "in.json")
     assert other.number("volume", 0) == 7
-    assert outlets_of(other) == {}
+    assert outputs_of(other) == {"simulated": False}  # as at first
 
 
 def test_the_window_begins_with_what_was_chosen(
@@ -299,14 +304,14 @@ def test_the_window_begins_with_what_was_chosen(
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     shutil.copytree(sequence, storage.cache_home() / f"demo-{__version__}")
     kept = Settings(default_path())
-    kept.keep(DEVICE, "none")
-    keep_outlets(kept, {"simulated": True})
+    kept.keep(OUTPUTS, {"simulated": True})
+    kept.save()
     seen = []
 
     def look() -> None:
         for window in QApplication.topLevelWidgets():
             if isinstance(window, PlayerWindow) and not window.is_over:
-                seen.extend(window.player.snapshot().outlets)
+                seen.extend(window.player.snapshot().outputs)
                 window.close()
 
     timer = QTimer()
@@ -317,12 +322,10 @@ def test_the_window_begins_with_what_was_chosen(
     assert [(one.name, one.is_muted) for one in seen] == [("simulated", True)]
 
 
-def test_kept_outlets_that_clash_are_said_and_the_window_opens(window, settings):
+def test_kept_outputs_that_clash_are_said_and_the_window_opens(window, settings):
     alike = {"rig:outsim": False, "rig:outsim,gain=0.5": False}
-    keep_outlets(settings, alike)
-    program.restore_outlets(window, "none")
-    assert "two outlets send outsim to 127.0.0.1:4123" in window.messages.text()
-    assert playing_on(window) == {}
-    keep_outlets(settings, {"simulated": False})
-    program.restore_outlets(window, "simulated")  # it leads
+    settings.keep(OUTPUTS, alike)
+    settings.save()
+    program.restore_outputs(window, outputs_of(settings))
+    assert "two outputs send outsim to 127.0.0.1:4123" in window.messages.text()
     assert playing_on(window) == {}

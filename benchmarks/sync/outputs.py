@@ -1,8 +1,8 @@
-"""Moments at which three simulated outlets act, against each other and the frames.
+"""Moments at which three simulated outputs act, against each other and the frames.
 
 A clip with sound plays without a window on a simulated Falcon and on two simulated rigs
 (OutSim and BeamNG, `--rate` packets a second), all led by the sound. Every 13 frames force
-and acceleration step up; an outlet acts when its other side has the step: the Falcon's
+and acceleration step up; an output acts when its other side has the step: the Falcon's
 record of commands, the kernel's time of the first packet that has more than half of it.
 Spread: the last of the three minus the first, for each step. Packets lie on multiples of
 their period, so a step waits up to a period and is, by their lead, as often early as late.
@@ -101,8 +101,8 @@ def rises(time_s: Floats, values: Floats) -> Floats:
 
 
 def play(source: Source, rate: int) -> tuple[dict[str, Floats], Shown, dict[str, Any]]:
-    """Play; return when each outlet acted, the frames, and the player's summary."""
-    clock, record = SystemClock(), os.memfd_create("outlets")
+    """Play; return when each output acted, the frames, and the player's summary."""
+    clock, record = SystemClock(), os.memfd_create("outputs")
     receiver = PacketReceiver(clock, [0, 0])
     heard: list[tuple[int, float, DecodedPacket]] = []
     device: dict[str, Any] = {
@@ -115,11 +115,11 @@ def play(source: Source, rate: int) -> tuple[dict[str, Floats], Shown, dict[str,
         return HapticsProcesses(clock, name, **options, **more)
 
     shown = Shown(clock)
-    player = Player(clock, shown, device="simulated", haptics=haptics)
+    player = Player(clock, shown, haptics=haptics)
     try:
         kinds = zip(("outsim", "beamng"), receiver.rigs, strict=True)
         names = [f"rig:{kind},127.0.0.1:{port},rate={rate}" for kind, port in kinds]
-        player.set_outlets(names)
+        player.set_outputs(["simulated", *names])
         player.prepare_sound()
         player.wait_ready()
         player.open(source)
@@ -143,7 +143,7 @@ def play(source: Source, rate: int) -> tuple[dict[str, Floats], Shown, dict[str,
 def moments(
     acted: dict[str, Floats], shown: Shown, frames: NDArray[np.int64]
 ) -> Iterator[tuple[float, dict[str, float]]]:
-    """Yield when a frame with a step was shown, and when each outlet acted, s."""
+    """Yield when a frame with a step was shown, and when each output acted, s."""
     for number in frames.tolist():
         if number not in shown.frames:
             continue
@@ -194,9 +194,9 @@ def run(options: argparse.Namespace, report: Report) -> None:
         rows.append([f"{name} - frame", *_figures(late_ms)])
         report.target(f"{name} - frame, ms, 95 %", _p95(late_ms), ("<=", MOST_MS))
     report.target(
-        "steps that an outlet or the screen missed", missed, ("<=", 0.02 * steps)
+        "steps that an output or the screen missed", missed, ("<=", 0.02 * steps)
     )
-    report.table("Outlets, ms", ["what", "n", "5 %", "50 %", "95 %", "|95 %|"], rows)
+    report.table("Outputs, ms", ["what", "n", "5 %", "50 %", "95 %", "|95 %|"], rows)
     report.figures |= {"rows": rows, "steps": steps, "clock": summary["clock"]}
     report.figures |= {"scheduling": summary["scheduling"], "rate_hz": options.rate}
     print(f"clock {summary['clock']}, scheduling {summary['scheduling']}")

@@ -1,4 +1,4 @@
-"""More devices: what plays beside the chosen one, each with its state, test and mute."""
+"""The outputs: all that plays, in order, each with its state, test and mute."""
 
 from PySide6.QtCore import QCoreApplication, QTimer, Signal
 from PySide6.QtWidgets import (
@@ -13,11 +13,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import translated
-from app.bridge.settings import MOST_OUTLETS
+from app.bridge.settings import MOST_OUTPUTS
 from app.player import choices
 from app.player.device_form import (
     example_of,
-    outlet_text,
+    output_text,
     put_together,
     takes_settings,
     variants,
@@ -44,12 +44,12 @@ from app.widgets.layout import (
 from app.widgets.level_meter import LevelMeter
 from app.widgets.texts import local, titled
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE, find_device
+from hapticplayer.devices import NO_DEVICE
 from hapticplayer.devices.options import GAIN, LATENCY_MS
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.latency import LatencySource
-from hapticplayer.playback.snapshot import OutletState, Snapshot
+from hapticplayer.playback.snapshot import OutputSnapshot, Snapshot
 
 translate = QCoreApplication.translate
 
@@ -58,34 +58,33 @@ GENTLE_GAIN = 0.25
 _WIDTH_PX, _HEIGHT_PX, _RIG = 640, 520, "rig"
 
 
-def state_text(outlet: OutletState) -> str:
+def state_text(output: OutputSnapshot) -> str:
     """The state of an output, or its problem."""
-    if outlet.problem or outlet.health in (Health.FAILED, Health.GONE):
-        return translated(outlet.problem) or translate("Health", "failed")
-    if outlet.health is Health.STARTING:
+    if output.problem or output.health in (Health.FAILED, Health.GONE):
+        return translated(output.problem) or translate("Health", "failed")
+    if output.health is Health.STARTING:
         return translate("Health", "starting")
-    if outlet.note and not outlet.is_muted:
-        return translated(outlet.note)
-    return mode_text(outlet.mode)
+    if output.note and not output.is_muted:
+        return translated(output.note)
+    return mode_text(output.mode)
 
 
-def figures_text(outlet: OutletState) -> str:
-    """Return latency and gain of an outlet."""
-    sign = "\u2248\u2009" * (outlet.latency_source is LatencySource.ASSUMED)
-    latency = f"{sign}{1e3 * outlet.latency_s:.0f}\u00a0ms"
-    return local(f"{latency}, \u00d7\u2009{outlet.gain:.2f}")
+def figures_text(output: OutputSnapshot) -> str:
+    """Return latency and gain of an output."""
+    sign = "\u2248\u2009" * (output.latency_source is LatencySource.ASSUMED)
+    latency = f"{sign}{1e3 * output.latency_s:.0f}\u00a0ms"
+    return local(f"{latency}, \u00d7\u2009{output.gain:.2f}")
 
 
-class OutletsPage(QDialog):
+class OutputsPage(QDialog):
     """Stays beside the window; what stops the force there stops a test here, too.
 
     Signals:
-        changed: a person has chosen others, or muted one; has names, each with whether
-            it is muted.
+        changed: a person has chosen others or another order, or muted one.
         set_up_wanted: the set-up page of one is wanted.
     """
 
-    changed = Signal(object)
+    changed = Signal()
     set_up_wanted = Signal(str)
 
     def __init__(
@@ -116,35 +115,39 @@ class OutletsPage(QDialog):
     # --- what a person does --------------------------------------------------
 
     def add(self) -> None:
-        """Play on the outlet of the form as well."""
+        """Play on the device of the form as well."""
         choice = str(self.kind.currentData())
         name = put_together(choice, self.address.text().strip())
         if self._is_rig:
             name += f",gain={self.gain.value():g},latency_ms={self.latency.value():g}"
-        if name in (*self._names(), self._player.snapshot().device):
-            self._say(self.tr("This device plays already"))
+        names = self._player.output_names
+        if name in names:
+            self._say(self.tr("This device is already in use"))
         elif not name.isprintable():
-            self._say(self.tr("Settings are letters, digits and signs"))
-        elif len(self._names()) >= MOST_OUTLETS:
+            self._say(self.tr("Settings may contain letters, digits and punctuation"))
+        elif len(names) >= MOST_OUTPUTS:
             self._say(self.tr("No more devices can be added; remove one first"))
         else:
-            self._use([*self._names(), name])
+            self._use([*names, name])
 
     def remove(self, name: str) -> None:
-        """Bring an outlet to rest and let go of it."""
-        self._use([one for one in self._names() if one != name])
+        """Bring an output to rest and let go of it."""
+        self._use([one for one in self._player.output_names if one != name])
+
+    def move_up(self, name: str) -> None:
+        """Put an output before the one above it; the first one leads."""
+        names = self._player.output_names
+        place = names.index(name)
+        names.insert(max(0, place - 1), names.pop(place))
+        self._use(names)
 
     def mute(self, name: str, *, is_muted: bool) -> None:
-        """Let an outlet come to rest, or play again."""
-        self._player.set_outlet(name, is_muted=is_muted)
-
-    def chosen(self) -> dict[str, bool]:
-        """Return the outlets, each with whether a person has muted it."""
-        outlets = self._player.snapshot().outlets
-        return {outlet.name: outlet.is_muted for outlet in outlets}
+        """Let an output come to rest, or play again."""
+        self._player.set_output(name, is_muted=is_muted)
+        self.changed.emit()
 
     def test(self, name: str) -> None:
-        """Test an outlet gently, after asking; nothing else plays on it meanwhile."""
+        """Test an output gently, after asking; nothing else plays on it meanwhile."""
         if not self.panel.is_running:
             self._tested = name
             self.panel.set_device(name)
@@ -158,24 +161,23 @@ class OutletsPage(QDialog):
     def _on_test_begun(self) -> None:
         self._show_panel(is_wanted=True)
         self.stop_button.setFocus()
-        self._player.lend_outlet(self._tested)
+        self._player.lend_outputs(self._tested)
 
     def _is_free(self) -> bool:
-        return self._player.is_outlet_free(self._tested)
+        return self._player.are_outputs_free
 
     def _on_test_ended(self) -> None:
-        """Let the outlet play again, and say how the test has ended."""
+        """Let the output play again, and say how the test has ended."""
         self._show_panel(is_wanted=False)
         self._say(self.panel.state.text())
-        if self._tested in self._names():
-            try:
-                self._player.take_back_outlet(self._tested)
-            except HapticPlayerError as problem:
-                self._say(translated(message_of(problem)))
+        try:
+            self._player.take_back_outputs(self._tested)
+        except HapticPlayerError as problem:
+            self._say(translated(message_of(problem)))
 
     def _show_panel(self, *, is_wanted: bool) -> None:
         """Show the picture of a test in the place of rows and form."""
-        self.heading.setText(outlet_text(self._tested) if is_wanted else self._text())
+        self.heading.setText(output_text(self._tested) if is_wanted else self._text())
         self.panel.setVisible(is_wanted)
         for part in (self._scroll, self._form):
             part.setHidden(is_wanted)
@@ -186,7 +188,7 @@ class OutletsPage(QDialog):
         super().reject()
 
     def done(self, result: int) -> None:
-        """Close; the outlets go on."""
+        """Close; the outputs play on."""
         self.end_test()
         self._timer.stop()
         self.panel.wait()
@@ -196,16 +198,12 @@ class OutletsPage(QDialog):
         """End what still moves: the window closes."""
         self.end_test()
 
-    def _on_mute(self, name: str, *, is_muted: bool) -> None:
-        self.mute(name, is_muted=is_muted)
-        self.changed.emit(self.chosen())
-
     # --- what is shown -------------------------------------------------------
 
     def look(self) -> None:
         """Show what has changed."""
         now = self._player.snapshot()
-        names = [outlet.name for outlet in now.outlets]
+        names = [output.name for output in now.outputs]
         if names != self._shown:
             self._shown = names
             self._fill_rows(now)
@@ -213,35 +211,31 @@ class OutletsPage(QDialog):
         if is_playing or (self.panel.is_running and self._tested not in names):
             self.end_test()
         offer_stop(self.stop_button, is_stopped=now.is_stopped)
-        for outlet in now.outlets:
-            self.states[outlet.name].setText(state_text(outlet))
-            self.figures[outlet.name].setText(figures_text(outlet))
-            source = source_text(outlet.latency_source)
+        for output in now.outputs:
+            self.states[output.name].setText(state_text(output))
+            self.figures[output.name].setText(figures_text(output))
+            source = source_text(output.latency_source)
             tip = self.tr("Latency that is compensated ({source}), and gain")
-            self.figures[outlet.name].setToolTip(tip.format(source=source))
-            self.mutes[outlet.name].setChecked(outlet.is_muted)
-            self.meters[outlet.name].show_levels(outlet.levels)
+            self.figures[output.name].setToolTip(tip.format(source=source))
+            self.mutes[output.name].setChecked(output.is_muted)
+            self.meters[output.name].show_levels(output.levels)
             may_test = not (now.is_playing or self.panel.is_running)
-            self.tests[outlet.name].setEnabled(may_test)
+            self.tests[output.name].setEnabled(may_test)
 
     @property
     def _is_rig(self) -> bool:
         return _is_rig(str(self.kind.currentData()))
 
-    def _names(self) -> list[str]:
-        return [outlet.name for outlet in self._player.snapshot().outlets]
-
     def _use(self, names: list[str]) -> None:
         try:
-            for name in names:
-                find_device(name)
-            self._player.set_outlets(names)
+            self._player.set_outputs(names)
         except HapticPlayerError as problem:
             self._say(translated(message_of(problem)))
             return
+        self._session.changed.emit()
         self._say("")
         self.look()
-        self.changed.emit(self.chosen())
+        self.changed.emit()
 
     def _say(self, text: str) -> None:
         self.problem.setText(text)
@@ -273,9 +267,9 @@ class OutletsPage(QDialog):
             self.address.clear()
 
     def _lay_out(self) -> None:
-        self.setWindowTitle(self.tr("More devices"))
+        self.setWindowTitle(self.tr("Outputs"))
         self.setMinimumWidth(_WIDTH_PX)
-        add = text_button(self.tr("Add"), self.tr("Play on this device, too"))
+        add = text_button(self.tr("Add"), self.tr("Also play on this device"))
         add.clicked.connect(self.add)
         self.address.returnPressed.connect(self.add)
         self.stop_button = text_button(
@@ -316,8 +310,9 @@ class OutletsPage(QDialog):
 
     def _text(self) -> str:
         return self.tr(
-            "Each of these plays beside the chosen device and stops with it. A rig "
-            "moves with the motion of the recording: begin with a small gain."
+            "All of these play at once and stop at once. The first one leads: its "
+            "position is shown and its buttons count. A rig moves with the motion of the "
+            "recording: begin with a small gain."
         )
 
     def _fill_rows(self, now: Snapshot) -> None:
@@ -326,11 +321,11 @@ class OutletsPage(QDialog):
                 widget.deleteLater()
         self.states, self.figures, self.tests, self.mutes = {}, {}, {}, {}
         self.meters = {}
-        for row, outlet in enumerate(now.outlets):
-            self._add_row(row, outlet.name)
+        for row, output in enumerate(now.outputs):
+            self._add_row(row, output.name)
 
     def _add_row(self, row: int, name: str) -> None:
-        text = outlet_text(name)
+        text = output_text(name)
         label, self.states[name] = ElidedLabel(text), paragraph("", theme.DIM)
         label.setToolTip(text)
         self.figures[name] = figures = QLabel()
@@ -342,14 +337,19 @@ class OutletsPage(QDialog):
             self.tr("Set up\u2026"), self.tr("What it needs, and how it is connected")
         )
         remove = text_button(self.tr("Remove"), self.tr("Release this device"))
+        up = text_button("\u2191", self.tr("Move up; the first one leads"))
+        up.setEnabled(row > 0)
         for widget in (mute, test, set_up, remove):
             widget.setAccessibleName(titled(text, widget.text()))
-        mute.clicked.connect(lambda on: self._on_mute(name, is_muted=on))
+        mute.clicked.connect(lambda on: self.mute(name, is_muted=on))
         test.clicked.connect(lambda: self.test(name))
         set_up.clicked.connect(lambda: self.set_up_wanted.emit(name))
         remove.clicked.connect(lambda: self.remove(name))
         self.tests[name] = test
-        for column, part in enumerate((label, figures, mute, test, set_up, remove)):
+        up.setAccessibleName(titled(text, self.tr("Move up")))
+        up.clicked.connect(lambda: self.move_up(name))
+        parts = (label, figures, mute, up, test, set_up, remove)
+        for column, part in enumerate(parts):
             self.rows.addWidget(part, 3 * row, column)
         self.rows.addWidget(self.states[name], 3 * row + 1, 0, 1, -1)
         self.meters[name] = meter = LevelMeter(text)
