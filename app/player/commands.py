@@ -79,7 +79,6 @@ _OWN: tuple[Row, ...] = (
     Row("grip", "&Grip view", "view", 0, None, ("G",), toggles=lambda w, on: w.show_grip(is_wanted=on)),
     Row("sync_plot", "S&ync plot", "view", 0, None, ("S",), toggles=lambda w, on: w.show_sync_plot(is_wanted=on)),
     Row("statistics", "&Statistics", "view", 0, None, ("I",), toggles=lambda w, on: w.show_statistics(is_wanted=on)),
-    Row("faults", "Inject fa&ults\u2026", "view", 0, lambda w: w.dialogs.faults(w.clock)),
     Row("fullscreen", "&Fullscreen", "view", 1, lambda w: w.toggle_fullscreen(), ("F", "F11"), needs_clip=True),
     Row("shortcuts", "&Keyboard shortcuts\u2026", "help", 0, lambda w: w.dialogs.shortcuts(COMMANDS), ("?", "F1")),
     Row("about", "&About", "help", 0, lambda w: w.dialogs.about()),

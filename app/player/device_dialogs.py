@@ -127,14 +127,6 @@ class DeviceDialogs(QObject):
             page.finished.connect(lambda _result: self._forget(page))
         page.show()
 
-    def faults(self, clock: Clock) -> None:
-        """Show the panel that makes faults happen to the simulated device."""
-        from app.player.fault_panel import FaultPanel
-
-        shown = self._window.findChild(FaultPanel)
-        panel = shown or FaultPanel(clock, self._session, self._window)
-        panel.show()
-
     def latencies(self, clock: Clock) -> None:
         """Measure how late video, sound and force reach the person."""
         from app.player.latency_page import LatencyPage

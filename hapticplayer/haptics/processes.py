@@ -103,7 +103,9 @@ class HapticsProcesses:
                 stack.enter_context(acted_on)
                 device_options = [*device_options, "--control", str(acted_on.fileno())]
                 device_descriptors = [*device_descriptors, acted_on.fileno()]
-                self._device_faults = load(f"{FAULTS}:DeviceFaults")(act.detach())
+                self._device_faults = load(f"{FAULTS}.injected:DeviceFaults")(
+                    act.detach()
+                )
             self.health = Health.STARTING
             self.beat()
             try:

@@ -37,6 +37,7 @@ from app.experimenter.rendering_page import RenderingPage
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
+from app.extras.faults.panel import FaultPanel
 from app.extras.rigs.panel import RigPanel
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
@@ -44,7 +45,6 @@ from app.player.commands import COMMANDS
 from app.player.condition_form import ConditionDialog
 from app.player.device_page import DevicePage
 from app.player.dialogs import about_dialog
-from app.player.fault_panel import FaultPanel
 from app.player.keys_dialog import KeysDialog
 from app.player.latency_page import LatencyPage
 from app.player.outputs_page import OutputsPage

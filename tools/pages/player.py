@@ -5,9 +5,9 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
+from app.extras.faults.panel import FaultPanel
 from app.player.commands import COMMANDS
 from app.player.dialogs import about_dialog
-from app.player.fault_panel import FaultPanel
 from app.player.keys_dialog import KeysDialog
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
@@ -15,9 +15,9 @@ from app.plots.playhead_plot import PlayheadPlot
 from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import Progress
+from hapticplayer.extras.faults.injected import Fault
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.playback.player import Player
-from hapticplayer.simulation.faults import Fault
 from tools.pages.stage import Pictures, Stage
 
 WIDTH_PX, HEIGHT_PX = 1280, 800

@@ -1,1 +1,1 @@
-"""What developers try the Falcon's driver with."""
+"""Injected faults, and a Falcon on a simulated USB chip; for developers."""

@@ -1,14 +1,20 @@
-"""The Falcon's own driver on a simulated USB bus."""
+"""The Falcon's own driver on a simulated USB chip, to which faults can happen."""
 
-from hapticplayer.devices import DeviceEntry
-from hapticplayer.devices.capabilities import FALCON
+from typing import TYPE_CHECKING
+
 from hapticplayer.errors import Message
+
+if TYPE_CHECKING:
+    from hapticplayer.devices import DeviceEntry
 
 _USB = "hapticplayer.extras.faults.usb"
 
 
-def devices() -> tuple[DeviceEntry, ...]:
-    """A Falcon whose chip, board and mechanics are simulated."""
+def devices() -> "tuple[DeviceEntry, ...]":
+    """A Falcon on simulated USB."""
+    from hapticplayer.devices import DeviceEntry
+    from hapticplayer.devices.capabilities import FALCON
+
     return (
         DeviceEntry(
             "falcon-simulated",

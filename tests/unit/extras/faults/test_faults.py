@@ -9,12 +9,12 @@ import pytest
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import UsageError
+from hapticplayer.extras.faults.injected import RULES_OF, Fault, outcome_of
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.messages import MessageKind
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.playback.player import Player
-from hapticplayer.simulation.faults import RULES_OF, Fault, outcome_of
 from tests.rigs import FeedingPlayer
 
 TRIPS = {

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.player.fault_panel import FaultPanel, expected, fault_text, names
+from app.extras.faults.panel import FaultPanel, expected, fault_text, names
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.processes import Health
 

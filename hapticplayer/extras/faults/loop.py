@@ -3,11 +3,11 @@
 import math
 from typing import Any
 
+from hapticplayer.extras.faults.injected import LATE_S, LOST_S, STALE_S, Fault
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.loop import Loop
 from hapticplayer.haptics.messages import MessageKind
 from hapticplayer.model.device import Vector
-from hapticplayer.simulation.faults import LATE_S, LOST_S, STALE_S, Fault
 
 _NANS: Vector = (math.nan, math.nan, math.nan)
 _DELAYS_S = {Fault.LOOP_LATE: LATE_S, Fault.LOOP_LOST: LOST_S}

@@ -24,10 +24,10 @@ from app.widgets.tables import plain_table
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.errors import HapticPlayerError
+from hapticplayer.extras.faults.injected import RULES_OF, Fault, outcome_of
 from hapticplayer.haptics.contract import RULES, Cause, Mode, Reaction
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.snapshot import Snapshot
-from hapticplayer.simulation.faults import RULES_OF, Fault, outcome_of
 
 translate = QCoreApplication.translate
 
