@@ -79,7 +79,6 @@ def _case(element: ET.Element) -> Case:
 
 
 def centring_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--workers", type=int, default=2)
 
 
@@ -131,7 +130,6 @@ def _worst(report: Report, cases: list[Case], has: str, key: str, text: str) -> 
 
 
 def stress_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--only", default="", help="cases with this word")
 
 
@@ -171,7 +169,6 @@ LEAST_MARKED = 0.95
 
 
 def media_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--share", type=float, help="of all mutations (1.0)")
     parser.add_argument("--seed", type=int, default=0)
 
@@ -213,7 +210,6 @@ _PEAKS = ("peak_mb", "cpu_s", "missed")
 
 
 def importers_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--part", nargs="+", choices=PARTS, default=list(PARTS))
     parser.add_argument("--only", default="", help="formats with this word")
 

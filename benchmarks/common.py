@@ -282,7 +282,6 @@ def ratio(values: Sequence[float], reference: Sequence[float]) -> Ratio:
 
 
 def medians(rounds: Sequence[Mapping[str, float]]) -> dict[str, float]:
-    """Return the median over the rounds of each figure that all of them have."""
     keys = [k for k in rounds[0] if all(k in one for one in rounds)]
     return {k: float(statistics.median(one[k] for one in rounds)) for k in keys}
 
@@ -297,5 +296,4 @@ def on_one_thread() -> None:
 
 
 def rms(values: Any) -> float:
-    """Return the root of the mean square."""
     return float(np.sqrt(np.mean(np.square(values))))

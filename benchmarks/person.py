@@ -132,7 +132,6 @@ class Person(QObject):
     # --- hands ---------------------------------------------------------------
 
     def key(self, *keys: Qt.Key, modifier: Qt.KeyboardModifier = NO_KEY) -> None:
-        """Press keys."""
         for key in keys:
             QTest.keyClick(self._window.windowHandle(), key, modifier)
 
@@ -311,11 +310,9 @@ class Person(QObject):
         yield from self.twice(KEY.Key_F, 1.5)
 
     def hide_plots(self) -> Steps:
-        """Hide the plots for a moment."""
         yield from self.twice(KEY.Key_P, 1.0)
 
     def hide_grip(self) -> Steps:
-        """Hide the grip for a moment."""
         yield from self.twice(KEY.Key_G, 0.7)
 
     def turn_grip(self) -> Steps:
@@ -401,7 +398,6 @@ class Person(QObject):
         return path
 
     def open_again(self) -> Steps:
-        """Open the demo."""
         if not self._window.session.jobs.is_busy:
             self._window.session.open_path(self.sequence)
             yield from self.jobs()

@@ -34,7 +34,6 @@ _TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 
 
 def need(*programs: str) -> None:
-    """Exit with the names of the Debian packages that are missing."""
     missing = [_PACKAGES[name] for name in programs if shutil.which(name) is None]
     if missing:
         sys.exit(f"this benchmark needs: apt-get install {' '.join(missing)}")
@@ -143,7 +142,6 @@ def waves_file(folder: Path, seconds: float) -> Path:
 
 
 def player_command(*arguments: str) -> list[str]:
-    """Return the command of the player in this checkout."""
     return [sys.executable, "-m", "app", *arguments]
 
 

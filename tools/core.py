@@ -74,7 +74,6 @@ def lines_in(paths: Iterable[Path]) -> int:
 
 
 def python_in(folder: str) -> set[Path]:
-    """The files of Python in a folder of the project."""
     return set((ROOT / folder).rglob("*.py"))
 
 

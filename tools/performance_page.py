@@ -129,7 +129,6 @@ TABLES: dict[str, Callable[[dict[str, Any]], Table]] = {
 
 
 def result(path: Path) -> dict[str, Any]:
-    """Return a saved result."""
     return dict(json.loads(path.read_text(encoding="utf-8")))
 
 

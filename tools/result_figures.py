@@ -44,7 +44,6 @@ Point = tuple[str, float, float]
 
 
 def result(name: str) -> dict[str, Any]:
-    """Return a saved result."""
     path = ROOT / "benchmarks" / "results" / f"{name}.json"
     return dict(json.loads(path.read_text(encoding="utf-8")))
 

@@ -73,7 +73,6 @@ def played(
 
 
 def stop(player: ForcePlayer) -> None:
-    """Press STOP."""
     player.stop()
 
 

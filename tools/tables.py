@@ -111,12 +111,10 @@ def effects() -> str:
 
 
 def events() -> str:
-    """Kinds of events that are found."""
     return table("kind | found where", ((_code(d.name), d.text) for d in DETECTORS))
 
 
 def presets() -> str:
-    """Presets of the rendering."""
     return table("preset | what it does", ((_code(p.name), p.text) for p in PRESETS))
 
 
@@ -198,7 +196,6 @@ def window_commands() -> str:
 
 
 def command_line() -> str:
-    """Commands of the command line with their options."""
     return "\n".join(_command(one) for one in cli.commands()) + "\n"
 
 

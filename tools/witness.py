@@ -65,7 +65,6 @@ class Seen:
     waits: list[Wait] = field(default_factory=list)
 
     def summary(self) -> dict[str, float]:
-        """How many stalls there were, and the longest."""
         late_s = [late_s for core in self.stalls for _, late_s in core]
         return {"count": len(late_s), "longest_ms": 1e3 * max(late_s, default=0.0)}
 

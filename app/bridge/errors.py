@@ -39,7 +39,6 @@ class ErrorGateway:
         threading.excepthook = self._uncaught_in_thread
 
     def uninstall(self) -> None:
-        """Give the hooks back."""
         sys.excepthook, threading.excepthook = self._hooks_before
 
     def report(self, problem: BaseException) -> None:

@@ -94,7 +94,6 @@ class Jobs:
 
     @property
     def is_busy(self) -> bool:
-        """Whether a job runs."""
         return self._job is not None
 
     def state(self) -> JobState | None:
@@ -155,9 +154,6 @@ def in_child(
         **options: the same, by name.
         progress: called here; when it raises, the work is asked to stop, which it
             does at its next report, and the exception is raised again once it has.
-
-    Raises:
-        HapticPlayerError: what the work raised, or that its process has died.
     """
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe()

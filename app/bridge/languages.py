@@ -27,7 +27,6 @@ def wanted(chosen: str) -> str:
 
 
 def spoken() -> str:
-    """Return the language that is spoken now."""
     return _spoken[-1]
 
 

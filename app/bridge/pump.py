@@ -77,7 +77,6 @@ class Pump(QObject):
         self.timer.start(0)
 
     def stop(self) -> None:
-        """Stop."""
         self._is_running = False
         self.timer.stop()
 

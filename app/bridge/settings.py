@@ -46,7 +46,6 @@ _MOST_TEXTS, _LONGEST_TEXT = 1000, 4096
 
 
 def default_path() -> Path:
-    """Return the file in the place that this platform has for settings."""
     places = QStandardPaths.StandardLocation
     folder = QStandardPaths.writableLocation(places.GenericConfigLocation)
     return Path(folder) / "hapticplayer" / SETTINGS_NAME
@@ -66,7 +65,6 @@ class Settings:
             self._path, self._values = None, {}
 
     def text(self, name: str, default: str = "") -> str:
-        """The value that was kept under a name."""
         value = self._values.get(name, default)
         return value if isinstance(value, str) else default
 
@@ -76,12 +74,10 @@ class Settings:
         return value if isinstance(value, bool) else default
 
     def number(self, name: str, default: float) -> float:
-        """Return a finite number that was kept."""
         value = finite_number(self._values.get(name))
         return default if value is None or abs(value) >= 1e9 else value
 
     def texts(self, name: str) -> list[str]:
-        """Return a list of texts that was kept."""
         value = self._values.get(name, [])
         return _texts(value) if isinstance(value, list) else []
 
@@ -121,11 +117,7 @@ class Settings:
         replace_json(path, {**kept, VERSION: SETTINGS_VERSION})
 
     def take(self, path: Path) -> None:
-        """Take over what another machine exported; what is private here stays.
-
-        Raises:
-            InputError: when it is not such a file, or of a newer version.
-        """
+        """Take over what another machine exported; what is private here stays."""
         values = read_settings(path)
         if VERSION not in values:
             raise InputError(
@@ -161,7 +153,6 @@ def library_folder(settings: Settings) -> Path:
 
 
 def choose_library(settings: Settings, folder: Path) -> None:
-    """Remember another one."""
     if folder != library_folder(settings):
         settings.keep(LIBRARY, str(folder))
         settings.save()

@@ -328,11 +328,9 @@ class AnalysisWindow(QMainWindow):
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
 
     def begin(self) -> None:
-        """Show the window and analyse."""
         self.show()
         self.page.analyse()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop what runs."""
         self.page.close_jobs()
         event.accept()

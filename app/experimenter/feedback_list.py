@@ -70,7 +70,6 @@ class FeedbackList(QWidget):
         self._show()
 
     def add(self, entry: Entry) -> None:
-        """Add an entry at the end."""
         self.entries.append(entry)
         self._show()
         self.list.setCurrentRow(len(self.entries) - 1)

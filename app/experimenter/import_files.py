@@ -132,15 +132,10 @@ class FilesPage(QWidget):
         return (Path(video), _paths(log) if log else None) if video else None
 
     def choices(self) -> LogChoices | None:
-        """The decisions about the log."""
         return parse_choices(self._words) if self._words else None
 
     def take(self, paths: list[Path]) -> None:
-        """Take over files that were dropped; a log may follow its video.
-
-        Raises:
-            InputError: when there are two videos.
-        """
+        """Take over files that were dropped; a log may follow its video."""
         video, log = pair(paths)
         if video is not None:
             self.video.setText(str(video))
@@ -294,12 +289,10 @@ class FilesPage(QWidget):
     # --- dropping ------------------------------------------------------------
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take files."""
         if dropped_paths(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Look at what is dropped."""
         event.acceptProposedAction()
         try:
             self.take(dropped_paths(event.mimeData()))

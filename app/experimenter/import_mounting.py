@@ -77,7 +77,6 @@ class Triad(QWidget):
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the recorder and the arrows, the farthest first."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         turn = axes_matrix(self.axes)
@@ -277,11 +276,7 @@ class MountingPage(QWidget):
         return str(self.mounting.currentData())
 
     def processing(self) -> Processing:
-        """Return how gravity is removed.
-
-        Raises:
-            InputError: for a calibration that cannot be read.
-        """
+        """Return how gravity is removed."""
         path = self.calibration.text().strip()
         return Processing(calibration=read_calibration(Path(path)) if path else None)
 

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
 
 from app.bridge.jobs import in_child
 from app.bridge.languages import translated
-from app.experimenter.force_texts import cost_text, read_filter, write_filters
 from app.experimenter.quality_view import QualityView
 from app.experimenter.rendering_fields import preset_name
 from app.player.choices import feedbacks
@@ -34,6 +33,7 @@ from hapticplayer.errors import HapticPlayerError, Message, Progress, message_of
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import remove_track, rename_track
 from hapticplayer.sequence.force_files import ForceFormat, WriteChoices
+from hapticplayer.sequence.force_formats import read_formats, written_formats
 from hapticplayer.sequence.force_import import export_force, import_force
 from hapticplayer.sequence.library import Entry
 
@@ -261,3 +261,42 @@ def rendering_text(entry: Entry) -> str:
         return text.format(rendering=name)
     text = translate("LibraryDetails", "{rendering}; gain {gain} N per m/s\u00b2")
     return text.format(rendering=name, gain=local(f"{gain:.3g}"))
+
+
+def read_filter() -> str:
+    """Return the kinds of files that hold a force track."""
+    patterns = {
+        one.name: " ".join(f"*{end}" for end in (one.suffix, *one.other_suffixes))
+        for one in read_formats().values()
+    }
+    kinds = [
+        QCoreApplication.translate("ForceTexts", "Force tracks ({patterns})").format(
+            patterns=" ".join(patterns.values())
+        ),
+        *(
+            f"{translated(one.text)} ({patterns[one.name]})"
+            for one in read_formats().values()
+        ),
+        QCoreApplication.translate("ForceTexts", "All files (*)"),
+    ]
+    return ";;".join(kinds)
+
+
+def write_filters() -> dict[str, ForceFormat]:
+    """Return the formats that are written, by their line in a file dialog."""
+    return {
+        f"{translated(one.text).replace('(', '').replace(')', '')} (*{one.suffix})": one
+        for one in written_formats().values()
+    }
+
+
+def cost_text(form: ForceFormat, cost: dict[str, Any]) -> str:
+    """The losses of a file against its track, and its size."""
+    lines = QCoreApplication.translate("ForceTexts", "{kept}; {rate} kbit/s").format(
+        kept=translated(form.keeps), rate=local(f"{cost['kbit_s']:.3g}")
+    )
+    if cost["error_max_n"] is None:
+        return lines
+    return lines + QCoreApplication.translate(
+        "ForceTexts", "; largest error {error} N"
+    ).format(error=local(f"{cost['error_max_n']:.3f}"))

@@ -29,7 +29,6 @@ class NumberBox(QDoubleSpinBox):
         indent(self)
 
     def set_number(self, value: float) -> None:
-        """Show a number."""
         self.setValue(value)
         self._exact, self._rounded = value, self.value()
 
@@ -38,7 +37,6 @@ class NumberBox(QDoubleSpinBox):
         return self._exact if self.value() == self._rounded else self.value()
 
     def textFromValue(self, value: float) -> str:  # noqa: N802 - Qt's name
-        """Return the number as the language writes it."""
         return QLocale().toString(round(value, self.decimals()), "g", 8)
 
 
@@ -72,7 +70,6 @@ class ThreeNumbers(QWidget):
         grid.setColumnStretch(len(self.boxes), 1)
 
     def set_numbers(self, values: Iterable[float]) -> None:
-        """Show three numbers."""
         for box, value in zip(self.boxes, values, strict=True):
             box.set_number(value)
 

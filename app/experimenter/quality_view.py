@@ -74,7 +74,6 @@ def mark_name(mark: Mark) -> str:
 
 
 def colour_of(mark: Mark) -> str:
-    """Return the colour of a mark in the current theme."""
     return {Mark.GOOD: theme.GOOD, Mark.DOUBTFUL: theme.WARN, Mark.BAD: theme.BAD}[mark]
 
 

@@ -208,11 +208,7 @@ class RenderingFields(QObject):
         self._show_needed()
 
     def chosen(self) -> Chosen:
-        """The choices in the fields.
-
-        Raises:
-            UsageError: for axes that are none.
-        """
+        """The choices in the fields."""
         kind = self.gain_kind.currentData()
         mapping = Mapping(
             self._chosen_axes(),

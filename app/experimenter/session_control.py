@@ -54,7 +54,6 @@ class Mirror(QWidget):
         )
 
     def sizeHint(self) -> QSize:
-        """Ask for a quarter of the usual size."""
         return QSize(_WIDTH_PX, _HEIGHT_PX)
 
     def follow(self, now_s: float, *, is_clip: bool) -> None:
@@ -65,7 +64,6 @@ class Mirror(QWidget):
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Scale the frame in the cheapest way."""
         with QPainter(self) as painter:
             painter.fillRect(self.rect(), QColor("black"))
             image = self._surface.image if self.is_clip else None

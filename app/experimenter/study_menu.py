@@ -136,7 +136,6 @@ class StudyMenu(QObject):
             )
 
     def edit(self) -> None:
-        """Ask for a study, and open the editor."""
         folder = self.ask_folder()
         if folder:
             self._try(lambda: self._open_editor(folder))
@@ -178,7 +177,6 @@ class StudyMenu(QObject):
             self.report(StudyError(problem))
 
     def analyse(self) -> None:
-        """Ask for a study, and show its report."""
         folder = self.ask_folder()
         if folder:
             self._try(lambda: self._open_report(folder))
@@ -200,7 +198,6 @@ class StudyMenu(QObject):
             self.running.emit(True)
 
     def close(self) -> None:
-        """Close the reports."""
         for report in self._window.findChildren(QMainWindow):
             report.close()
 

@@ -7,21 +7,23 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
-from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QWidget
+from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QMessageBox, QWidget
 
+from app.bridge.languages import translated
 from app.bridge.settings import Settings, choose_library, library_folder
 from app.player.command import Command
 from app.player.device_dialogs import DeviceDialogs
 from app.player.session import Session
-from app.player.video_question import video_question
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog, folder_dialog, settings_filter, video_filter
 from app.widgets.layout import STRETCH, column_of, fill_page, paragraph, row_of
+from app.widgets.texts import capitalised
 from app.widgets.theme import icon
 from hapticplayer import __version__
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.source import Source, open_source
+from hapticplayer.playback.video_check import ANOTHER_VIDEO
 from hapticplayer.rendering import FEEDBACKS
 
 translate = QCoreApplication.translate
@@ -290,3 +292,32 @@ def load() -> None:
     """Import what dialogs need, which takes a moment."""
     for name in LATER:
         importlib.import_module(name)
+
+
+def video_question(source: Source, parent: QWidget | None) -> QMessageBox:
+    """Return the question; declined, the video plays on without force."""
+    box = QMessageBox(
+        QMessageBox.Icon.Warning,
+        translate("VideoQuestion", "Another video"),
+        capitalised(translated(ANOTHER_VIDEO)) + ".",
+        parent=parent,
+    )
+    box.setInformativeText(
+        translate(
+            "VideoQuestion",
+            "What is felt may not be what is seen. Feel the force anyway?",
+        )
+    )
+    roles = QMessageBox.ButtonRole
+    felt = box.addButton(
+        translate("VideoQuestion", "&Feel the force"), roles.AcceptRole
+    )
+    without = box.addButton(
+        translate("VideoQuestion", "Play &without"), roles.RejectRole
+    )
+    box.setDefaultButton(without)
+    box.setEscapeButton(without)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    if source.check is not None:
+        felt.clicked.connect(source.check.accept)
+    return box

@@ -43,7 +43,6 @@ PUBLISHED = (
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--seconds", type=float, default=SECONDS)
 
 

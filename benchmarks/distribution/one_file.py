@@ -50,7 +50,6 @@ _TOOLS = {  # how each reads a file, and what it has to say
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--rounds", type=int, help="(15)")
     parser.add_argument("--seconds", type=float, help="of the clip (40)")
     parser.add_argument("--seeks", type=int, help="(40)")
@@ -292,7 +291,6 @@ def _opened_ms(
 
 
 def felt_since(player: Player, since_s: float) -> bool:
-    """Return whether there was a force since a time."""
     ticks = player.ticks_since(since_s)
     return bool(len(ticks)) and bool(ticks["force_n"].any())
 

@@ -30,7 +30,6 @@ HOURS, MOST_MB = 10.0, 512.0
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--hours", type=float, default=HOURS)
 
 

@@ -35,7 +35,6 @@ OTHERS = (
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--rounds", type=int, help="(15)")
     parser.add_argument("--scene", action="append", choices=SCENES)
 

@@ -56,7 +56,6 @@ class Case:
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--seeds", type=int, help="0 and up (3)")
     parser.add_argument("--first-seed", type=int, default=0)
 

@@ -45,7 +45,6 @@ KINDS: dict[str, Options | None] = {
 
 
 def exchange_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--rounds", type=int, help="(6)")
     parser.add_argument("--seconds", type=float, default=5.0)
 
@@ -243,7 +242,6 @@ def errors_mm(tick: Tick, places: list[Any], *, in_counts: bool) -> list[float]:
 
 
 def kinematics_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--ticks", type=int, help="(20000)")
 
 

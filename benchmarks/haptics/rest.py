@@ -23,7 +23,6 @@ LIMIT = 0.2
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--seconds", type=float, help="(20) in each of both states")
 
 

@@ -40,7 +40,6 @@ ENDS, ENDED_S = 5, 2.75
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--seconds", type=float, help="(20) of bursts")
 
 

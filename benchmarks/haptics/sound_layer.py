@@ -58,7 +58,6 @@ class Case:
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--seeds", type=int, help="(20)")
     parser.add_argument("--first-seed", type=int, default=30)
 

@@ -58,7 +58,6 @@ class Ride(NamedTuple):
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--seeds", type=int, help="(3)")
     text = "of rides of motion alone (each scene's own length, 90 to 180; quick: 60)"
     parser.add_argument("--seconds", type=float, help=text)

@@ -190,7 +190,6 @@ def averaged_motion(ride: Ride, board: LoggerBoard) -> tuple[Floats, Floats]:
 
 
 def with_errors(**parts: SensorErrors) -> LoggerBoard:
-    """Return the perfect board with some errors of the paper's."""
     return LoggerBoard(sensor=replace(_PERFECT, **parts))
 
 
@@ -399,7 +398,6 @@ def compare_reconstructions(
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--rides", nargs="+", choices=SCENARIOS, default=SCENARIOS)
 
 
@@ -437,7 +435,6 @@ def run(options: argparse.Namespace, report: Report) -> None:
 def _in_common(
     figures: dict[str, dict[str, float]], chain: str, parts: Sequence[tuple[str, str]]
 ) -> float:
-    """Return the signed root of the chain's square less those of its causes."""
     alone = sum(figures[group][cause] ** 2 for group, cause in parts)
     rest = figures["chain"][chain] ** 2 - alone
     return float(np.sign(rest) * np.sqrt(abs(rest)))

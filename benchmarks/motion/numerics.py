@@ -40,7 +40,6 @@ TURNED_LIMIT_MPS2, ROUNDING_LIMIT_MPS2 = 1e-3, 1e-6
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     add_options(parser, seeds=1)
     parser.add_argument("--long", action="store_true", help="add 10^7 samples")
 

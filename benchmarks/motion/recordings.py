@@ -89,17 +89,14 @@ class Family:
 
     @property
     def key(self) -> str:
-        """Name and rate."""
         return f"{self.name} {self.rate}"
 
     @property
     def logs(self) -> list[ImuLog]:
-        """Logs of its recordings."""
         return [recording.imu for recording in self.recordings]
 
 
 def add_options(parser: argparse.ArgumentParser, *, seeds: int) -> None:
-    """Add the options that choose recordings."""
     parser.add_argument("--families", nargs="+", choices=FAMILIES, default=FAMILIES)
     text = f"simulated rides of each scene ({seeds})"
     parser.add_argument("--seeds", type=int, default=seeds, help=text)

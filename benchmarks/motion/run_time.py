@@ -132,7 +132,6 @@ def head(log: ImuLog, count: int) -> ImuLog:
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     add_options(parser, seeds=1)
     parser.add_argument("--rounds", type=int, help="(5)")
 

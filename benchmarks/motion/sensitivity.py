@@ -34,7 +34,6 @@ class Outcome(NamedTuple):
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     add_options(parser, seeds=1)
 
 
@@ -79,7 +78,6 @@ def outcome(families: Sequence[Family], parameters: SmootherParameters) -> Outco
 
 
 def modules() -> list[ModuleType]:
-    """Return the modules of the smoother."""
     found = pkgutil.iter_modules(smoother.__path__)
     return [importlib.import_module(f"{smoother.__name__}.{m.name}") for m in found]
 

@@ -32,7 +32,6 @@ LIMITS_MPS2 = {"whole log": 0.30, "calibration": 0.35}
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--families", nargs="+", choices=OPTICAL, default=OPTICAL)
 
 

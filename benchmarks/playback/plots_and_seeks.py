@@ -44,7 +44,6 @@ def shaken_sequence(folder: Path, seconds: float) -> Path:
 
 
 def plots_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--rounds", type=int, help="(3)")
     parser.add_argument("--seconds", type=float, help="(6)")
 
@@ -151,7 +150,6 @@ class PausedPlayer:
 
 
 def seeks_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--seeks", type=int, help="(50)")
     parser.add_argument("--seed", type=int, default=1)
 

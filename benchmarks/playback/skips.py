@@ -37,9 +37,9 @@ from benchmarks.stage import (
     sound_server,
 )
 from hapticplayer.clock import SystemClock
+from hapticplayer.devices.falcon.driver import Tracker
 from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
 from hapticplayer.devices.falcon.protocol import Reply, encode_command
-from hapticplayer.devices.falcon.tracker import Tracker
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.haptics.track import map_track, to_shared_memory
 from hapticplayer.media.opening import open_media, read_only
@@ -65,7 +65,6 @@ class Case(NamedTuple):
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--rounds", type=int, help="(5)")
     parser.add_argument("--only", nargs="*", default=[], help="parts of names")
 

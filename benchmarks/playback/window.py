@@ -137,7 +137,6 @@ class Tour(Person):
             raise
 
     def deck(self) -> list[Callable[[], Steps]]:
-        """Return the next thing."""
         return [getattr(self, next(self.left, "_end"))]
 
     def _end(self) -> Steps:
@@ -156,15 +155,12 @@ class Tour(Person):
             yield 0.1
 
     def show_statistics(self) -> Steps:
-        """Read the statistics."""
         yield from self.twice(KEY.Key_I, 2.0)
 
     def open_library(self) -> Steps:
-        """Look at the library."""
         yield from self.dialog(self._window.dialogs.library, 1.5)
 
     def set_up_device(self) -> Steps:
-        """Look at the set-up of the device."""
         yield from self.dialog(self._window.commands.set_up_device.trigger, 2.0)
 
     def get_to_know(self) -> Steps:
@@ -180,11 +176,9 @@ class Tour(Person):
         editor.deleteLater()
 
     def use_light_theme(self) -> Steps:
-        """Choose the light theme."""
         yield from self._remake("look", "light")
 
     def use_dark_theme(self) -> Steps:
-        """Choose the dark theme."""
         yield from self._remake("look", "dark")
 
     def use_german(self) -> Steps:

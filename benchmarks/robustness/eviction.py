@@ -69,7 +69,6 @@ def play(options: argparse.Namespace, *, is_locked: bool) -> dict[str, Any]:
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--rounds", type=int, help="(3)")
     parser.add_argument("--evictions", type=int, default=4, help="in each run")
     parser.add_argument("--offscreen", action="store_true")

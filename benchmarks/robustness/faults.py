@@ -269,7 +269,6 @@ def judged(name: str, found: list[dict[str, float]], report: Report) -> list[Any
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--repetitions", type=int, help="of each fault (20)")
     parser.add_argument("--only", nargs="+", choices=FAULTS, default=list(FAULTS))
 

@@ -94,7 +94,6 @@ def stage(*, is_offscreen: bool, has_sound: bool) -> Iterator[tuple[Path, Any]]:
 
 
 def window_command(folder: Path, minutes: float, **chosen: Any) -> list[str]:
-    """Return the command of the window that is used, in a process of its own."""
     settings = {"folder": str(folder), "minutes": minutes, **chosen}
     module = "benchmarks.robustness.nuisance"
     return [sys.executable, "-m", module, json.dumps(settings)]

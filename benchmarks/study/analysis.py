@@ -40,7 +40,6 @@ _MOST_FOR_REFERENCE = 200  # 4 min of a core for one variance of 1000
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--participants", type=int, nargs="+", help="(15 80 200 1000)")
 
 

@@ -57,7 +57,6 @@ class Tally:
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--kills", type=int, help="(500)")
     parser.add_argument("--seed", type=int, default=2012)
 

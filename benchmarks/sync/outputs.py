@@ -51,7 +51,6 @@ class Shown:
         self.frames: dict[int, float] = {}
 
     def show(self, frame: Any) -> None:
-        """Note a frame."""
         self.frames[round(frame.pts_s * RATE_HZ)] = self._clock.now_s()
 
 
@@ -157,7 +156,6 @@ def moments(
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Add the options."""
     parser.add_argument("--rate", type=int, default=200, help="packets a second")
     parser.add_argument("--rounds", type=int, default=4)
     parser.add_argument("--seconds", type=float, default=30.0)

@@ -89,7 +89,6 @@ def _folder() -> tempfile.TemporaryDirectory[str]:
 
 
 def ride_of(scene: str, seed: int) -> Scene:
-    """Return a seeded ride."""
     return RIDES[scene](np.random.default_rng([seed, 0]))
 
 

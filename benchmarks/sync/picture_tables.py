@@ -74,7 +74,6 @@ def _is_upside_down(log: ImuLog, found: Synchronisation) -> bool:
 
 
 def figures(outcomes: list[Outcome], method: str) -> dict[str, Any]:
-    """Return how many are confident, and their errors in ms."""
     sure = [one for one in outcomes if one.confidence[method] >= SURE]
     errors_ms = 1e3 * np.abs([one.error_s[method] for one in sure])
     return {"logs": len(outcomes), "confident": len(sure), **_spread(errors_ms)}

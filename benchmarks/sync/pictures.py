@@ -63,7 +63,6 @@ REAL = (("karma.mp4", True), ("max-heromode.mp4", False))
 
 
 def middle_error_s(film: Filmed, log: Logged, found: Synchronisation) -> float:
-    """Return the error in media time of what was logged at the middle of the clip."""
     middle_s = 0.5 * film.duration_s
     return found.media_s(_log_s(log, middle_s)) - middle_s
 

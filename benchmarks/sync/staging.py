@@ -123,7 +123,6 @@ class Case:
         self.hung: list[tuple[float, float]] = []  # spans in which nothing is in time
 
     def of(self, case: str) -> Steps:
-        """Return the steps of a case."""
         if case.startswith("speed-"):
             return self._speed(float(case.removeprefix("speed-")))
         return getattr(self, f"_{case}", lambda: iter(()))()

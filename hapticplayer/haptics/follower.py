@@ -66,7 +66,6 @@ class TrackFollower:
 
     @property
     def is_over(self) -> bool:
-        """Whether the player has quit or is gone."""
         return self._is_asked_to_quit or not self._is_player_alive
 
     def _supervision(

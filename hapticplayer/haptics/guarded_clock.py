@@ -88,11 +88,7 @@ class GuardedClock:
             self._block.beat_loop(0.0)
 
     def now_s(self) -> float:
-        """Return the time, and beat.
-
-        Raises:
-            HapticsError: when a force may be on and the guard does not beat.
-        """
+        """Return the time, and beat."""
         now_s = self._clock.now_s()
         if self._is_acting:
             if now_s - self._block.guard_s() > GUARD_RAMP_S:

@@ -160,12 +160,7 @@ class HapticsProcesses:
         return self._recording.problem if self._recording else ""
 
     def wait_ready(self) -> None:
-        """Wait for the device to be open.
-
-        Raises:
-            DeviceError: with the device's own reason.
-            HapticsError: when the loop died or was not ready in time.
-        """
+        """Wait for the device to be open."""
         if self.device == NO_DEVICE:
             return
         deadline_s = self._clock.now_s() + self._patience_s
@@ -256,12 +251,7 @@ class HapticsProcesses:
         return self._device_faults is not None
 
     def inject(self, fault: str) -> float:
-        """Make a fault happen, and return the monotonic time.
-
-        Raises:
-            UsageError: when the device was not chosen to take faults.
-            DeviceError: when the simulated device is gone.
-        """
+        """Make a fault happen, and return the monotonic time."""
         if self._device_faults is None:
             raise UsageError(
                 "faults can only be injected into a simulated device that was opened "

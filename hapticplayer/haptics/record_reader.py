@@ -58,12 +58,7 @@ class Frame(NamedTuple):
 
 
 def read_record(path: Path) -> Record:
-    """Read all ticks that are intact.
-
-    Raises:
-        InputError: when it is not a record, its header is damaged, or it is too large
-            to be read at once.
-    """
+    """Read all ticks that are intact."""
     with RecordReader(path) as reader:
         if reader.size_bytes > MAX_WHOLE_BYTES:
             raise InputError(

@@ -150,7 +150,6 @@ class Recorder:
             self._writer.sync()
 
     def finish(self) -> None:
-        """Write the last ticks and the end."""
         self.collect()
         self._writer.append(self._next_number, self._lost, _NO_TICKS)
         self._writer.sync()

@@ -70,11 +70,7 @@ def is_record(head: bytes) -> bool:
 
 
 def open_record(path: Path) -> int:
-    """Create the file of a record and return its descriptor, owned by the caller.
-
-    Raises:
-        InputError: when it exists already or cannot be written.
-    """
+    """Create the file of a record and return its descriptor, owned by the caller."""
     flags = os.O_RDWR | os.O_CREAT | os.O_EXCL | os.O_APPEND | os.O_CLOEXEC
     try:
         return os.open(path, flags, 0o666)

@@ -78,9 +78,6 @@ def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
     """Replace the definition of a study after checking it.
 
     Sessions keep the definition that they began with.
-
-    Raises:
-        StudyError: for a wrong entry; nothing is changed then.
     """
     path = study.folder / DEFINITION
     text = definition_text(content)

@@ -41,11 +41,7 @@ class StreamKind(NamedTuple):
 
 
 def open_stream(name: str) -> StudyStream:
-    """A stream of that kind.
-
-    Raises:
-        StudyError: when there is none, or it cannot be opened.
-    """
+    """A stream of that kind."""
     for kind in extension.rows("study_streams", StreamKind):
         if kind.name == name:
             return cast(StudyStream, extension.load(kind.home)())

@@ -37,7 +37,6 @@ EXPORTERS = (Exporter("csv", Message("tidy CSV with a data dictionary"), write_c
 
 
 def study_exporters() -> dict[str, Exporter]:
-    """All by name."""
     found = extension.rows("study_exporters", Exporter, EXPORTERS)
     return {one.name: one for one in found}
 
@@ -55,10 +54,6 @@ def export_study(
         target: folder, must not exist yet.
         form: name of an exporter.
         progress: called with the fraction done and the step; raises to cancel.
-
-    Raises:
-        UsageError: for an unknown format.
-        StudyError: when there are no answers, or it cannot be written.
     """
     exporter = entry_named(study_exporters(), form, Message("format"))
     answers = collect_answers(study)

@@ -262,11 +262,7 @@ def _contains(path: Path, code: bytes) -> bool:
 def save_consent(
     study: Study, code: str, *, given: bool, text: str, language: str
 ) -> None:
-    """Store the decision of a participant, apart from the answers.
-
-    Raises:
-        StudyError: when it cannot be written.
-    """
+    """Store the decision of a participant, apart from the answers."""
     content = {
         "schema": "hapticplayer.consent",
         "version": 1,

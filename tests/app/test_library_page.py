@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
 from app.experimenter import library_details
-from app.experimenter.force_texts import read_filter, write_filters
+from app.experimenter.library_details import read_filter, write_filters
 from app.experimenter.library_page import LibraryPage
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence

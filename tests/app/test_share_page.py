@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtWidgets import QMessageBox
 
 from app.player import share_page
+from app.player.dialogs import video_question
 from app.player.share_page import SharePage
-from app.player.video_question import video_question
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.matroska import read_attachments

@@ -7,8 +7,8 @@ from app.experimenter.analysis import AnalysisPage
 from app.experimenter.import_wizard import FILES, MOUNTING, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.experimenter.rendering_page import RenderingPage
+from app.player.dialogs import video_question
 from app.player.share_page import SharePage
-from app.player.video_question import video_question
 from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError, Progress

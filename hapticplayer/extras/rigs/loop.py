@@ -51,7 +51,6 @@ class RigLoop(TrackFollower):
 
     @staticmethod
     def guard(clock: Clock, block: LoopBlock, sender: RigSender) -> "RigGuard":
-        """What watches the loop, its socket open."""
         sender.open()
         return RigGuard(clock, block, sender)
 

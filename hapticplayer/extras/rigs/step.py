@@ -86,7 +86,6 @@ class RigState(NamedTuple):
 
     @property
     def packet_s(self) -> float:
-        """The time in the packet."""
         return self.state.now_s - self.begun_s
 
 
@@ -166,7 +165,6 @@ def ramped(left: RigMotion, age_s: float) -> RigMotion:
 
 
 def scaled(motion: RigMotion, share: float) -> RigMotion:
-    """Return a part of a motion."""
     return RigMotion(*(share * value for value in motion))
 
 

@@ -9,9 +9,8 @@ import pytest
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_info import probe
-from hapticplayer.media.declared import declared_bytes
 from hapticplayer.media.limits import MAX_PIXELS, MAX_SIDE_PX
-from hapticplayer.media.opening import open_media
+from hapticplayer.media.opening import declared_bytes, open_media
 
 
 def missing(path: Path, clip: Path) -> Path:

@@ -7,8 +7,7 @@ import pytest
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media import telemetry as module
-from hapticplayer.media.declared import declared_samples
-from hapticplayer.media.opening import open_media
+from hapticplayer.media.opening import declared_samples, open_media
 from hapticplayer.media.telemetry import (
     TelemetryPacket,
     add_telemetry,
@@ -74,7 +73,7 @@ def test_tables_are_found_and_damage_ends_the_search(
 def test_boxes_without_end_are_too_many(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("hapticplayer.media.declared.MAX_BOXES", 50)
+    monkeypatch.setattr("hapticplayer.media.opening.MAX_BOXES", 50)
     path = tmp_path / "boxes.mp4"
     path.write_bytes(box(b"free", b"") * 50)
     assert declared_samples(path) == 0

@@ -3,13 +3,13 @@
 import pytest
 
 from hapticplayer.devices.falcon import kinematics
-from hapticplayer.devices.falcon.kinematics import Kinematics
-from hapticplayer.devices.falcon.protocol import Reply
-from hapticplayer.devices.falcon.tracker import (
+from hapticplayer.devices.falcon.driver import (
     LEAPS_TO_FAULT,
     MOST_COUNTS_PER_MS,
     Tracker,
 )
+from hapticplayer.devices.falcon.kinematics import Kinematics
+from hapticplayer.devices.falcon.protocol import Reply
 
 HOME = (-300, -300, -300)
 
