@@ -9,8 +9,8 @@ from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.layout import column_of, paragraph
 from app.widgets.texts import titled
-from hapticplayer.capture.vision import is_available
 from hapticplayer.errors import TelemetryError
+from hapticplayer.sequence.synchronizing import is_exact
 
 
 class SuggestionBox(QFrame):
@@ -58,6 +58,6 @@ class SuggestionBox(QFrame):
         reason = titled(video.name, translated(problem.what))
         self.reason.setText(f"{reason}. {way}")
         self.choice.setChecked(False)
-        self.choice.setEnabled(is_available())
-        self.missing.setVisible(not is_available())
+        self.choice.setEnabled(is_exact())
+        self.missing.setVisible(not is_exact())
         self.show()

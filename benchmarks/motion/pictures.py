@@ -21,7 +21,7 @@ from scipy import signal
 from benchmarks.common import DATA, Report, on_one_thread, rms
 from benchmarks.sync.picture_clips import SCENES, film_of
 from hapticplayer.capture import read_recording
-from hapticplayer.capture.vision.estimate import RATE_HZ, TOP_HZ, suggest_motion
+from hapticplayer.extras.frames.estimate import RATE_HZ, TOP_HZ, suggest_motion
 from hapticplayer.extras.rides.catalogue import RIDES
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ForceTrack

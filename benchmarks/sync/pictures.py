@@ -40,13 +40,14 @@ from benchmarks.sync.picture_tables import (
     write_tables,
 )
 from hapticplayer.capture import read_recording
-from hapticplayer.capture.sync.pictures import synchronize_frames, usable
+from hapticplayer.capture.frames import FeatureKind, FrameRotation
 from hapticplayer.capture.sync.result import ClipSound, Synchronisation, SyncInput
-from hapticplayer.capture.sync.rotation_line import Line, fit_line
-from hapticplayer.capture.sync.rotation_match import Gyro, fit_at
 from hapticplayer.capture.sync.synchronize import by_pats, joined_findings
-from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import InputError
+from hapticplayer.extras.frames.pictures import synchronize_frames, usable
+from hapticplayer.extras.frames.rotation import rotation
+from hapticplayer.extras.frames.rotation_line import Line, fit_line
+from hapticplayer.extras.frames.rotation_match import Gyro, fit_at
 from hapticplayer.extras.rides.film.sound import RATE_HZ as SOUND_RATE_HZ
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ImuLog

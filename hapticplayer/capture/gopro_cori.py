@@ -14,16 +14,14 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.clock_lag import CORI, ClockLag
+from hapticplayer.capture.clock_lag import ClockLag
+from hapticplayer.capture.frames import FrameRotation, frame_function, has_frames
 from hapticplayer.capture.gopro_streams import GoproStream, GpmfPayload, collect
-from hapticplayer.capture.vision import FrameRotation
-from hapticplayer.errors import InputError, TelemetryError
+from hapticplayer.errors import TelemetryError
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 
-_LEAST_EXPLAINED = 0.9
-_MOST_SIGMA_S = 0.002
 _EVEN = 0.002  # frames are even; where stamps are not, samples were repeated or lost
 
 
@@ -40,20 +38,10 @@ def clock_by_cori(
     rotation = None if frame0_us is None else camera_rotation(payloads, frame0_us)
     if rotation is None:
         return None
-    from hapticplayer.capture.sync.own_clock import fit_own_clock, sigma_of_windows_s
-
-    try:
-        found = fit_own_clock(imu, rotation)
-    except InputError:  # too short, or no rotation
+    if not has_frames():  # they compare rotations
         return None
-    if found is None:
-        return None
-    sigma_s = sigma_of_windows_s(found.line)
-    is_sure = found.fit.unexplained <= 1.0 - _LEAST_EXPLAINED
-    if not is_sure or sigma_s > _MOST_SIGMA_S:
-        return None
-    clock = found.line.clock_map(found.line.shift_s, 1.0)
-    return clock, ClockLag(CORI, found.line.shift_s, sigma_s)
+    found: tuple[ClockMap, ClockLag] | None = frame_function("own-clock")(imu, rotation)
+    return found
 
 
 def camera_rotation(

@@ -35,7 +35,7 @@ from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.description import written
 from hapticplayer.sequence.mounting_by_frames import SHOWN
 from hapticplayer.sequence.presets import DEFAULT_PRESET, preset_of
-from hapticplayer.sequence.suggesting import ESTIMATE
+from hapticplayer.sequence.writing import ESTIMATE
 
 
 def add_options(command: argparse.ArgumentParser) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.frames import frame_function
 from hapticplayer.capture.mounting import BY_FRAMES, ask_for_mounting, mounted
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of
@@ -35,7 +36,6 @@ from hapticplayer.sequence.report import (
     notes_on_motion,
     notes_on_sequence,
 )
-from hapticplayer.sequence.suggesting import suggested
 from hapticplayer.sequence.surroundings import surroundings
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 from hapticplayer.sequence.writing import Content, RenderChoices, write_folder
@@ -105,7 +105,7 @@ def build_sequence(
         bar.rest(0.0, Message("reading {name}", name=video.name))
         clip = probe(video)
         if choices.suggest_gain is not None:
-            content = suggested(
+            content = frame_function("suggest")(
                 clip,
                 imu_log,
                 choices.suggest_gain,

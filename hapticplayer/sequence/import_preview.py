@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.frames import FrameRotation, frame_function
 from hapticplayer.capture.mounting import mean_up
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.capture.vision import FrameRotation
 from hapticplayer.errors import (
     InputError,
     Message,
@@ -165,12 +165,8 @@ def _turn_rates(imu: ImuLog, frames: FrameRotation | None) -> tuple[Curve, Curve
     """Return the turn rates of the frames and of the gyro."""
     if frames is None or not len(frames) or not imu.angular_rate_radps.any():
         return _NOTHING, _NOTHING
-    from hapticplayer.capture.sync.turn_rate import (
-        turn_rate_of_frames,
-        turn_rate_of_gyro,
-    )
-
-    return turn_rate_of_frames(frames), turn_rate_of_gyro(imu)
+    turned, gyro = frame_function("turn-rates")(imu, frames)
+    return turned, gyro
 
 
 def loudness_of(clip: Path) -> Curve:

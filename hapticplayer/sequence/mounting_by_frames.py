@@ -3,12 +3,12 @@
 from collections.abc import Mapping
 from typing import Any
 
+from hapticplayer.capture.frames import frame_function
 from hapticplayer.capture.mounting import AS_RECORDED, gravity_agrees, mean_up
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.errors import Message, Progress, UsageError
 from hapticplayer.media.clip_info import ClipInfo
-from hapticplayer.sequence.synchronizing import watch
 
 SHOWN = "mounting_by_frames"
 """In the provenance: a mounting that was taken as the frames show it, with its ratio."""
@@ -29,14 +29,9 @@ def mounting_by_frames(
     """
     found = _already(recording.provenance.get("synchronisation"))
     if found is None:
-        from hapticplayer.capture.sync.pictures import (
-            find_mounting,
-            refuse_without_gyro,
-        )
-
-        refuse_without_gyro(recording.imu)
-        frames = watch(clip, progress)
-        found = find_mounting(recording.imu, frames, recording.clock_map)
+        of_frames = frame_function("mounting")
+        found = of_frames(clip, recording.imu, recording.clock_map, progress)
+    assert isinstance(found, FoundMounting)
     if not found.is_clear:
         raise UsageError(
             "{clip}: the frames do not tell whether the mounting is {axes} or "

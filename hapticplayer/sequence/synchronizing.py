@@ -8,6 +8,7 @@ from typing import Annotated
 from msgspec import Meta, Struct
 
 from hapticplayer import storage
+from hapticplayer.capture.frames import FrameRotation, frame_function, has_frames
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import (
@@ -17,12 +18,6 @@ from hapticplayer.capture.sync.result import (
     SyncInput,
 )
 from hapticplayer.capture.sync.synchronize import NO_FIT, NO_PATS, read_sound
-from hapticplayer.capture.vision import (
-    FrameRotation,
-    is_available,
-    rotation,
-    why_broken,
-)
 from hapticplayer.errors import (
     InputError,
     Message,
@@ -163,23 +158,31 @@ def find_sync(
         hear,
         given,
         known,
-        look or (lambda: watch(clip, progress)),
+        (look or (lambda: watch(clip, progress))) if has_frames() else None,
         recording.lag,
     )
     return sync_method(choices.method).function()(inputs)
 
 
 def watch(clip: ClipInfo, progress: Progress) -> FrameRotation:
-    """Return the camera's rotation as the frames of a clip tell it.
+    """The camera's rotation as the frames of a clip tell it.
 
     Raises:
-        InputError: without OpenCV.
+        InputError: when this installation cannot look at frames, or without OpenCV.
         MediaError: when the clip cannot be decoded.
     """
-    from hapticplayer.capture.sync.pictures import spans_to_watch
+    found: FrameRotation = frame_function("watch")(clip, progress)
+    return found
 
-    spans_s = spans_to_watch(clip.duration_s)
-    return rotation(clip.path, spans_s=spans_s, progress=progress)
+
+def why_broken() -> str:
+    """Why OpenCV cannot be loaded, "" where it can, or is not wanted."""
+    return str(frame_function("why-broken")()) if has_frames() else ""
+
+
+def is_exact() -> bool:
+    """Whether frames are followed exactly here."""
+    return has_frames() and bool(frame_function("is-exact")())
 
 
 def uncertainty(found: Synchronisation, clip: str) -> str:
@@ -197,7 +200,7 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
             "compare sound and motion with `hapticplayer sync --plot FILE`, then give "
             "--offset S"
         )
-    if found.is_coarse or not is_available():
+    if found.is_coarse or not is_exact():
         look = Message("{look}; {brings}", look=look, brings=_brings())
     why = joined(Message("; "), reasons)
     return Message("{clip}: {why}; {look}", clip=clip, why=why, look=look)

@@ -40,6 +40,10 @@ from hapticplayer.untrusted import HeldFile
 _COPY_SHARE = 0.6  # of the whole work; a long clip is mostly copied and hashed
 
 
+ESTIMATE = "estimate"
+"""Of a motion that frames suggest: arrays with sigma and trust, and their summary."""
+
+
 @dataclass(frozen=True, slots=True)
 class RenderChoices:
     """What an experimenter may choose for any motion.

@@ -12,7 +12,7 @@ from hapticplayer.errors import Message
 from hapticplayer.model import ClockMap, ImuLog
 
 if TYPE_CHECKING:
-    from hapticplayer.capture.vision import FrameRotation
+    from hapticplayer.capture.frames import FrameRotation
 
 SOUND_RATE_HZ = 16_000
 
@@ -25,7 +25,7 @@ CLEAR_RATIO = 1.2
 
 
 COARSE = "vectors"
-"""Kind of features (`capture.vision.FeatureKind`) that need no OpenCV."""
+"""Kind of features (`capture.frames.FeatureKind`) that need no OpenCV."""
 
 COARSE_NOTE = Message(
     "The frames were compared by the motion vectors of the codec, which is coarse; with "

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.capture.frames import frame_function
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import (
     SOUND_RATE_HZ,
@@ -104,7 +105,7 @@ def automatic(inputs: SyncInput) -> Synchronisation:
     if inputs.look is None:
         return by_pats(inputs)
     pats, problem = _tried(by_pats, inputs)
-    frames, unseen = _tried(by_frames, inputs)
+    frames, unseen = _tried(sync_method("frames").function(), inputs)
     if pats is not None and frames is not None:
         return joined_findings(pats, frames)
     if frames is not None:
@@ -201,9 +202,9 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
         )
     lag = inputs.lag
     if lag is not None and not lag.is_measured and inputs.look is not None:
-        from hapticplayer.capture.sync.own_clock import with_lag_by_frames
-
-        return with_lag_by_frames(inputs.imu, inputs.own, inputs.look)
+        measured = frame_function("lag")(inputs.imu, inputs.own, inputs.look)
+        assert isinstance(measured, Synchronisation)
+        return measured
     return Synchronisation(
         inputs.own,
         "embedded",
@@ -225,27 +226,6 @@ def by_pats(inputs: SyncInput) -> Synchronisation:
     if found is None:
         found = Synchronisation(ClockMap(confidence=0.0), "pats")
     return _without_skew(found, sound)
-
-
-def by_frames(inputs: SyncInput) -> Synchronisation:
-    """Compare the camera's rotation in the frames with the log's gyro."""
-    if inputs.look is None:
-        raise UsageError("the method frames needs a clip")
-    from hapticplayer.capture.sync.pictures import (
-        refuse_without_gyro,
-        synchronize_frames,
-    )
-
-    refuse_without_gyro(inputs.imu)
-    is_own = inputs.own is not None
-    found = synchronize_frames(inputs.imu, inputs.look(), is_own=is_own)
-    lag = inputs.lag
-    if lag is None or lag.is_measured or not found.is_confident:
-        return found
-    from hapticplayer.capture.sync.own_clock import MOST_LAG_S, lag_by_frames
-
-    lag = lag_by_frames(found)
-    return dataclasses.replace(found, lag=lag if abs(lag.lag_s) < MOST_LAG_S else None)
 
 
 def by_variance(inputs: SyncInput) -> Synchronisation:

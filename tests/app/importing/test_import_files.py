@@ -5,9 +5,9 @@ import pytest
 
 from app.experimenter import import_suggestion, import_wizard
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT
-from hapticplayer.capture.vision import estimate
+from hapticplayer.extras.frames import estimate
 from hapticplayer.sequence import open_sequence
-from tests.unit.capture.vision.made_up import stepping, steps, suggested, turning
+from tests.unit.extras.frames.made_up import stepping, steps, suggested, turning
 
 
 def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_path):
@@ -129,7 +129,7 @@ def test_a_plain_video_gets_an_estimate_if_a_person_wants_it(
 def test_without_opencv_the_estimate_cannot_be_chosen(
     wizard, plain, wait_for, monkeypatch
 ):
-    monkeypatch.setattr(import_suggestion, "is_available", lambda: False)
+    monkeypatch.setattr(import_suggestion, "is_exact", lambda: False)
     wizard.take([plain])
     wait_for(wizard.files.suggestion.isVisible)
     assert not wizard.files.suggestion.choice.isEnabled()

@@ -13,8 +13,8 @@ from app.experimenter import import_wizard
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, ImportWizard
 from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.sync import methods
-from hapticplayer.capture.vision import is_available
 from hapticplayer.errors import Message
+from hapticplayer.extras.frames.watching import is_available
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence

@@ -11,7 +11,6 @@ import pytest
 from hapticplayer import storage
 from hapticplayer.capture.mounting import BY_FRAMES
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.capture.sync import pictures
 from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.cli import main
 from hapticplayer.errors import Cancelled, HapticPlayerError, InputError
@@ -49,13 +48,12 @@ def test_a_video_with_a_log_becomes_a_sequence(tmp_path, tiny_clip, log_file):
 def test_following_frames_moves_the_bar_for_most_of_it(
     tmp_path, tiny_clip, log_file, monkeypatch
 ):
-    def watch(_clip, progress):
+    def follow(_clip, _imu, _clock, progress):
         for share in (0.0, 0.5, 1.0):
             progress(share, "following the frames")
+        return FoundMounting("y,-x,z", 2.0, "x,y,z")
 
-    monkeypatch.setattr(mounting_by_frames, "watch", watch)
-    found = FoundMounting("y,-x,z", 2.0, "x,y,z")
-    monkeypatch.setattr(pictures, "find_mounting", lambda *_arguments: found)
+    monkeypatch.setattr(mounting_by_frames, "frame_function", lambda _name: follow)
     steps = []
     build_sequence(
         tiny_clip.path,

@@ -5,7 +5,6 @@ import pytest
 
 from hapticplayer.capture.mounting import axes_matrix
 from hapticplayer.capture.recording import Recording
-from hapticplayer.capture.sync import pictures
 from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.errors import UsageError, no_progress
 from hapticplayer.media.clip_info import ClipInfo
@@ -42,12 +41,8 @@ def test_a_mounting_found_by_synchronising_is_taken() -> None:
 
 def test_frames_are_followed_where_nothing_was_found(monkeypatch) -> None:
     by_frames = FoundMounting("y,-x,z", 2.0, "x,y,z")
-    monkeypatch.setattr(module, "watch", lambda _clip, _progress: "frames")
-    monkeypatch.setattr(
-        pictures,
-        "find_mounting",
-        lambda _imu, frames, _clock: {"frames": by_frames}[frames],
-    )
+    asked = {"mounting": lambda *_given: by_frames}
+    monkeypatch.setattr(module, "frame_function", asked.get)
 
     found = mounting_by_frames(CLIP, recording("x,y,z", None), no_progress)
 

@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from hapticplayer.capture.frames import FeatureKind, FrameRotation
 from hapticplayer.capture.mounting import axes_matrix
-from hapticplayer.capture.sync.pictures import synchronize_frames
-from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
+from hapticplayer.extras.frames.pictures import synchronize_frames
+from hapticplayer.extras.frames.rotation import rotation
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ImuLog
-from tests.unit.capture.vision.conftest import FRAME_RATE_HZ, film, turning
-from tests.unit.capture.vision.test_rotation import FOCAL_GAIN, RIDE_S
+from tests.unit.extras.frames.conftest import FRAME_RATE_HZ, film, turning
+from tests.unit.extras.frames.test_rotation import FOCAL_GAIN, RIDE_S
 
 
 @pytest.fixture(autouse=True)

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from hapticplayer.capture.sync.rotation_match import Gyro, Watched, high_passed
-from hapticplayer.capture.vision import FrameRotation
+from hapticplayer.capture.frames import FrameRotation
+from hapticplayer.extras.frames.rotation_match import Gyro, Watched, high_passed
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 
@@ -40,3 +40,10 @@ def turn_rate_of_gyro(imu: ImuLog) -> tuple[Floats, Floats]:
     high = high_passed(gyro.rotation(begin_s, end_s), 1.0 / _STEP_S)
     rate = np.linalg.norm(high, axis=1) / _STEP_S
     return 0.5 * (begin_s + end_s), np.where(gyro.knows(begin_s, end_s), rate, 0.0)
+
+
+def turn_rates(
+    imu: ImuLog, frames: FrameRotation
+) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
+    """Those of the frames and of the gyro."""
+    return turn_rate_of_frames(frames), turn_rate_of_gyro(imu)

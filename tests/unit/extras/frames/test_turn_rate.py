@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from hapticplayer.capture.sync.turn_rate import turn_rate_of_frames, turn_rate_of_gyro
-from hapticplayer.capture.vision import FrameRotation
+from hapticplayer.capture.frames import FrameRotation
+from hapticplayer.extras.frames.turn_rate import turn_rate_of_frames, turn_rate_of_gyro
 from hapticplayer.model import ImuLog
 
 OFFSET_S = 2.4  # media time at which the log's clock reads zero

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from hapticplayer.capture.vision.egomotion import AHEAD, egomotion, rotation_alone
+from hapticplayer.extras.frames.egomotion import AHEAD, egomotion, rotation_alone
 
 PX = 1 / 190.0
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from hapticplayer.capture.vision.estimate import Suggestion, suggestion
-from hapticplayer.capture.vision.ground import GroundMotion
+from hapticplayer.extras.frames.estimate import Suggestion, suggestion
+from hapticplayer.extras.frames.ground import GroundMotion
 
 FRAME_S = 1.0 / 30.0
 DURATION_S = 20.0

@@ -9,23 +9,27 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hapticplayer.capture.clock_lag import FRAMES, ClockLag, unstamped
-from hapticplayer.capture.sync.pictures import (
+from hapticplayer.capture.clock_lag import CORI, FRAMES, ClockLag, unstamped
+from hapticplayer.capture.frames import FrameRotation
+from hapticplayer.capture.sync.result import Synchronisation, SyncInput
+from hapticplayer.errors import InputError, Message, UsageError
+from hapticplayer.extras.frames.pictures import (
     find_mounting,
     finding,
+    refuse_without_gyro,
     spans_to_watch,
+    synchronize_frames,
     usable,
 )
-from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.capture.sync.rotation_line import Line, fit_line
-from hapticplayer.capture.sync.rotation_match import Gyro, RotationFit, fit_at
-from hapticplayer.capture.vision import FrameRotation
-from hapticplayer.errors import InputError, Message
+from hapticplayer.extras.frames.rotation_line import Line, fit_line
+from hapticplayer.extras.frames.rotation_match import Gyro, RotationFit, fit_at
 from hapticplayer.model import ClockMap, ImuLog
 
 MOST_LAG_S = 0.05
 """Cameras are 10 to 30 ms off; a larger one is not believed."""
 
+_LEAST_EXPLAINED = 0.9
+_MOST_SIGMA_S = 0.002
 _REACH_S, _STEP_S = 0.06, 0.004
 _MUCH = 0.5  # of the rotation in frames
 _MARGIN_S = 0.5  # of the log around the parts that are looked at
@@ -72,6 +76,24 @@ def sigma_of_windows_s(line: Line) -> float:
     trust = 1.0 / line.window_sigma_s**2
     square = float(trust @ line.window_error_s**2) / max(1, len(trust) - 1)
     return float(np.sqrt(max(1.0, square) / trust.sum()))
+
+
+def clock_by_rotation(
+    imu: ImuLog, rotation: FrameRotation
+) -> tuple[ClockMap, ClockLag] | None:
+    """The gyro's clock by a rotation that the camera recorded; None where it is unsure."""
+    try:
+        found = fit_own_clock(imu, rotation)
+    except InputError:  # too short, or no rotation
+        return None
+    if found is None:
+        return None
+    sigma_s = sigma_of_windows_s(found.line)
+    is_sure = found.fit.unexplained <= 1.0 - _LEAST_EXPLAINED
+    if not is_sure or sigma_s > _MOST_SIGMA_S:
+        return None
+    clock = found.line.clock_map(found.line.shift_s, 1.0)
+    return clock, ClockLag(CORI, found.line.shift_s, sigma_s)
 
 
 def with_lag_by_frames(
@@ -155,3 +177,17 @@ def _near(imu: ImuLog, spans_s: Spans) -> ImuLog:
         sampling=imu.sampling,
         source=imu.source,
     )
+
+
+def by_frames(inputs: SyncInput) -> Synchronisation:
+    """Compare the camera's rotation in the frames with the log's gyro."""
+    if inputs.look is None:
+        raise UsageError("the method frames needs a clip")
+    refuse_without_gyro(inputs.imu)
+    is_own = inputs.own is not None
+    found = synchronize_frames(inputs.imu, inputs.look(), is_own=is_own)
+    lag = inputs.lag
+    if lag is None or lag.is_measured or not found.is_confident:
+        return found
+    lag = lag_by_frames(found)
+    return dataclasses.replace(found, lag=lag if abs(lag.lag_s) < MOST_LAG_S else None)

@@ -8,14 +8,15 @@ import pytest
 from scipy.signal import butter, sosfiltfilt
 from scipy.spatial.transform import Rotation
 
+from hapticplayer.capture.frames import FeatureKind, FrameRotation
 from hapticplayer.capture.mounting import axes_matrix
-from hapticplayer.capture.sync.pictures import synchronize_frames
-from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
 from hapticplayer.errors import Cancelled, InputError
+from hapticplayer.extras.frames.pictures import synchronize_frames
+from hapticplayer.extras.frames.rotation import rotation
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.frames import FrameConverter
 from hapticplayer.model import ImuLog
-from tests.unit.capture.vision.conftest import FRAME_RATE_HZ, film, turning
+from tests.unit.extras.frames.conftest import FRAME_RATE_HZ, film, turning
 
 RIDE_S = 6
 FOCAL_GAIN = np.tan(np.radians(40.0)) / np.tan(np.radians(42.0))

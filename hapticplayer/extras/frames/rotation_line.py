@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.ndimage import uniform_filter1d
 
-from hapticplayer.capture.sync.rotation_match import (
+from hapticplayer.extras.frames.rotation_match import (
     QUIET_RADPS,
     Gyro,
     RotationFit,

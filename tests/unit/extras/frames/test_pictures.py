@@ -6,19 +6,20 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 
+from hapticplayer.capture.frames import FeatureKind, FrameRotation
 from hapticplayer.capture.mounting import all_mountings, axes_matrix
 from hapticplayer.capture.sync import synchronize as module
-from hapticplayer.capture.sync.pictures import (
+from hapticplayer.capture.sync.result import Pat, Synchronisation, SyncInput
+from hapticplayer.capture.sync.synchronize import automatic, joined_findings
+from hapticplayer.cli.recording_options import sync_text
+from hapticplayer.errors import InputError, MediaError, UsageError
+from hapticplayer.extras.frames import own_clock
+from hapticplayer.extras.frames.pictures import (
     LONG_S,
     find_mounting,
     spans_to_watch,
     synchronize_frames,
 )
-from hapticplayer.capture.sync.result import Pat, Synchronisation, SyncInput
-from hapticplayer.capture.sync.synchronize import automatic, joined_findings
-from hapticplayer.capture.vision import FeatureKind, FrameRotation
-from hapticplayer.cli.recording_options import sync_text
-from hapticplayer.errors import InputError, MediaError, UsageError
 from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.sequence.synchronizing import uncertainty
 
@@ -259,8 +260,8 @@ def test_a_bend_is_enough_for_the_own_log_of_a_clip() -> None:
     noise_rad = np.random.default_rng(6).normal(0.0, 3e-4, near.rotation_rad.shape)
     near = replace(near, rotation_rad=near.rotation_rad + noise_rad)
 
-    one = module.by_frames(SyncInput(imu, lambda: None, look=lambda: near))
-    own = module.by_frames(
+    one = own_clock.by_frames(SyncInput(imu, lambda: None, look=lambda: near))
+    own = own_clock.by_frames(
         SyncInput(imu, lambda: None, own=ClockMap(), look=lambda: near)
     )
 
@@ -492,7 +493,7 @@ def test_a_log_without_a_gyro_is_refused_at_once() -> None:
     no_gyro = replace(imu, angular_rate_radps=np.zeros((len(imu), 3)))
 
     with pytest.raises(InputError, match=r"no angular rate.*--sync pats"):
-        module.by_frames(SyncInput(no_gyro, lambda: None, look=pytest.fail))
+        own_clock.by_frames(SyncInput(no_gyro, lambda: None, look=pytest.fail))
 
 
 def test_coarse_frames_are_less_certain(found_by_frames) -> None:
@@ -519,4 +520,4 @@ def test_coarse_frames_are_less_certain(found_by_frames) -> None:
 
 def test_frames_need_a_clip() -> None:
     with pytest.raises(UsageError, match="needs a clip"):
-        module.by_frames(SyncInput(Ride(1).log(ClockMap()), lambda: None))
+        own_clock.by_frames(SyncInput(Ride(1).log(ClockMap()), lambda: None))

@@ -5,13 +5,13 @@ import json
 import numpy as np
 import pytest
 
-from hapticplayer.capture.vision import estimate, watching
 from hapticplayer.cli import main
 from hapticplayer.errors import InputError, StudyError, TelemetryError, UsageError
+from hapticplayer.extras.frames import estimate, suggesting, watching
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering import render_force
-from hapticplayer.sequence import open_sequence, sharing, store, suggesting
+from hapticplayer.sequence import open_sequence, sharing, store
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.comparison import stored_rendering
 from hapticplayer.sequence.editing import set_mapping
@@ -21,7 +21,7 @@ from hapticplayer.sequence.report import Mark
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.session_setup import load_study_sources
 from tests.unit.capture.conftest import recorded
-from tests.unit.capture.vision.made_up import stepping, steps, suggested, turning
+from tests.unit.extras.frames.made_up import stepping, steps, suggested, turning
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hapticplayer.capture.vision.features import CELL_PX, Matches
+from hapticplayer.extras.frames.features import CELL_PX, Matches
 from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.media.vectors import BlockMotion, block_motion, is_between
 from hapticplayer.model.arrays import Floats

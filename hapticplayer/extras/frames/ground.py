@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.vision.egomotion import AHEAD, egomotion, rotation_flow
-from hapticplayer.capture.vision.watching import FEWEST, Seen, View
+from hapticplayer.extras.frames.egomotion import AHEAD, egomotion, rotation_flow
+from hapticplayer.extras.frames.watching import FEWEST, Seen, View
 from hapticplayer.model.arrays import Floats
 
 BIN_S = 0.5

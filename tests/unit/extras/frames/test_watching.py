@@ -4,9 +4,12 @@ import sys
 
 import pytest
 
+from hapticplayer.capture.frames import FeatureKind
 from hapticplayer.capture.sync.result import COARSE_NOTE
-from hapticplayer.capture.vision import FeatureKind, is_available, rotation, watching
 from hapticplayer.errors import InputError
+from hapticplayer.extras.frames import watching
+from hapticplayer.extras.frames.rotation import rotation
+from hapticplayer.extras.frames.watching import is_available
 from hapticplayer.sequence.synchronizing import coarse_notes
 
 

@@ -7,7 +7,7 @@ do far things while it does not rotate; only these follow when it does.
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.vision.features import CELL_PX, Matches
+from hapticplayer.extras.frames.features import CELL_PX, Matches
 from hapticplayer.model.arrays import Floats
 
 _MEMORY = 0.02  # share of the newest frame

@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 from scipy import signal
 
-from hapticplayer.capture.vision.estimate import (
+from hapticplayer.errors import Cancelled, InputError
+from hapticplayer.extras.frames.estimate import (
     HEIGHT_M,
     RATE_HZ,
     TOP_HZ,
     Suggestion,
     suggest_motion,
 )
-from hapticplayer.errors import Cancelled, InputError
-from tests.unit.capture.vision.conftest import film
-from tests.unit.capture.vision.made_up import SPEED, stepping, steps, suggested, turning
+from tests.unit.extras.frames.conftest import film
+from tests.unit.extras.frames.made_up import SPEED, stepping, steps, suggested, turning
 
 
 def around(found: Suggestion, begin_s: float, end_s: float) -> np.ndarray:

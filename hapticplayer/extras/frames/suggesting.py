@@ -8,15 +8,13 @@ from hapticplayer.capture.source import LogPath
 from hapticplayer.errors import InputError, Message, Progress, UsageError, joined
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ClockMap, Mapping
-from hapticplayer.sequence.writing import Content
+from hapticplayer.sequence.writing import ESTIMATE, Content
 
 SOURCE = Message("estimated from the picture")
 WHAT_IT_IS = Message(
     "the motion was estimated from the picture, nothing measured it: its strength is a "
     "guess, and studies refuse it unless they name the feedback 'estimated'"
 )
-ESTIMATE = "estimate"
-"""Name of the arrays with sigma and trust of each part, and of their summary."""
 
 
 def suggested(
@@ -49,7 +47,7 @@ def suggested(
         )
     if mapping.moves_point:
         raise UsageError("a lever arm needs the angular rate of the recording")
-    from hapticplayer.capture.vision import estimate
+    from hapticplayer.extras.frames import estimate
 
     found = estimate.suggest_motion(clip.path, gain=gain, progress=progress)
     if not found.motion.acceleration_mps2.any():

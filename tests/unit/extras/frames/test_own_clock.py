@@ -7,15 +7,17 @@ import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.clock_lag import unstamped
+from hapticplayer.capture.frames import FeatureKind, FrameRotation
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation, SyncInput
-from hapticplayer.capture.sync.synchronize import by_frames, by_own_clock
-from hapticplayer.capture.vision import FeatureKind, FrameRotation, rotation
+from hapticplayer.capture.sync.synchronize import by_own_clock
 from hapticplayer.errors import InputError, Message
+from hapticplayer.extras.frames.own_clock import by_frames
+from hapticplayer.extras.frames.rotation import rotation
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 from tests.unit.capture.conftest import recorded
-from tests.unit.capture.sync.test_pictures import CLIP_S, NOISE_RAD, Ride
+from tests.unit.extras.frames.test_pictures import CLIP_S, NOISE_RAD, Ride
 
 
 def refined(imu: ImuLog, frames: FrameRotation) -> Synchronisation:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from hapticplayer.capture.frames import FeatureKind, FrameRotation
 from hapticplayer.capture.mounting import all_mountings, axes_matrix
 from hapticplayer.capture.sync.result import (
     ENOUGH_CONFIDENCE,
@@ -14,16 +15,17 @@ from hapticplayer.capture.sync.result import (
     Rival,
     Synchronisation,
 )
-from hapticplayer.capture.sync.rotation_line import WINDOW_S, Line, fit_line
-from hapticplayer.capture.sync.rotation_match import (
+from hapticplayer.errors import InputError, Message, Progress
+from hapticplayer.extras.frames.rotation import rotation
+from hapticplayer.extras.frames.rotation_line import WINDOW_S, Line, fit_line
+from hapticplayer.extras.frames.rotation_match import (
     Gyro,
     RotationFit,
     Watched,
     candidates,
     fit_at,
 )
-from hapticplayer.capture.vision import FeatureKind, FrameRotation
-from hapticplayer.errors import InputError, Message
+from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 
@@ -71,7 +73,7 @@ def synchronize_frames(
 
     Args:
         imu: the log, with a gyro; its axes may be any.
-        frames: rotation of the clip, from `capture.vision.rotation`.
+        frames: rotation of the clip, from `rotation.rotation`.
         is_own: whether the log is known to be the clip's own.
 
     Raises:
@@ -306,3 +308,17 @@ def _confidence(weakest: float, *, is_coarse: bool) -> float:
     """
     most = _COARSE_CONFIDENCE if is_coarse else 1.0
     return most / (1.0 + math.exp(-3.0 * min(max(weakest, -10.0), 10.0)))
+
+
+def watch(clip: ClipInfo, progress: Progress) -> FrameRotation:
+    """Follow the frames of a clip, of a long one parts."""
+    spans_s = spans_to_watch(clip.duration_s)
+    return rotation(clip.path, spans_s=spans_s, progress=progress)
+
+
+def mounting_of(
+    clip: ClipInfo, imu: ImuLog, clock_map: ClockMap, progress: Progress
+) -> FoundMounting:
+    """The mounting of a log that is synchronised with a clip."""
+    refuse_without_gyro(imu)
+    return find_mounting(imu, watch(clip, progress), clock_map)

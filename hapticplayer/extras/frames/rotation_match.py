@@ -15,7 +15,7 @@ from scipy.fft import irfft, next_fast_len, rfft
 from scipy.interpolate import CubicSpline
 from scipy.signal import butter, sosfiltfilt
 
-from hapticplayer.capture.vision import FrameRotation
+from hapticplayer.capture.frames import FrameRotation
 from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import are_gaps
@@ -99,7 +99,7 @@ class Watched:
 
     @classmethod
     def of(cls, frames: FrameRotation) -> "Watched":
-        """Prepare what `capture.vision.rotation` gives."""
+        """Prepare what `rotation.rotation` gives."""
         step_s = float(np.median(frames.end_s - frames.begin_s))
         breaks = np.flatnonzero(frames.begin_s[1:] > frames.end_s[:-1] + 1e-6) + 1
         edges = [0, *breaks.tolist(), len(frames)]

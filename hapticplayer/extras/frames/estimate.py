@@ -14,9 +14,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy import ndimage, signal
 
-from hapticplayer.capture.vision.ground import Ground, GroundMotion
-from hapticplayer.capture.vision.watching import watched
 from hapticplayer.errors import InputError, Message, Progress
+from hapticplayer.extras.frames.ground import Ground, GroundMotion
+from hapticplayer.extras.frames.watching import watched
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, MotionTrack
 from hapticplayer.model.arrays import Floats

@@ -1,6 +1,5 @@
 """Follows the frames of a clip: what moved where, and how the camera rotated."""
 
-import enum
 import functools
 import importlib
 import importlib.util
@@ -11,21 +10,22 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.vision.block_vectors import BlockVectors
-from hapticplayer.capture.vision.carrier import Carrier
-from hapticplayer.capture.vision.egomotion import (
+from hapticplayer.capture.frames import FeatureKind
+from hapticplayer.errors import InputError, Message, Progress
+from hapticplayer.extras.frames.block_vectors import BlockVectors
+from hapticplayer.extras.frames.carrier import Carrier
+from hapticplayer.extras.frames.egomotion import (
     AHEAD,
     Egomotion,
     egomotion,
     rotation_flow,
 )
-from hapticplayer.capture.vision.features import (
+from hapticplayer.extras.frames.features import (
     CELL_PX,
     Features,
     FeatureTracker,
     Matches,
 )
-from hapticplayer.errors import InputError, Message, Progress
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.media.vectors import VectorDecoder
@@ -49,13 +49,6 @@ _LEAST_AGREEMENT = 0.3
 _MEMORY = 0.15  # share of the newest in the mean direction of travel
 
 Spans = Sequence[tuple[float, float]]
-
-
-class FeatureKind(enum.StrEnum):
-    """What frames are compared by."""
-
-    CORNERS = "corners"  # followed by OpenCV
-    VECTORS = "vectors"  # motion vectors of the codec: coarse
 
 
 class View(NamedTuple):

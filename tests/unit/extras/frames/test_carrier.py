@@ -1,7 +1,7 @@
 import numpy as np
 
-from hapticplayer.capture.vision.carrier import Carrier
-from hapticplayer.capture.vision.features import CELL_PX, Matches
+from hapticplayer.extras.frames.carrier import Carrier
+from hapticplayer.extras.frames.features import CELL_PX, Matches
 
 WIDTH_PX, HEIGHT_PX = 320, 180
 HORIZON = slice(0, 20)
