@@ -62,7 +62,6 @@ def _exit_at_once(_number: int, _frame: "FrameType | None") -> None:
 
 
 def _open_standard_streams() -> None:
-    """Keep the files that are opened from taking the number of a closed stream."""
     while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
         os.set_inheritable(number, True)
     os.close(number)

@@ -199,9 +199,6 @@ def entry_named(known: Mapping[str, T], name: str, what: Message) -> T:
         known: the entries by name, as people see them.
         name: that was given.
         what: each is, such as `Message("preset")`.
-
-    Raises:
-        UsageError: naming all that there are.
     """
     if name in known:
         return known[name]

@@ -129,9 +129,6 @@ def folder_written_aside(target: Path, mode: int = 0o755) -> Iterator[Path]:
     """Yield a new folder that becomes `target`, with this mode, if the block succeeds.
 
     Otherwise nothing remains.
-
-    Raises:
-        InputError: when the target exists or its parent cannot be written.
     """
     target = Path.cwd() / target
     refuse_existing(target, FOLDER)
@@ -354,9 +351,6 @@ def copy_file(source: HeldFile, target: Path, report: Callable[[float], None]) -
 
     Returns:
         SHA-256 of what was copied.
-
-    Raises:
-        InputError: when the source has changed.
     """
     digest, done = hashlib.sha256(), 0
     with target.open("xb") as writer:

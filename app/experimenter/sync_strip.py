@@ -175,7 +175,6 @@ class SyncStrip(QWidget):
         self.update()
 
     def show_whole(self) -> None:
-        """Show the whole clip."""
         ends_s = [lane.curve[0][-1] for lane in self.lanes if lane.of == OF_CLIP]
         self.show_span(0.0, float(max(ends_s, default=1.0)))
 
@@ -214,7 +213,6 @@ class SyncStrip(QWidget):
         return [float(at) for at in time_s[first + 1 + strongest]]
 
     def show_span(self, begin_s: float, end_s: float) -> None:
-        """Show a span of media time."""
         self.view_s = (begin_s, max(end_s, begin_s + _SHORTEST_S))
         self.update()
 
@@ -228,12 +226,10 @@ class SyncStrip(QWidget):
         self.shifted.emit(self.shift_s)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of the log's lanes, or of the view."""
         self._held_x = event.position().x()
         self._held_shift_s, self._held_view_s = self.shift_s, self.view_s
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Move what is held, or the cursor."""
         if self._held_x is None:
             at_s = self.view_s[0] + event.position().x() * self._s_per_px()
             self.point_at(at_s)
@@ -246,12 +242,10 @@ class SyncStrip(QWidget):
             self._choose(self._held_shift_s + moved_s)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Release the device."""
         self._held_x = None
         event.accept()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom around the pointer."""
         begin_s, end_s = self.view_s
         at_s = begin_s + event.position().x() * self._s_per_px()
         factor = _ZOOM ** (-event.angleDelta().y() / 120.0)
@@ -259,7 +253,6 @@ class SyncStrip(QWidget):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move the log's lanes in small steps, or the cursor by a frame."""
         frame = {Qt.Key.Key_Comma: -1, Qt.Key.Key_Period: 1}.get(Qt.Key(event.key()))
         if frame is not None:
             middle_s = 0.5 * (self.view_s[0] + self.view_s[1])
@@ -280,7 +273,6 @@ class SyncStrip(QWidget):
     # --- painting --------------------------------------------------------------
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the lanes, the pats and the time line."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(theme.PANEL))
         bottom = float(self.height() - _LABELS_PX)

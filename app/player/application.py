@@ -44,12 +44,7 @@ AT_REST_MS = 150  # the log includes the force at rest after the end
 
 
 def run(options: argparse.Namespace) -> int:
-    """Show the window and return the exit status once it is closed.
-
-    Raises:
-        HapticPlayerError: when what the command line names cannot be played; no
-            window has been shown then.
-    """
+    """Show the window and return the exit status once it is closed."""
     source = opened(options) if options.source else None
     feedback = None
     if source:

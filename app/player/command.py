@@ -68,5 +68,4 @@ class Command(NamedTuple, Generic[W]):
 def owner_of(
     key: QKeySequence, commands: Iterable[Command[W]], chosen: dict[str, Any]
 ) -> Command[W] | None:
-    """The command that has a key already."""
     return next((one for one in commands if key in one.keys_in(chosen)), None)

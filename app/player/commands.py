@@ -114,7 +114,6 @@ class Actions:
             raise AttributeError(name) from None
 
     def apply_keys(self) -> None:
-        """Give every action the keys that the settings say."""
         chosen = self._settings.table(KEYS)
         for command in COMMANDS:
             self.by_name[command.name].setShortcuts(command.keys_in(chosen))
@@ -158,5 +157,4 @@ class Actions:
 
     @property
     def playing(self) -> list[QAction]:
-        """What needs a clip."""
         return [self.by_name[c.name] for c in COMMANDS if c.needs_clip]

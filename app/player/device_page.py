@@ -74,7 +74,6 @@ class DevicePage(QDialog):
 
     @property
     def is_running(self) -> bool:
-        """Whether a device is held."""
         return self.test is not None
 
     def begin(self) -> None:

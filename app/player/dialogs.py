@@ -228,7 +228,6 @@ class Dialogs(DeviceDialogs):
         choose_library(self._settings, folder)
 
     def show(self, make: Callable[[QWidget], QDialog]) -> None:
-        """Show an information dialog."""
         make(self._window).open()
 
     def shortcuts(self, commands: tuple[Command[Any], ...]) -> None:

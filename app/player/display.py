@@ -169,7 +169,6 @@ class PlotArea(QFrame):
             self.panel.show_grip(grip_of(now, ticks_since))
 
     def show_grip(self, *, is_wanted: bool) -> None:
-        """Show or hide the grip beside the plots."""
         self._has_grip = is_wanted
         if self.panel is not None:
             self.panel.offer_grip(is_wanted=is_wanted)

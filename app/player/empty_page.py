@@ -74,7 +74,6 @@ class EmptyPage(QWidget):
         return QSize(least.width(), max(least.height(), high_px - _ICON_PX))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Another width may need another line."""
         super().resizeEvent(event)
         self.updateGeometry()
 
@@ -97,15 +96,12 @@ class _Icon(QWidget):
         self._icon = icon("hapticplayer")
 
     def sizeHint(self) -> QSize:
-        """The preferred size."""
         return QSize(_ICON_PX, _ICON_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """The least size."""
         return QSize(_LEAST_ICON_PX, 0)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it in the middle."""
         if self.height() < _LEAST_ICON_PX:
             return
         with QPainter(self) as painter:

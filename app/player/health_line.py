@@ -54,7 +54,6 @@ class HealthEntry(QWidget):
         return max(self._name.sizeHint().width(), value_px)
 
     def text(self) -> str:
-        """Return the value that is shown."""
         return self._value.text()
 
     def show_reading(self, reading: Reading) -> None:
@@ -113,7 +112,6 @@ class HealthLine(QFrame):
         layout.activate()  # now: else new values are drawn once in the old room
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Share the room again."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():  # another row is no reason
             self._take_letters(0)

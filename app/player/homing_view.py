@@ -100,7 +100,6 @@ class HomingDrawing(QWidget):
         self.setAccessibleName(translate("HomingPicture", "The Falcon's grip"))
 
     def sizeHint(self) -> QSize:
-        """The preferred size."""
         return QSize(WIDTH_PX, HEIGHT_PX)
 
     @property
@@ -116,7 +115,6 @@ class HomingDrawing(QWidget):
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw both views side by side."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         half = self.width() / 2.0

@@ -107,7 +107,6 @@ class KeysDialog(QDialog):
             self.table.setItem(row, 1, QTableWidgetItem(keys))
 
     def choose(self, name: str) -> None:
-        """Choose a command by its name."""
         self.table.selectRow([command.name for command in self._commands].index(name))
 
     def _chosen(self) -> Command[Any]:

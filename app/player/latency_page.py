@@ -208,12 +208,10 @@ class LatencyPage(QDialog):
         super().reject()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Take the space bar for a tap where nothing has the focus."""
         if not self._is_tap(event):
             super().keyPressEvent(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
-        """Take the space bar for a tap where a choice or a number has the focus."""
         is_key = event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent)
         if is_key and self.mode != TOGETHER and self._is_tap(event):
             return True

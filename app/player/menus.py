@@ -40,7 +40,6 @@ class History:
         self._settings.keep(RECENT, [whole, *others][:MOST_RECENT])
 
     def forget(self) -> None:
-        """Empty the list, and forget the positions."""
         self._settings.keep(RECENT, [])
         self._settings.keep(POSITIONS, {})
 
@@ -72,7 +71,6 @@ class History:
 
 
 def is_worth_keeping(media_s: float, duration_s: float) -> bool:
-    """Whether it is worth resuming here."""
     return FROM_START_S <= media_s <= duration_s - FROM_END_S
 
 

@@ -70,7 +70,6 @@ def state_text(output: OutputSnapshot) -> str:
 
 
 def figures_text(output: OutputSnapshot) -> str:
-    """Return latency and gain of an output."""
     sign = "\u2248\u2009" * (output.latency_source is LatencySource.ASSUMED)
     latency = f"{sign}{1e3 * output.latency_s:.0f}\u00a0ms"
     return local(f"{latency}, \u00d7\u2009{output.gain:.2f}")

@@ -45,7 +45,6 @@ class OpenWindow(QObject):
 
     @property
     def is_remaking(self) -> bool:
-        """Whether another window is on its way."""
         return self._steps is not None
 
     def begin(self) -> None:
@@ -158,7 +157,6 @@ def _until_idle(window: PlayerWindow) -> Iterator[None]:
 
 
 def apply_appearance(application: QApplication, settings: Settings) -> None:
-    """Apply theme and language of the settings."""
     for _ in appearance_in_steps(application, settings):
         pass
 

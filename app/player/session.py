@@ -174,7 +174,6 @@ class Session(QObject):
         self.changed.emit()
 
     def choose_leading(self, name: str) -> None:
-        """Let a device lead, in the place of the one that leads."""
         others = [one for one in self.player.output_names[1:] if one != name]
         self.choose_outputs([name, *others])
 

@@ -111,7 +111,6 @@ class SetupPage(QDialog):
 
     @property
     def chosen(self) -> str:
-        """The engine's name of the device that is chosen here."""
         return self.form.name
 
     @property
@@ -135,7 +134,6 @@ class SetupPage(QDialog):
         self._show()
 
     def choose_firmware(self) -> None:
-        """Ask for the firmware's file."""
         ask_for_firmware(self, self.begin, self.on_no_firmware)
 
     def freeze(self, progress: Progress) -> None:
@@ -285,7 +283,6 @@ class SetupPage(QDialog):
         )
 
     def on_no_firmware(self, why: str) -> None:
-        """Show why a file is not a firmware image."""
         self._trouble = DeviceProblem(self.tr("That file cannot be used"), why, False)
 
     def _on_plugged(self) -> None:

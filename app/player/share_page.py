@@ -228,7 +228,6 @@ class SharePage(JobDialog):
 
 
 def size_text(size_bytes: int) -> str:
-    """Return a size in MB as the language writes it."""
     digits = 3 if size_bytes < _MEGABYTE else 1
     text = translate("SharePage", "{number} MB")
     return text.format(number=local(f"{size_bytes / _MEGABYTE:.{digits}f}"))

@@ -64,11 +64,9 @@ class SyncPlot(QWidget):
         self.hide()
 
     def sizeHint(self) -> QSize:
-        """Return how high it wants to be."""
         return QSize(320, _HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """Return how low it can be."""
         return QSize(160, _LEAST_HEIGHT_PX)
 
     def follow(self, now_s: float, sync_traces: Callable[[], SyncTraces]) -> None:
@@ -80,7 +78,6 @@ class SyncPlot(QWidget):
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw band, marks, points and what they mean."""
         with QPainter(self) as painter:
             painter.fillRect(self.rect(), QColor(theme.PANEL))
             painter.setPen(QColor(theme.BORDER))

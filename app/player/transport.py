@@ -148,7 +148,6 @@ class Transport(QFrame):
         self.mute.setToolTip(self.tr("{name} (M)").format(name=name))
 
     def show_speed(self, speed: float) -> None:
-        """Show the speed, where it is not the normal one."""
         self.speed.setText(local(f"{speed:.2f}\u00d7"))
         self.speed.setVisible(abs(speed - 1.0) > 1e-3)
 
@@ -161,7 +160,6 @@ class Transport(QFrame):
         self._show_time(0.0)
 
     def follow(self, media_s: float) -> None:
-        """Show where the clip is."""
         self.slider.follow(media_s)
         self._show_time(media_s)
 
@@ -174,7 +172,6 @@ class Transport(QFrame):
             self.time.fix_width(self.time.fontMetrics().horizontalAdvance(widest) + 4)
 
     def show_playing(self, *, is_playing: bool) -> None:
-        """Offer to pause or to play."""
         offer_play(self.play, is_playing=is_playing)
 
     def show_stopped(self, *, is_stopped: bool) -> None:
@@ -190,11 +187,9 @@ class Transport(QFrame):
         self.feedback.setCurrentIndex(self.feedback.findData(name))
 
     def set_devices(self, offered: Iterable[Choice]) -> None:
-        """Offer these devices."""
         _fill(self.device, offered)
 
     def offers_device(self, name: str) -> bool:
-        """Whether a device can be chosen."""
         return self.device.findData(name) >= 0
 
     def select_device(self, name: str) -> None:
@@ -208,7 +203,6 @@ class Combo(QComboBox):
     opening = Signal()
 
     def showPopup(self) -> None:  # noqa: N802 - Qt's name
-        """Say it, and show the list."""
         self.opening.emit()
         super().showPopup()
 

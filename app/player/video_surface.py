@@ -147,16 +147,13 @@ class VideoSurface(QWidget):
             painter.drawImage(QPointF(self._where.topLeft()), image)
 
     def resizeEvent(self, _event: QResizeEvent) -> None:
-        """Follow the window."""
         self._place()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Toggle fullscreen."""
         if event.button() == Qt.MouseButton.LeftButton:
             self.double_clicked.emit()
 
     def mouseMoveEvent(self, _event: QMouseEvent) -> None:
-        """Tell that the pointer is being used."""
         self.pointer_moved.emit()
 
 

@@ -103,7 +103,6 @@ class PlayerWindow(QMainWindow):
             self.begin()
 
     def begin(self) -> None:
-        """Drive the player, and stop it at Escape."""
         self._escape.install()
         self.pump.start()
 
@@ -208,7 +207,6 @@ class PlayerWindow(QMainWindow):
         self.fullscreen.will_show(self.plots, is_wanted=are_wanted)
 
     def show_grip(self, *, is_wanted: bool) -> None:
-        """Show or hide the grip beside the live plots."""
         self.plots.show_grip(is_wanted=is_wanted)
 
     def show_sync_plot(self, *, is_wanted: bool) -> None:
@@ -235,11 +233,7 @@ class PlayerWindow(QMainWindow):
         keep_outputs(self.settings, self.player.snapshot().outputs)
 
     def _release_devices(self) -> list[str]:
-        """Leave sound and devices to a session; return which devices these are.
-
-        Raises:
-            UsageError: when the force is stopped: a session has no part in the latch.
-        """
+        """Leave sound and devices to a session; return which devices these are."""
         self.player.latch.refuse()
         self.player.pause()
         self.player.lend_outputs()
@@ -259,7 +253,6 @@ class PlayerWindow(QMainWindow):
         self.extras.apply_settings()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take files and folders."""
         if dropped_paths(event.mimeData()):
             event.acceptProposedAction()
 
@@ -349,7 +342,6 @@ class PlayerWindow(QMainWindow):
             self.settings.keep_geometry(self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Bring the hand to rest, and everything to an end."""
         event.accept()
         if self.is_over:
             return

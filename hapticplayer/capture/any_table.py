@@ -52,11 +52,7 @@ def recognises(source: LogSource) -> Confidence:
 
 
 def read(source: LogSource, choices: LogChoices) -> RawLog:
-    """Return the log in one table, or in one for each sensor.
-
-    Raises:
-        UsageError: asking for missing columns or units.
-    """
+    """Return the log in one table, or in one for each sensor."""
     layouts = _layouts(source)
     where = str(source.path)
     if not layouts:
@@ -125,11 +121,7 @@ def _read_table(
 def _columns(
     choices: LogChoices, layouts: list[_Layout], where: str
 ) -> list[tuple[str, ...]]:
-    """Return the name of each column of each table, checked.
-
-    Raises:
-        UsageError: when they are missing or do not fit.
-    """
+    """Return the name of each column of each table, checked."""
     if not choices.columns.replace(",", "").strip():
         raise _question(layouts, where)
     columns = [

@@ -73,12 +73,7 @@ def only_one(found: list[str], source: LogSource) -> str:
 
 
 def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
-    """Return the recording that a raw log holds, in SI and frame A.
-
-    Raises:
-        InputError: when it cannot be used.
-        UsageError: when units or axes are ambiguous.
-    """
+    """Return the recording that a raw log holds, in SI and frame A."""
     raw = _decided(raw, choices)
     samples = _common(raw, where)
     # ten hours take half a gigabyte: free early

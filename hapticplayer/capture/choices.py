@@ -73,11 +73,6 @@ class LogChoices:
 
     @property
     def sample_rate_hz(self) -> float | None:
-        """The rate as a number.
-
-        Raises:
-            UsageError: when it is not a rate.
-        """
         if not self.rate_hz:
             return None
         return SAMPLE_RATE_HZ.parse("rate-hz", self.rate_hz)
@@ -93,9 +88,6 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
         unit: a name in the table, or the factor itself as a number.
         table: of units.
         key: of the choice, for the message.
-
-    Raises:
-        UsageError: for a unit that does not exist.
     """
     if unit in table:
         return table[unit]
@@ -114,12 +106,7 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
 
 
 def parse_choices(words: Sequence[str]) -> LogChoices:
-    """Return the answers in `KEY=VALUE` words; `template=FILE` adds those of a file.
-
-    Raises:
-        UsageError: for a key that does not exist.
-        InputError: for a template that cannot be read.
-    """
+    """Return the answers in `KEY=VALUE` words; `template=FILE` adds those of a file."""
     values: dict[str, str] = {}
     for word in words:
         key, equals, value = word.partition("=")
@@ -143,11 +130,7 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
 
 
 def read_template(path: Path) -> dict[str, str]:
-    """Return the choices of a template by attribute.
-
-    Raises:
-        InputError: when it is not a template.
-    """
+    """Return the choices of a template by attribute."""
     remedy = Message("write one with --save-template")
     text = read_regular(path, MAX_TEMPLATE_BYTES)
     content = parse_json(text, str(path), InputError, remedy)
@@ -181,12 +164,7 @@ def refuse_existing_template(path: Path, overwrite: bool) -> None:
 
 
 def write_template(path: Path, choices: LogChoices, *, overwrite: bool = False) -> None:
-    """Write answers as a template.
-
-    Raises:
-        InputError: when the file exists and is not a template to be overwritten, or
-            cannot be written.
-    """
+    """Write answers as a template."""
     content = {
         key.replace("_", "-"): value
         for key, value in dataclasses.asdict(choices).items()

@@ -103,10 +103,6 @@ def read_table(source: LogSource, name: str, shape: Shape) -> Numbers:
         source: of the recording.
         name: of the member.
         shape: of its rows.
-
-    Raises:
-        InputError: when there are too few rows, too many, or too many damaged ones;
-            of a strict table naming the line and the column at fault.
     """
     with source.opened(name) as stream:
         return read_numbers(stream, shape, source.where(name))
@@ -380,7 +376,6 @@ def column_names(line: str, separator: str = ",") -> tuple[str, ...]:
 
 
 def find_separator(line: str) -> str:
-    """Return the most frequent separator of a line."""
     return max((",", ";", "\t"), key=line.count)
 
 

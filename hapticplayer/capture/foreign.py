@@ -62,11 +62,7 @@ _CERTAIN = (
 
 
 def refuse_foreign(source: LogSource) -> None:
-    """Reject what its first bytes name.
-
-    Raises:
-        InputError: with what to export instead.
-    """
+    """Reject what its first bytes name."""
     content = source.beginning(source.names[0]) if source.is_one_file else b""
     for kind in _CERTAIN:
         if content[kind.offset :].startswith(kind.magic):

@@ -61,7 +61,6 @@ class RecordingFormat(NamedTuple):
     checked: str = ""
 
     def reader(self) -> Reader:
-        """Import its reader."""
         return cast(Reader, extension.load(self.home))
 
 

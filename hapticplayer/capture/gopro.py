@@ -101,9 +101,6 @@ def read_gopro(
         packets: in the order of the recording.
         source: the file, for messages and provenance.
         is_raw: the packets' times are assumed, not measured.
-
-    Raises:
-        TelemetryError: when there is no usable motion.
     """
     try:
         return _read(packets, source, is_raw=is_raw)
@@ -165,7 +162,6 @@ def _own_clock(
     times: SampleTimes,
     clock: TimeReference,
 ) -> tuple[ClockMap, ClockLag | None]:
-    """Return the clock map of the camera's motion, and what is known of its lag."""
     if not times.is_stamped:
         return ClockMap(), unstamped()
     return clock_by_cori(payloads, imu, clock.frame0_us) or (ClockMap(), None)

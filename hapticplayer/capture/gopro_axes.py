@@ -50,14 +50,12 @@ def frame_a_from_stored(stream: GpmfEntry, camera: str) -> Floats:
 
 
 def is_order_known(stream: GpmfEntry, camera: str) -> bool:
-    """Whether the file or the camera's name determines the order of the axes."""
     name = camera.lower()
     known = (*(hint for hint, _ in _WITHOUT_ORIN), "hero5", "camera")
     return has_own_axes(stream) or any(hint in name for hint in known)
 
 
 def has_own_axes(stream: GpmfEntry) -> bool:
-    """Whether the stream declares the axes of its components."""
     return stream.find("ORIN") is not None
 
 

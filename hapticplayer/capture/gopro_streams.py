@@ -75,11 +75,7 @@ class GpmfPayload:
 
 
 def parse_packets(packets: Sequence[TelemetryPacket]) -> tuple[list[GpmfPayload], int]:
-    """Return the payloads of the device with the accelerometer, and how many are damaged.
-
-    Raises:
-        TelemetryError: when no device has an accelerometer.
-    """
+    """Return the payloads of the device with the accelerometer, and how many are damaged."""
     if len(packets) > MAX_PAYLOADS:
         raise TelemetryError(
             "has {count} telemetry payloads, too many", count=len(packets)

@@ -117,9 +117,6 @@ def _from_packets(stream: GoproStream) -> SampleTimes:
     All earlier samples had arrived by a packet's start. The first packet is no measure
     of the rate (sensors start up to 0.2 s early), and the end of the last is nominal (it
     would give 184 Hz instead of 199 for 12 s).
-
-    Raises:
-        TelemetryError: when the payloads are too few to tell the rate.
     """
     first = stream.first_index.astype(np.float64)
     if len(first) < _MIN_UNSTAMPED_PAYLOADS:

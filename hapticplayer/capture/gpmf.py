@@ -67,16 +67,10 @@ class GpmfEntry(NamedTuple):
         return next((one for one in reversed(self.children) if one.key == key), None)
 
     def find_all(self, key: str) -> Iterator["GpmfEntry"]:
-        """Yield the children of this key."""
         return (entry for entry in self.children if entry.key == key)
 
 
 def parse(payload: bytes) -> GpmfEntry:
-    """Return the entries of a payload as children of an unnamed entry.
-
-    Raises:
-        TelemetryError: when entries are nested too deeply.
-    """
     children, is_cut = _parse_list(memoryview(payload), depth=0)
     return GpmfEntry("", NESTED, 1, b"", children, is_cut)
 

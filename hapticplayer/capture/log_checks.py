@@ -69,9 +69,6 @@ def check_norm(
         raw: the log; its units were applied.
         choices: a chosen unit is not questioned.
         where: the file.
-
-    Raises:
-        UsageError: with the units that would fit.
     """
     norm = found["norm_at_rest_mps2"]
     low, high = REST_MPS2
@@ -95,11 +92,7 @@ def check_norm(
 
 
 def check_rate(imu: ImuLog, raw: RawLog, choices: LogChoices, where: str) -> None:
-    """Ask for the unit of the angular rate if it is beyond any sensor.
-
-    Raises:
-        UsageError: with the units that would fit.
-    """
+    """Ask for the unit of the angular rate if it is beyond any sensor."""
     fast = np.abs(imu.angular_rate_radps).max(axis=1) > MAX_USUAL_RATE_RADPS
     if choices.rate_unit or np.mean(fast) <= _FAST_SHARE:
         return
@@ -168,9 +161,6 @@ def check_upright(
         raw: the log; its axes were applied.
         choices: chosen axes are not questioned.
         where: the file.
-
-    Raises:
-        UsageError: asking for the axes, if another axis was up.
     """
     mean = mean_up(imu)
     if mean is None:

@@ -96,9 +96,6 @@ def device_axes(text: str) -> Floats:
     Args:
         text: the device's right, up and towards the user in frame A, such as "x,z,-y",
             or the nine numbers of a rotation, row by row, rounded by hand perhaps.
-
-    Raises:
-        UsageError: when it is none.
     """
     parts = text.split(",")
     if len(parts) != 9:
@@ -158,11 +155,7 @@ def all_mountings() -> list[str]:
 
 
 def mounting_axes(text: str) -> str:
-    """Return the axes of a mounting given by name or by axes.
-
-    Raises:
-        UsageError: for an unknown mounting.
-    """
+    """Return the axes of a mounting given by name or by axes."""
     usual = MOUNTINGS.get(text.strip().lower())
     axes = usual.axes if usual else text
     try:
@@ -179,11 +172,7 @@ def mounting_axes(text: str) -> str:
 
 
 def ask_for_mounting(imu: ImuLog, where: str) -> None:
-    """Ask for the mounting if gravity shows that the recorder was not upright.
-
-    Raises:
-        UsageError: with the common mounting that fits; only a person knows the front.
-    """
+    """Ask for the mounting if gravity shows that the recorder was not upright."""
     up = mean_up(imu)
     if up is None or up[2] >= UPRIGHT:
         return
@@ -224,9 +213,6 @@ def mounted(imu: ImuLog, axes: str) -> ImuLog:
     Args:
         imu: in the recorder's frame.
         axes: right, front and up of the actor in that frame; "" for as it is.
-
-    Raises:
-        UsageError: when they are not axes, or mirrored.
     """
     if not axes or axes == AS_RECORDED:
         return imu

@@ -47,12 +47,7 @@ def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording
 
 
 def find_format(source: LogSource, choices: LogChoices) -> RecordingFormat:
-    """Return the format of a source.
-
-    Raises:
-        InputError: when no format fits.
-        UsageError: when several fit equally well, or the chosen one is unknown.
-    """
+    """Return the format of a source."""
     if choices.format and not source.is_binary:
         return _chosen(choices.format, source)
     if choices.columns and not source.is_binary:

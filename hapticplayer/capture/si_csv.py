@@ -60,10 +60,6 @@ def read(source: LogSource, _choices: LogChoices) -> Recording:
 
     Empty cells, NaN and infinity are filled and marked; swapped and repeated rows are
     put in order; gaps remain.
-
-    Raises:
-        InputError: with file, line, column and what to do; also when the numbers are
-            in g or in degrees, and for what cannot be repaired.
     """
     source = source if source.is_one_file else source.alone(_logs(source)[0])
     numbers = _read_strict(source, LOG_COLUMNS, FIELD_COLUMNS)
@@ -115,11 +111,7 @@ READER = Reader(recognises, read)
 
 
 def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
-    """Write a motion log that `read_recording` returns to 9 digits.
-
-    Raises:
-        InputError: when the file cannot be written.
-    """
+    """Write a motion log that `read_recording` returns to 9 digits."""
     parts = [imu.time_s[:, None], imu.specific_force_mps2, imu.angular_rate_radps]
     names: tuple[str, ...] = LOG_COLUMNS
     if imu.magnetic_field_ut is not None:

@@ -94,7 +94,6 @@ class LogSource:
         self.is_binary = is_one_file and not is_text(self.beginning(self.names[0]))
 
     def alone(self, name: str) -> "LogSource":
-        """Return one member as the source of a file."""
         path = self.path if self.is_one_file else self.path / name
         return LogSource(path, {name: self._members[name]}, is_one_file=True)
 
@@ -112,7 +111,6 @@ class LogSource:
         return PurePosixPath(name).name.lower()
 
     def _beginning(self, name: str) -> bytes:
-        """Return the first bytes."""
         with self._readable(name) as stream:
             return stream.read(HEAD_BYTES)
 
@@ -126,11 +124,7 @@ class LogSource:
 
     @contextlib.contextmanager
     def opened(self, name: str) -> Iterator[BinaryIO]:
-        """Open a member; reading beyond the limit raises.
-
-        Raises:
-            InputError: when it is too large or cannot be read.
-        """
+        """Open a member; reading beyond the limit raises."""
         if self._members[name].size_bytes > MAX_CSV_BYTES:
             raise _too_large(self.where(name))
         with self._readable(name) as stream:
@@ -217,23 +211,17 @@ def _unzipped(path: Path, info: zipfile.ZipInfo) -> Iterator[BinaryIO]:
 
 
 def paths_of(log: LogPath) -> tuple[Path, ...]:
-    """Return the path of a log, or those of the files that are one log together."""
     if isinstance(log, (str, os.PathLike)):
         return (Path(log),)
     return tuple(Path(one) for one in log)
 
 
 def name_of(log: LogPath) -> str:
-    """Return the name of a log, for people."""
     return " + ".join(path.name for path in paths_of(log))
 
 
 def open_source(log: LogPath) -> LogSource:
-    """Return the source at a path: a file, a folder, or a zip; or of several files.
-
-    Raises:
-        InputError: when nothing can be read there, or it exceeds the limits.
-    """
+    """Return the source at a path: a file, a folder, or a zip; or of several files."""
     path, *others = paths_of(log)
     if others:
         return _several(log)
@@ -268,11 +256,6 @@ def _several(log: LogPath) -> LogSource:
 
 
 def open_file(path: str | os.PathLike[str]) -> LogSource:
-    """Return one file as a source, whatever its content.
-
-    Raises:
-        InputError: when it is not a file, or cannot be read.
-    """
     file = resolve_regular(path, InputError)
     return LogSource(file, {file.name: _file_member(file)}, is_one_file=True)
 

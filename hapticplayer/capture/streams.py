@@ -86,7 +86,6 @@ class Sensor:
     notes: tuple[str, ...]
 
     def since(self, origin_ns: int) -> SensorStream:
-        """Return the stream with times since another origin."""
         shift_s = (self.origin_ns - origin_ns) * NANO
         return SensorStream(self.stream.time_s + shift_s, self.stream.values)
 
@@ -155,10 +154,6 @@ def on_common_times(
     """Return all sensors at the times of the accelerometer.
 
     Streams that share their times are unchanged, flaws included.
-
-    Raises:
-        InputError: when the times of a stream cannot be repaired, or the streams do
-            not overlap.
     """
     if rate.time_s is accel.time_s and (field is None or field.time_s is accel.time_s):
         values = None if field is None else field.values

@@ -102,11 +102,7 @@ def add_number(
 
 
 def agreed(options: argparse.Namespace, question: str) -> None:
-    """Ask, unless `--yes` has answered.
-
-    Raises:
-        UsageError: when there is no terminal to ask on, or the answer is no.
-    """
+    """Ask, unless `--yes` has answered."""
     if options.yes:
         return
     if not sys.stdin.isatty():

@@ -6,7 +6,6 @@ from hapticplayer import doctor
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options of the command."""
     parser.add_argument("--json", action="store_true")
     parser.set_defaults(run=run)
 

@@ -20,7 +20,6 @@ _WRITE, _READ = WriteChoices(), ReadChoices()
 
 
 def written_text() -> str:
-    """Return the formats that are written, for help."""
     return "; ".join(f"{one.name}: {one.text}" for one in written_formats().values())
 
 
@@ -100,16 +99,11 @@ def write_choices(options: argparse.Namespace) -> WriteChoices:
 
 
 def read_choices(options: argparse.Namespace) -> ReadChoices:
-    """The choices of reading."""
     return ReadChoices(options.full_scale, options.direction, options.stiffness)
 
 
 def direction(text: str) -> tuple[float, float, float]:
-    """Return the unit vector in a text like `0,1,0`.
-
-    Raises:
-        UsageError: when it is none.
-    """
+    """Return the unit vector in a text like `0,1,0`."""
     try:
         x, y, z = (float(part) for part in text.split(","))
     except ValueError:

@@ -101,5 +101,4 @@ def text_of(what: Contents) -> str:
 
 
 def megabytes(size_bytes: int) -> str:
-    """Return a size for people."""
     return f"{1e-6 * size_bytes:.{3 if size_bytes < 1e6 else 1}f} MB"

@@ -248,12 +248,7 @@ def wanted_scheduling(options: argparse.Namespace) -> Scheduling | None:
 
 
 def record_target(options: argparse.Namespace, outputs: Sequence[str]) -> Path | None:
-    """Return the new file that is to hold every tick of the loop, if one is wanted.
-
-    Raises:
-        UsageError: when there is no loop to record.
-        InputError: as `outputs.make_way`.
-    """
+    """Return the new file that is to hold every tick of the loop, if one is wanted."""
     if options.record is None:
         return None
     if not outputs:
@@ -264,11 +259,7 @@ def record_target(options: argparse.Namespace, outputs: Sequence[str]) -> Path |
 
 
 def until_s(options: argparse.Namespace, source: Source) -> float:
-    """Return the media time at which to stop.
-
-    Raises:
-        UsageError: when the start is after the end of the clip.
-    """
+    """Return the media time at which to stop."""
     if options.start >= source.clip.duration_s:
         raise UsageError(
             f"--start {options.start:g} is after the end of {source.title} "
@@ -280,11 +271,7 @@ def until_s(options: argparse.Namespace, source: Source) -> float:
 
 
 def refuse_outputs(options: argparse.Namespace) -> None:
-    """Refuse files that exist, before anything begins.
-
-    Raises:
-        InputError: as `outputs.refuse_existing`.
-    """
+    """Refuse files that exist, before anything begins."""
     for name, is_ours in ((options.log, is_log), (options.record, is_record)):
         if name is not None:
             refuse_existing(Path(name), FILE, is_ours if options.overwrite else None)

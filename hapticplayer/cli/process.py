@@ -150,11 +150,7 @@ def _read(path: Path, choices: LogChoices, mounting: str) -> Recording:
 def _estimated(
     recording: Recording, processing: Processing, options: argparse.Namespace
 ) -> tuple[Recording, Processed, slice, SensorCalibration | None]:
-    """Return the part of a recording, the motion around it, and which of that it is.
-
-    Raises:
-        UsageError: when the part holds no motion.
-    """
+    """Return the part of a recording, the motion around it, and which of that it is."""
     imu = recording.imu
     if options.start is None and options.duration is None:
         return recording, process_motion(imu, processing), slice(None), None
@@ -204,11 +200,7 @@ def _save(
     mounting: str,
     options: argparse.Namespace,
 ) -> None:
-    """Write the calibration, in the recorder's axes.
-
-    Raises:
-        UsageError: for a method that finds none.
-    """
+    """Write the calibration, in the recorder's axes."""
     if processed.calibration is None:
         raise UsageError(
             "--save-calibration needs the method smoother, without --time-constant"

@@ -145,12 +145,10 @@ def add_processing(command: argparse.ArgumentParser) -> None:
 
 
 def chosen_mounting(options: argparse.Namespace) -> str:
-    """Return the axes of the mounting that was named, or ""."""
     return "" if options.mounting is None else mounting_axes(options.mounting)
 
 
 def chosen_log(options: argparse.Namespace) -> LogChoices:
-    """Return the choices about a log."""
     if options.save_template is not None:
         refuse_existing_template(Path(options.save_template), options.overwrite)
     return parse_choices(options.read_as)
@@ -183,12 +181,7 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
 
 
 def chosen_processing(options: argparse.Namespace) -> Processing:
-    """The choices about the motion.
-
-    Raises:
-        UsageError: for options that do not go with the method.
-        InputError: for a calibration that cannot be read.
-    """
+    """The choices about the motion."""
     given = options.calibration
     calibration = None if given is None else read_calibration(Path(given))
     method = {} if options.method is None else {"method": options.method}
@@ -217,7 +210,6 @@ def plot_target(options: argparse.Namespace) -> Path | None:
 
 
 def plot_overwritten(options: argparse.Namespace) -> IsOurs | None:
-    """The check for a plot that may be overwritten."""
     return is_plot if options.overwrite else None
 
 

@@ -24,11 +24,7 @@ _ERRNO = {errno.ENOMEM: _MEMORY, errno.EMFILE: _FILES, errno.ENFILE: _FILES}
 
 
 def refuse_small_limits() -> None:
-    """Check the limits of this process before anything is loaded.
-
-    Raises:
-        HapticPlayerError: when one is too small for any command.
-    """
+    """Check the limits of this process before anything is loaded."""
     space, files = (
         resource.getrlimit(which)[0]
         for which in (resource.RLIMIT_AS, resource.RLIMIT_NOFILE)

@@ -238,11 +238,7 @@ def simulate(options: argparse.Namespace) -> int:
 def _rated_like(
     feedbacks: Iterable[StudyFeedback], given: Iterable[str]
 ) -> dict[str, str]:
-    """Return the paper's condition that each feedback is rated like, by key.
-
-    Raises:
-        UsageError: for one that the study does not have.
-    """
+    """Return the paper's condition that each feedback is rated like, by key."""
     like = {}
     for one in feedbacks:
         found = condition_named(one.condition)

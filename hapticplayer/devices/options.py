@@ -55,9 +55,6 @@ def fields_of(
         text: what follows it and a colon.
         place: returns the fields of a part without a name.
         named: field and parser of each option by its name.
-
-    Raises:
-        DeviceError: for what is not allowed, with what is.
     """
     found: Fields = {}
     for part in filter(None, text.split(",")):

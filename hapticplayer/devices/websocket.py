@@ -63,7 +63,6 @@ class Connection:
             ) from problem
 
     def fileno(self) -> int:
-        """Return the descriptor of the connection."""
         return int(self._socket.socket.fileno())
 
     def send(self, text: str) -> None:

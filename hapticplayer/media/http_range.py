@@ -89,7 +89,6 @@ class RangeClient:
 
         Raises:
             Unreachable: for now; it is worth asking again.
-            NetworkError: the server refuses, or the file is another one now.
         """
         try:
             yield from self._part(begin, end, piece_bytes)

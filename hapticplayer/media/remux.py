@@ -120,11 +120,7 @@ def video_payload(
 
 
 def has_head(clip: AnyClip, expected: VideoDigest) -> bool:
-    """Whether a video begins like the expected one, and is as long if its index says so.
-
-    Raises:
-        MediaError: when it cannot be read.
-    """
+    """Whether a video begins like the expected one, and is as long if its index says so."""
     counter = _Counter()
     with (
         open_media(clip) as container,

@@ -30,7 +30,6 @@ _RISE_S, _LOUDNESS = 0.002, 0.5
 
 
 def beat_times_s() -> NDArray[np.float64]:
-    """Return when the beats are, media time."""
     return FIRST_S + PERIOD_S * np.arange(COUNT, dtype=np.float64)
 
 
@@ -105,7 +104,6 @@ class TapMeter:
 
     @property
     def count(self) -> int:
-        """How many taps there are."""
         return len(self._after_s)
 
     @property

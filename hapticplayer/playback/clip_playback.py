@@ -69,12 +69,10 @@ class ClipPlayback:
 
     @property
     def is_playing(self) -> bool:
-        """Whether the clip plays or is about to."""
         return self.phase in PLAYING_PHASES
 
     @property
     def media_s(self) -> float:
-        """Position in the clip."""
         return self.media.media_s(self._clock.now_s())
 
     def handle(self, event: PhaseEvent, media_s: float = 0.0) -> bool:
@@ -99,7 +97,6 @@ class ClipPlayback:
         self.handle(PhaseEvent.OPEN)
 
     def close(self) -> None:
-        """Drop the clip and the sound output."""
         self.handle(PhaseEvent.CLOSE)
         self.sound.close()
 
@@ -214,7 +211,6 @@ class ClipPlayback:
         return self.video.present(now_s, clock)
 
     def clock(self) -> PlaybackClock:
-        """Return the clock of the clip as it is to be met by a person."""
         return self.media.snapshot(self._clock.now_s())
 
     def _note_progress(self, now_s: float) -> None:

@@ -21,10 +21,6 @@ def with_feedback(source: Source, text: str | None) -> tuple[Source, str]:
         source: to be played.
         text: name of a track, or of a condition with its parameters, such as
             `delayed:delay_s=0.3`; None for the source's own.
-
-    Raises:
-        UsageError: when there is no such feedback.
-        InputError: when it cannot be made.
     """
     if text is None or text in source.tracks:
         return source, text or source.feedback

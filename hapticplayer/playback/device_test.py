@@ -57,11 +57,7 @@ class DevicePart:
 
 
 def parts_of(name: str, strengths: Sequence[float] = ()) -> tuple[DevicePart, ...]:
-    """The steps of a device test, in order.
-
-    Raises:
-        DeviceError: for a name or settings that are not allowed.
-    """
+    """The steps of a device test, in order."""
     entry = find_device(name)
     record, divide = entry.capabilities, guide_of(entry).parts
     if record.signal is Signal.MOTION:

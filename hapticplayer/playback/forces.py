@@ -67,7 +67,6 @@ class ForcePlayer:
 
     @property
     def pids(self) -> dict[str, int]:
-        """Processes by what they are."""
         return self._processes.pids
 
     @property

@@ -113,9 +113,6 @@ class Latencies:
 
         What its settings say counts first, then what was measured or entered for it, then
         what its driver keeps by the device's own clock, then what is typical.
-
-        Raises:
-            DeviceError: for a name or settings that are not allowed.
         """
         if name in ("", NO_DEVICE):
             return DeviceLatency(self.device_s.get(name, 0.0), LatencySource.ASSUMED)
@@ -133,7 +130,6 @@ class Latencies:
 
 
 def is_wireless(output: str) -> bool:
-    """Whether the name of a sound output says that it is wireless."""
     return any(word in output.lower() for word in _WIRELESS)
 
 
@@ -151,7 +147,6 @@ def saved_latencies() -> Latencies:
 
 
 def latencies_in(table: Mapping[str, Any], screen: str = "") -> Latencies:
-    """The latencies for a screen in a table of the settings, ms by part and output."""
     display_s = table_s(table, DISPLAY).get(screen, 0.0)
     parts_s = (table_s(table, part) for part in (SOUND, DEVICE, ENTERED))
     return Latencies(display_s, *parts_s)
@@ -178,6 +173,5 @@ def read_settings(path: Path) -> dict[str, Any]:
 
 
 def version_of(values: Mapping[str, Any]) -> float:
-    """Return the version of settings that were read."""
     version = values.get(VERSION, SETTINGS_VERSION)
     return version if isinstance(version, int) else math.inf

@@ -50,7 +50,6 @@ class PlaybackLog:
         self.line("header", **header)
 
     def line(self, kind: str, **fields: Any) -> None:
-        """Add one line of a kind."""
         self._queue.put({"kind": kind, **fields})
 
     def ticks(self, records: NDArray[Any]) -> None:
@@ -89,15 +88,12 @@ class Reporter:
         self._clock = clock
 
     def notify(self, sentence: str) -> None:
-        """Add a notice."""
         self.notices.append(sentence)
 
     def event(self, name: str, **fields: Any) -> None:
-        """Log an event of now."""
         self.line("event", name=name, monotonic_s=self._clock.now_s(), **fields)
 
     def line(self, kind: str, **fields: Any) -> None:
-        """Log one line of a kind."""
         if self.log is not None:
             self.log.line(kind, **fields)
 

@@ -228,7 +228,6 @@ class SyncAlarm:
         return self.is_on is not was_on
 
     def sentence(self) -> Message:
-        """Return the alarm in words."""
         template = _ALARMS[self._against, self.p50_ms < 0.0]
         return Message(template, ms=abs(self.p50_ms))
 

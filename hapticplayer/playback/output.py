@@ -75,7 +75,6 @@ class _Tagged(Reporter):
         self._whole.notify(sentence)
 
     def line(self, kind: str, **fields: Any) -> None:
-        """Log one line of a kind."""
         self._whole.line(kind, output=self._output, **fields)
 
     def ticks(self, records: NDArray[Any]) -> None:

@@ -31,11 +31,6 @@ class Outputs:
         return iter(tuple(self._all.values()) or (self._none,))
 
     def __getitem__(self, name: str) -> Output:
-        """The output of that name.
-
-        Raises:
-            UsageError: when there is none.
-        """
         if name not in self._all:
             raise UsageError("there is no output {name!r}", name=name)
         return self._all[name]
@@ -47,7 +42,6 @@ class Outputs:
 
     @property
     def lead_s(self) -> float:
-        """The largest latency."""
         return max(one.latency_s for one in self)
 
     def use(
@@ -62,11 +56,6 @@ class Outputs:
         What is open already stays open, but what has failed; the first is opened again
         for a record, and where faults are to be injected or no longer. Waits for what
         is released only where hardware is opened.
-
-        Raises:
-            DeviceError: for a name or settings that are not allowed.
-            UsageError: when one is there twice, or two send the same to one address.
-            HapticsError: when processes cannot be started.
         """
         names = [name for name in names if name != NO_DEVICE]
         _refuse_alike(names)
@@ -165,11 +154,7 @@ class Outputs:
         )
 
     def take_back(self, name: str = "") -> None:
-        """Open one device, or all, again: the end of a `lend`.
-
-        Raises:
-            HapticsError: when processes cannot be started; the others are open.
-        """
+        """Open one device, or all, again: the end of a `lend`."""
         self._lends = max(0, self._lends - (not name))
         if self._lends:
             return
@@ -194,12 +179,10 @@ class Outputs:
             one.publish(clock, feedback)
 
     def note_frame(self, seen_s: float, frame_s: float) -> None:
-        """Note that a frame was seen, to be compared with what the outputs did."""
         for one in self:
             one.video.event(seen_s - one.latency_s, frame_s)
 
     def note_sound(self, heard_s: float, media_s: float) -> None:
-        """Note that a sound was heard, likewise."""
         for one in self:
             one.audio.event(heard_s - one.latency_s, media_s)
 

@@ -110,7 +110,6 @@ class Player:
             self._reporter.event("pause")
 
     def toggle(self) -> None:
-        """Play or pause."""
         (self.pause if self._clip.is_playing else self.play)()
 
     def seek(self, media_s: float) -> None:
@@ -145,7 +144,6 @@ class Player:
         self._clip.sound.ring.gain = min(max(share, 0.0), 1.0) ** 3
 
     def set_sound_output(self, make: AudioFactory) -> None:
-        """Play through another output from here on."""
         self._clip.set_sound_output(make)
 
     def set_latencies(self, latencies: Latencies) -> None:
@@ -204,7 +202,6 @@ class Player:
 
     @property
     def output_names(self) -> list[str]:
-        """Names of the outputs, the leading one first."""
         return [one.name for one in self._outputs if one.name != NO_DEVICE]
 
     def set_output(
@@ -213,9 +210,6 @@ class Player:
         """Give an output a condition of its own ("" for the player's), or mute it.
 
         None keeps what is.
-
-        Raises:
-            UsageError: when there is no such output.
         """
         output = self._outputs[name]
         if feedback is not None:

@@ -123,7 +123,6 @@ def columns_of(dtype: np.dtype[Any], header: Mapping[str, Any]) -> list[Column]:
 
 
 def head_line(columns: list[Column]) -> bytes:
-    """Return the line with the names."""
     names = [TICK_COLUMN, *[column.name for column in columns]]
     return (",".join(names) + "\n").encode()
 

@@ -32,9 +32,6 @@ def with_log(source: Source, path: Path) -> Source:
     """Return the source with the force of a log as another feedback, which plays.
 
     Where the log passes a time twice, after a seek, the last pass counts.
-
-    Raises:
-        InputError: when the log is none, or belongs to another clip.
     """
     header, track = read_force_log(path)
     clip, wanted = source.clip, header.get("duration_s")

@@ -98,12 +98,10 @@ class Snapshot:
 
     @property
     def duration_s(self) -> float:
-        """Length of the clip."""
         return self.source.clip.duration_s if self.source else 0.0
 
     @property
     def is_playing(self) -> bool:
-        """Whether the clip plays or is about to."""
         return self.phase in PLAYING_PHASES
 
 

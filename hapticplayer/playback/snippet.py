@@ -27,9 +27,6 @@ def pats_sound(
     The clip is on the left and the ticks are on the right, so that even a few
     milliseconds between them are heard; on one loudspeaker both are. The span is at
     most `LONGEST_S` long.
-
-    Raises:
-        MediaError: when the sound cannot be read.
     """
     begin_s = max(0.0, begin_s)
     count = max(1, round(min(end_s - begin_s, LONGEST_S) * RATE_HZ))
@@ -71,6 +68,5 @@ def play(samples: Samples) -> None:
 
 
 def stop() -> None:
-    """Stop what plays."""
     if sounddevice := sys.modules.get("sounddevice"):  # else nothing has played
         sounddevice.stop()

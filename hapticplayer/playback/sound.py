@@ -197,7 +197,6 @@ class OutputKeeper:
 
     @property
     def name(self) -> str:
-        """Name of the output that plays, "" for none."""
         return self._output.name if self._output and self.is_open else ""
 
     def want(self, now_s: float) -> None:

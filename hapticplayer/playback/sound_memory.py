@@ -60,7 +60,6 @@ class HeardBlock(NamedTuple):
 
 
 def block_bytes(capacity: int) -> int:
-    """Return how large the memory is for so many samples."""
     return _SAMPLES_AT + capacity * FRAME_BYTES
 
 

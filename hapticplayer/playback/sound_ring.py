@@ -68,7 +68,6 @@ class AudioRing:
 
     @property
     def underrun_samples(self) -> int:
-        """How many were missing when they were to be heard."""
         return self._block.last_heard().missing
 
     @property
@@ -103,7 +102,6 @@ class AudioRing:
         self._tail = self._block.head
 
     def play(self) -> None:
-        """Let the samples be played."""
         self._say(is_playing=True)
 
     def join(self, clock: PlaybackClock) -> None:
@@ -157,7 +155,6 @@ class AudioRing:
                 self._publish(is_complete=True)
 
     def buffered_s(self) -> float:
-        """Return how much sound is ahead of the reader."""
         return max(0, self._cue.written - self._read()) / self.rate_hz
 
     def reports(self) -> list[AudioReport]:
@@ -171,7 +168,6 @@ class AudioRing:
         ]
 
     def _read(self) -> int:
-        """Where the reader is, or will begin."""
         last, cue = self._block.last_heard(), self._cue
         return last.read if last.cue == cue.number else cue.start
 

@@ -55,9 +55,6 @@ def open_source(
     The description in a sequence's folder means the folder. The force is a CSV file
     with rows `time_s,fx_n,fy_n,fz_n`, held between rows. A remote video waits for its
     server from here on, and is closed by the player.
-
-    Raises:
-        InputError: what is wrong, where, and what to do.
     """
     if isinstance(place, ClipBytes):
         source = _from_video(place)

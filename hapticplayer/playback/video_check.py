@@ -66,7 +66,6 @@ class VideoCheck:
 
     @property
     def allows_force(self) -> bool:
-        """Whether the force may be felt with this video."""
         return self.verdict in {Verdict.SAME, Verdict.ACCEPTED}
 
     def accept(self) -> None:
@@ -118,5 +117,4 @@ def _known() -> dict[str, Any]:
 
 
 def _entry(path: Path, expected: VideoDigest) -> list[int | str]:
-    """The identity of a file's state, and of its video."""
     return [*FileState.of(path)[1:], expected.sha256]

@@ -46,11 +46,7 @@ def read_arrays(path: Path) -> dict[str, NDArray[Any]]:
 def arrays_in(
     reader: IO[bytes], where: str, most_bytes: int = MAX_ARRAYS_BYTES
 ) -> dict[str, NDArray[Any]]:
-    """The arrays of a file that is open.
-
-    Raises:
-        SequenceError: when it is damaged or larger than the limit.
-    """
+    """The arrays of a file that is open."""
     try:
         with zipfile.ZipFile(reader) as archive:
             total = sum(entry.file_size for entry in archive.infolist())

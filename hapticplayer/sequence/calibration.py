@@ -66,9 +66,6 @@ class StoredCalibration:
 
         Args:
             axes: of the mounting; "" for as it is.
-
-        Raises:
-            UsageError: when they are not axes, or mirrored.
         """
         if not axes:
             return self
@@ -98,12 +95,7 @@ class StoredCalibration:
 def write_calibration(
     path: Path, stored: StoredCalibration, *, overwrite: bool = False
 ) -> None:
-    """Write a calibration as JSON.
-
-    Raises:
-        SequenceError: when the file exists and is not a calibration to be overwritten,
-            or cannot be written.
-    """
+    """Write a calibration as JSON."""
     content = {
         "schema": SCHEMA,
         "version": VERSION,
@@ -117,25 +109,16 @@ def write_calibration(
 
 
 def refuse_existing_calibration(path: Path, *, overwrite: bool = False) -> None:
-    """Refuse a target that exists, before long work starts.
-
-    Raises:
-        InputError: when it does.
-    """
+    """Refuse a target that exists, before long work starts."""
     refuse_existing(path, FILE, overwritten(overwrite))
 
 
 def overwritten(overwrite: bool) -> IsOurs | None:
-    """The check for a calibration that may be overwritten."""
     return _is_calibration if overwrite else None
 
 
 def read_calibration(path: Path) -> StoredCalibration:
-    """Return the calibration in a file.
-
-    Raises:
-        InputError: when it cannot be read or holds anything else.
-    """
+    """Return the calibration in a file."""
     content = read_json(path, dict[str, Any], InputError, _REMEDY, MAX_BYTES)
     other = Message("is not a calibration of a sensor"), _REMEDY
     check_schema(content, (SCHEMA, VERSION), str(path), other)

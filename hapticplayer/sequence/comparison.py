@@ -69,11 +69,7 @@ class RenderingResult:
 def stored_rendering(
     folder: Path, *, progress: Progress = no_progress
 ) -> RenderingResult:
-    """Return the rendering that a sequence has.
-
-    Raises:
-        SequenceError: when it is damaged, or was shared without its motion.
-    """
+    """Return the rendering that a sequence has."""
     sequence = store.open_sequence(folder)
     store.motion_of(sequence)
     feedbacks = sequence.description.feedbacks

@@ -69,11 +69,7 @@ class Contents:
 def contents(
     folder: Path, *, with_motion: bool = False, extras: Iterable[Attachment] = ()
 ) -> Contents:
-    """The contents that `pack` would write of a sequence; nothing is written.
-
-    Raises:
-        SequenceError: when the sequence is damaged, or has more than fits.
-    """
+    """The contents that `pack` would write of a sequence; nothing is written."""
     sequence = store.open_sequence(folder)
     return _contents(sequence, files_to_pack(sequence, extras, with_motion=with_motion))
 
@@ -118,7 +114,6 @@ def _content(sequence: store.Sequence, name: str) -> bytes:
 
 
 def attachment_of(name: str, content: bytes) -> Attachment:
-    """Return a file with the media type that the ending of its name stands for."""
     return Attachment(name, _MEDIA_TYPES.get(Path(name).suffix, _OTHER_TYPE), content)
 
 

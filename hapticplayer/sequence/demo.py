@@ -22,11 +22,7 @@ class Demo(NamedTuple):
 
 
 def demo_folder(progress: Progress = no_progress) -> Path:
-    """The folder of the demo.
-
-    Raises:
-        SequenceError: when no extra makes one, or it cannot be written.
-    """
+    """The folder of the demo."""
     target = storage.cache_root() / f"demo-{__version__}"
     try:
         open_sequence(target)

@@ -115,11 +115,7 @@ class Description(Struct, frozen=True, omit_defaults=True):
 
 
 def checked_description(content: dict[str, Any], where: str) -> Description:
-    """A description as a structure.
-
-    Raises:
-        SequenceError: names the wrong field and what is allowed there.
-    """
+    """A description as a structure."""
     check_schema(content, (SCHEMA, VERSION), where, _OTHER, SequenceError)
     return convert(content, Description, where, SequenceError, IMPORT_AGAIN)
 

@@ -38,12 +38,7 @@ _OWN = tuple(
 
 
 def rename_sequence(folder: Path, title: str) -> None:
-    """Change the title of a sequence.
-
-    Raises:
-        UsageError: for an empty title, or one that is too long.
-        SequenceError: when the sequence is damaged or cannot be written.
-    """
+    """Change the title of a sequence."""
     title = title.strip()
     if not 0 < len(title) <= MAX_TITLE:
         raise UsageError("a title must have 1 to {most} characters", most=MAX_TITLE)
@@ -66,11 +61,6 @@ def add_track(
         name: of the condition; letters, digits, blanks, dots, hyphens.
         read: returns the track, of which what is after this duration is not played.
         progress: called while excursions are predicted; raises Cancelled to stop.
-
-    Raises:
-        UsageError: for a name that is taken or invalid.
-        InputError: when the track cannot be read, or begins after the clip.
-        SequenceError: when the sequence is damaged or cannot be written.
     """
     with storage.locked(folder):
         sequence = store.open_sequence(folder)
@@ -82,12 +72,7 @@ def add_track(
 
 
 def rename_track(folder: Path, old: str, new: str) -> None:
-    """Rename a track that was added.
-
-    Raises:
-        UsageError: for a track that every sequence has, or a taken name.
-        SequenceError: when the sequence is damaged or cannot be written.
-    """
+    """Rename a track that was added."""
     with storage.locked(folder):
         description = store.open_sequence(folder).description
         _check_added(old, description)
@@ -98,12 +83,7 @@ def rename_track(folder: Path, old: str, new: str) -> None:
 
 
 def remove_track(folder: Path, name: str) -> None:
-    """Remove a track that was added.
-
-    Raises:
-        UsageError: for a track that every sequence has, or an unknown one.
-        SequenceError: when the sequence is damaged or cannot be written.
-    """
+    """Remove a track that was added."""
     with storage.locked(folder):
         description = store.open_sequence(folder).description
         _check_added(name, description)
@@ -131,11 +111,6 @@ def set_mapping(
         preset: see `presets`; None keeps that of the realistic track.
         effects: on the time line; None keeps those that the sequence has.
         progress: called while excursions are predicted; raises Cancelled to stop.
-
-    Raises:
-        InputError: when there is no motion to fit a gain to.
-        UsageError: for an unknown preset.
-        SequenceError: when the sequence is damaged or cannot be written.
     """
     with storage.locked(folder):
         sequence = store.open_sequence(folder)
@@ -188,11 +163,7 @@ def set_effects(
     *,
     progress: Progress = no_progress,
 ) -> None:
-    """Render the realistic and the random track again with other effects.
-
-    Raises:
-        SequenceError: when the sequence is damaged or cannot be written.
-    """
+    """Render the realistic and the random track again with other effects."""
     mapping = store.open_sequence(folder).mapping
     set_mapping(folder, mapping, effects=effects, progress=progress)
 
@@ -210,10 +181,6 @@ def rendered_again(
         folder: of the sequence.
         preset: "" for that of the realistic track.
         has_effects: whether the sequence's effects are on it.
-
-    Raises:
-        UsageError: for an unknown preset.
-        SequenceError: when the sequence is damaged.
     """
     sequence = store.open_sequence(folder)
     realistic = sequence.rendered
@@ -235,10 +202,6 @@ def rendering_of(
         sequence: with its motion.
         preset: None for that of the realistic track.
         mapping: None for the sequence's own.
-
-    Raises:
-        UsageError: for an unknown preset.
-        SequenceError: when the sequence was shared without its motion.
     """
     mapping = mapping or sequence.mapping
     name = preset or preset_of(sequence.rendered)
@@ -269,12 +232,6 @@ def copy_changed(
         change: made in the copy.
         title: of the copy; None keeps that of the sequence.
         progress: called with the done share; raises Cancelled to stop.
-
-    Raises:
-        InputError: as the change.
-        UsageError: as the change, or for a title that cannot be.
-        SequenceError: when the target exists or cannot be written, or the sequence is
-            damaged; then no part of the copy remains.
     """
     with storage.folder_written_aside(target) as aside:
         store.copy_files(folder, aside, lambda f, step: progress(0.5 * f, step))
@@ -288,7 +245,6 @@ def fitted_gain(sequence: store.Sequence, mapping: model.Mapping) -> float:
 
     Raises:
         InputError: when there is no motion to fit a gain to.
-        SequenceError: when the sequence is damaged.
     """
     return rendering.fit_gain(
         store.motion_of(sequence),

@@ -22,11 +22,6 @@ def events_of(
         folder: of the sequence.
         kinds: names of `rendering.events.DETECTORS`; all if None.
         with_sound: whether the sound confirms impacts, if the clip has any.
-
-    Raises:
-        MediaError: when the sound cannot be read.
-        SequenceError: when the sequence is damaged, or was shared without its motion.
-        UsageError: for a kind that does not exist.
     """
     sequence = store.open_sequence(folder)
     sound = sound_of(sequence) if with_sound else None
@@ -42,11 +37,7 @@ def events_of(
 
 
 def sound_of(sequence: store.Sequence) -> LowSound | None:
-    """Return the low part of a sequence's sound; None without sound.
-
-    Raises:
-        MediaError: when it cannot be read.
-    """
+    """Return the low part of a sequence's sound; None without sound."""
     if not sequence.description.clip.has_audio:
         return None
     sound = read_sound(sequence.clip)

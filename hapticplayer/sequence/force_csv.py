@@ -37,9 +37,6 @@ def read_force_csv(
     Args:
         path: of the file.
         until_s: later rows are checked, and only the last one is kept.
-
-    Raises:
-        InputError: with file, line, column and what to do.
     """
     with open_regular(path) as stream:
         values = _Rows(Path(path), until_s).read(stream)

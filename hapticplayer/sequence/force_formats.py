@@ -48,27 +48,20 @@ CSV = ForceFormat(
 
 
 def force_formats() -> dict[str, ForceFormat]:
-    """All by name."""
     found = extension.rows("force_formats", ForceFormat, (CSV,))
     return {one.name: one for one in found}
 
 
 def written_formats() -> dict[str, ForceFormat]:
-    """Those in which force is written."""
     return {name: one for name, one in force_formats().items() if one.write}
 
 
 def read_formats() -> dict[str, ForceFormat]:
-    """Those in which force is read."""
     return {name: one for name, one in force_formats().items() if one.read}
 
 
 def format_of(path: Path, name: str | None = None) -> ForceFormat:
-    """Return the format of a name, else that of the suffix of a file.
-
-    Raises:
-        UsageError: when there is none.
-    """
+    """Return the format of a name, else that of the suffix of a file."""
     for one in force_formats().values():
         suffixes = (one.suffix, *one.other_suffixes)
         if one.name == name or (name is None and path.suffix.lower() in suffixes):
@@ -83,12 +76,7 @@ def format_of(path: Path, name: str | None = None) -> ForceFormat:
 def read_force(
     path: Path, choices: ReadChoices | None = None, name: str | None = None
 ) -> ForceFile:
-    """Return the force in a file.
-
-    Raises:
-        UsageError: for an unknown format, or one that is only written.
-        InputError: when it cannot be read.
-    """
+    """Return the force in a file."""
     form = format_of(path, name)
     if form.read is None:
         raise UsageError(
@@ -125,10 +113,6 @@ def export_track(
         `bytes`, `kbit_s`, `kbit_s_compressed` (zlib), `track_kbit_s` (of the arrays of
         the native track), `error_rms_n`, `error_max_n` (None where the file holds no
         newtons), `compared`, `keeps`.
-
-    Raises:
-        UsageError: for a format that is only read.
-        InputError: when the track does not fit the format, or it cannot be written.
     """
     if form.write is None:
         raise UsageError(

@@ -41,11 +41,6 @@ def import_force(
 
     Returns:
         What was assumed, and what was not understood.
-
-    Raises:
-        UsageError: for a name that is taken or invalid, or an unknown format.
-        InputError: when the file cannot be read, or begins after the clip.
-        SequenceError: when the sequence is damaged or cannot be written.
     """
     notes: list[Message] = []
 
@@ -80,11 +75,6 @@ def export_force(
 
     Returns:
         Size and largest error, see `export_track`, with `feedback` and `is_estimated`.
-
-    Raises:
-        UsageError: for an unknown track or format, or one that takes no motion.
-        InputError: when the track does not fit the format, or it cannot be written.
-        SequenceError: when the sequence is damaged, or was shared without its motion.
     """
     asked = choices or WriteChoices()
     if asked.with_motion and not force_formats()[form].takes_motion:

@@ -72,7 +72,6 @@ class Entry:
     problem: str = ""
 
     def matches(self, words: str) -> bool:
-        """Whether title, folder, camera, date or tracks contain every word."""
         known = f"{self.title} {self.folder.name} {self.camera} {self.created_utc}"
         known += " " + " ".join(track.name for track in self.tracks)
         return all(word in known.lower() for word in words.lower().split())
@@ -133,13 +132,11 @@ def _track(name: str, entry: TrackEntry) -> Track:
 
 
 def _preset(feedbacks: Mapping[str, TrackEntry]) -> str:
-    """Return the preset of the rendered track."""
     rendered = feedbacks.get(rendered_feedback(feedbacks), TrackEntry())
     return without_controls(str(rendered.provenance.get("preset", DEFAULT_PRESET)))
 
 
 def name_from(title: str) -> str:
-    """Return a name for a file or folder from a title."""
     return re.sub(r"[^\w.\- ]+", "_", title).strip(" ._")[:_MAX_NAME] or "sequence"
 
 

@@ -28,9 +28,6 @@ def end_ms(track: ForceTrack, duration_s: float | None) -> int:
 
     It is the first k with `k / 1000 >= end`, as `ForceTrack.at` compares, rounding or not.
     A HOLD track without a clip ends a millisecond after its last entry has begun.
-
-    Raises:
-        InputError: when it is longer than any clip.
     """
     holds = duration_s is None and track.reconstruction is Reconstruction.HOLD
     if duration_s is None:

@@ -36,11 +36,7 @@ _CHECK, _COUNT, _COPY = 0.15, 0.15, 0.5  # shares of the work; the rest reads ba
 
 
 def container_of(target: Path) -> str:
-    """Return the kind of file that the ending of a name asks for.
-
-    Raises:
-        UsageError: for any other ending, or the name of a side-car.
-    """
+    """Return the kind of file that the ending of a name asks for."""
     kind = CONTAINERS.get(target.suffix.lower())
     if kind is None or target.name.endswith(SIDE_CAR):
         raise UsageError(
@@ -76,10 +72,6 @@ def pack(
         extras: files for other programs.
         is_ours: recognises a file that may be overwritten.
         progress: called with each step; raises Cancelled to stop.
-
-    Raises:
-        InputError: when the sequence is damaged, its clip does not fit such a file, or
-            the target exists or cannot be written; nothing remains then.
     """
     kind = container_of(target)
     sequence = store.open_sequence(folder)

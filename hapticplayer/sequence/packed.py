@@ -102,9 +102,6 @@ def read_packed(video: Path | ClipBytes) -> Packed | None:
     """Return the sequence in a video, or in the side-car beside it; None without one.
 
     Of a remote video everything but the video itself is fetched and held.
-
-    Raises:
-        InputError: when there is one that is damaged or larger than the limits.
     """
     if video.name.endswith(SIDE_CAR):
         raise MediaError(

@@ -88,10 +88,6 @@ def render_preset(
     """Return the force track of a motion under a preset, see `render_force`.
 
     Effects come before the washout; without one that is switched on nothing changes.
-
-    Raises:
-        InputError: as `render_force`.
-        UsageError: for an unknown preset.
     """
     return Rendering(motion, mapping, imu, name=name).track(effects)
 
@@ -129,11 +125,7 @@ class Rendering:
             self._pieces = SolvedPieces(washout)
 
     def track(self, effects: EffectList = NO_EFFECTS) -> ForceTrack:
-        """Return the force track under a list of effects.
-
-        Raises:
-            InputError: as `render_force`.
-        """
+        """Return the force track under a list of effects."""
         track = self._rendered(effects)
         track = applied_to_force(track, effects, self._mapping.force_limit_n)
         if not effects.is_idle:
@@ -155,16 +147,10 @@ class Rendering:
 
 
 def preset_named(name: str) -> Preset:
-    """Return the preset of a name.
-
-    Raises:
-        UsageError: for an unknown one.
-    """
     return entry_named({one.name: one for one in PRESETS}, name, Message("preset"))
 
 
 def preset_of(track: ForceTrack) -> str:
-    """Return the name of the preset of a rendered track."""
     return str(track.provenance.get("preset", DEFAULT_PRESET))
 
 

@@ -145,10 +145,6 @@ def process_motion(
         imu: as recorded.
         processing: options.
         elsewhere: what other parts of the log tell of the sensor, see `surroundings`.
-
-    Raises:
-        UsageError: for a method that does not exist.
-        InputError: when the log is too short, or a rate or cutoff is out of range.
     """
     imu, steps = _conditioned(imu, processing)
     from hapticplayer import motion

@@ -107,7 +107,6 @@ def quality_report(description: Description) -> list[Finding]:
 
 
 def worst(findings: list[Finding]) -> Mark:
-    """Return the overall mark."""
     return max((one.mark for one in findings), default=Mark.DOUBTFUL)
 
 
@@ -301,7 +300,6 @@ def describe_notes(notes: Sequence[str]) -> dict[str, Any]:
 
 
 def stored_notes(provenance: Mapping[str, Any]) -> list[str]:
-    """Return the notes of a sequence, to be translated."""
     return [from_json(note) for note in provenance["note_messages"]]
 
 

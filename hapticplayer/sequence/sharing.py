@@ -27,11 +27,7 @@ class ForceAttachment(NamedTuple):
 
 
 def force_for_others(folder: Path) -> tuple[Attachment, ...]:
-    """The rendered force in each format that it fits.
-
-    Raises:
-        SequenceError: when the sequence is damaged.
-    """
+    """The rendered force in each format that it fits."""
     sequence = open_sequence(folder)
     found = []
     for row in extension.rows("attachments", ForceAttachment):

@@ -83,7 +83,6 @@ class Sequence:
 
     @property
     def duration_s(self) -> float:
-        """Length of the clip."""
         return self.description.clip.duration_s
 
     @property
@@ -100,11 +99,7 @@ class SmallFiles(Protocol):
     def arrays(
         self, name: str, listed: Dict[str, FileEntry]
     ) -> dict[str, NDArray[Any]]:
-        """Return the arrays of a file, whose size and checksum are as listed.
-
-        Raises:
-            InputError: when it is missing, damaged, not listed or another one.
-        """
+        """Return the arrays of a file, whose size and checksum are as listed."""
 
 
 class FolderFiles:
@@ -186,11 +181,7 @@ def sequence_of(
 
 
 def verify_sequence(folder: str | Path, progress: Progress = no_progress) -> None:
-    """Read every file of a sequence and compare its checksum.
-
-    Raises:
-        SequenceError: for the first file that differs.
-    """
+    """Read every file of a sequence and compare its checksum."""
     folder = Path(folder)
     sequence = open_sequence(folder)
     listed = sequence.description.files
@@ -200,11 +191,7 @@ def verify_sequence(folder: str | Path, progress: Progress = no_progress) -> Non
 
 
 def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
-    """Return the recorded samples of a sequence, and its provenance.
-
-    Raises:
-        SequenceError: when files are missing or damaged.
-    """
+    """Return the recorded samples of a sequence, and its provenance."""
     folder = Path(folder)
     described = read_description(folder)
     if IMU not in described.files:
@@ -248,11 +235,7 @@ def _named_as_damaged(where: str) -> Iterator[None]:
 
 
 def motion_of(sequence: Sequence) -> MotionTrack:
-    """Return the motion that force is rendered from.
-
-    Raises:
-        SequenceError: when the sequence was shared without it.
-    """
+    """Return the motion that force is rendered from."""
     if sequence.motion is None:
         raise SequenceError(
             "was shared without its motion, so its force cannot be rendered again",
@@ -263,12 +246,7 @@ def motion_of(sequence: Sequence) -> MotionTrack:
 
 
 def effects_of(sequence: Sequence) -> EffectList:
-    """Return the effects of a sequence in a folder; none where it has no list.
-
-    Raises:
-        SequenceError: when the list is missing or another one.
-        InputError: for an entry that is not allowed.
-    """
+    """Return the effects of a sequence in a folder; none where it has no list."""
     name = sequence.description.effects
     if name is None:
         return NO_EFFECTS
@@ -276,11 +254,7 @@ def effects_of(sequence: Sequence) -> EffectList:
 
 
 def recorded_log(sequence: Sequence) -> ImuLog:
-    """Return the recorded samples of a sequence in media time.
-
-    Raises:
-        SequenceError: when they are missing or damaged.
-    """
+    """Return the recorded samples of a sequence in media time."""
     imu, _ = read_recorded(sequence.folder)
     clock = sequence.description.clock_map
     if clock is None:
@@ -290,16 +264,11 @@ def recorded_log(sequence: Sequence) -> ImuLog:
 
 
 def in_media_time(imu: ImuLog, clock: ClockMap) -> ImuLog:
-    """Return a log with its times in media time."""
     return replace(imu, time_s=clock.rate * imu.time_s + clock.offset_s)
 
 
 def copy_files(folder: Path, target: Path, progress: Progress = no_progress) -> None:
-    """Copy all files of a sequence into an empty folder.
-
-    Raises:
-        SequenceError: for a file that is missing or damaged.
-    """
+    """Copy all files of a sequence into an empty folder."""
     description = open_sequence(folder).description
     listed = description.files
     whole = sum(entry.size_bytes for entry in listed.values())
@@ -322,11 +291,6 @@ def copy_files(folder: Path, target: Path, progress: Progress = no_progress) -> 
 
 
 def checked(folder: Path, name: str, listed: Dict[str, FileEntry]) -> Path:
-    """Return the path of a file whose size and checksum are as listed.
-
-    Raises:
-        SequenceError: when it is missing or another one.
-    """
     return _check_file(folder, name, listed, with_checksum=True)
 
 
@@ -351,7 +315,6 @@ def track_arrays(track: ForceTrack) -> dict[str, Any]:
 def describe_track(
     track: ForceTrack, file: str, excursion: ExcursionEntry
 ) -> TrackEntry:
-    """The description of a force track."""
     rms_n = tuple(float(value) for value in track.rms_n())
     return TrackEntry(file, track.peak_n(), rms_n, excursion, dict(track.provenance))
 
@@ -368,11 +331,7 @@ def describe_mapping(mapping: Mapping) -> MappingEntry:
 
 
 def inside(folder: Path, name: str) -> Path:
-    """Return the path of a file directly in the folder.
-
-    Raises:
-        SequenceError: when the name is not that of such a file.
-    """
+    """Return the path of a file directly in the folder."""
     if Path(name).name != name or name in ("", ".", ".."):
         raise SequenceError(
             "{name!r} is not a plain file name",

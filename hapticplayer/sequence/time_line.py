@@ -45,11 +45,6 @@ def time_line_of(folder: Path, *, progress: Progress = no_progress) -> TimeLine:
     Args:
         folder: of the sequence.
         progress: called between the steps; raises Cancelled to stop.
-
-    Raises:
-        MediaError: when the clip cannot be read.
-        SequenceError: when the sequence is damaged, or was shared without its motion.
-        InputError: for a list of effects that is not allowed.
     """
     progress(0.0, Message("reading the sequence"))
     sequence = store.open_sequence(folder)

@@ -15,11 +15,7 @@ from hapticplayer.storage import FOLDER, refuse_existing
 
 
 def require_packed(video: Path) -> Packed:
-    """Return the sequence in a video or beside it; see `read_packed`.
-
-    Raises:
-        SequenceError: also when there is none.
-    """
+    """Return the sequence in a video or beside it; see `read_packed`."""
     packed = read_packed(video)
     if packed is None:
         raise SequenceError(
@@ -44,10 +40,6 @@ def unpack(
         target: the new folder; must not exist.
         accepts_changed: whether the video may be another one than the force was made for.
         progress: called with each step; raises Cancelled to stop.
-
-    Raises:
-        InputError: when it holds no force, is damaged, or the folder exists or cannot be
-            written; nothing remains then.
     """
     refuse_existing(target, FOLDER)
     packed = require_packed(video)

@@ -78,9 +78,6 @@ def effect_named(name: str) -> PopulationEffect:
     """Return the paper's effect, none, or a share of the paper's such as "0.5".
 
     A share moves the feedbacks' means towards their common mean; spreads stay.
-
-    Raises:
-        UsageError: for another word, or a share that leaves the scale.
     """
     paper = paper_effect()
     if name == "paper":
@@ -119,9 +116,6 @@ def for_feedbacks(
     Args:
         effect: of the paper's feedbacks.
         like: name in the effect, by name of the feedback.
-
-    Raises:
-        UsageError: for a name that the effect does not have.
     """
     if unknown := set(like.values()) - set(effect.feedbacks):
         raise UsageError(
@@ -257,9 +251,6 @@ def simulated_answers(
     kept. Any other effect (see `effect_named`) is one draw from its population,
     whose sample scatters as samples do, and so is one with other feedbacks, `like`
     (see `for_feedbacks`). The same seed gives the same answers.
-
-    Raises:
-        UsageError: for an unknown effect or a number of participants out of range.
     """
     SIMULATED_PARTICIPANTS.parse("participants", str(participants))
     population = effect_named(effect)

@@ -28,9 +28,6 @@ def write_scripted_session(
     `sheet` answers the information sheet, `rate` a condition's questions; None leaves
     the trial out, as if it had been skipped. `origin` says why there was no
     participant, such as `{"simulated": true, "seed": 1}`.
-
-    Raises:
-        StudyError: when it cannot be written.
     """
     session = begin_session(study, study.definition.languages[0], {}, clock)
     journal = Journal(session.folder / ANSWERS, clock)

@@ -61,7 +61,6 @@ def fault_text(name: str) -> str:
 
 
 def names() -> list[str]:
-    """Return all faults in the order of the panel."""
     return [fault.value for fault in Fault] + list(HANGS)
 
 
@@ -76,7 +75,6 @@ def rule_text(cause: Cause) -> str:
 
 
 def expected(name: str) -> str:
-    """Return the rules that may answer."""
     causes = (HANGS[name][1],) if name in HANGS else RULES_OF[Fault(name)]
     return ", ".join(rule_text(cause) for cause in causes)
 

@@ -55,7 +55,6 @@ class Events:
         return Events(self.time_s[kept], self.strength[kept], self.rarity_hz[kept])
 
     def rarest(self, most: int) -> "Events":
-        """Return the strongest events, at most so many."""
         kept = np.sort(np.argsort(self.rarity_hz, kind="stable")[:most])
         return Events(self.time_s[kept], self.strength[kept], self.rarity_hz[kept])
 
@@ -122,7 +121,6 @@ def _band_power(audio: NDArray[np.floating], rate_hz: float) -> Floats:
 
 
 def sound_events(curve: Floats) -> Events:
-    """Return the events of an onset curve."""
     peaks = _peaks(curve, round(_SEPARATION_S * CURVE_HZ))
     return _ranked(peaks / CURVE_HZ, curve[peaks], len(curve) / CURVE_HZ)
 

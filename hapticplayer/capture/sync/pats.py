@@ -136,7 +136,6 @@ def _supported(
 def _find(
     streams: _Streams, sound: Events, allowed_s: tuple[float, float]
 ) -> _FittedShift | None:
-    """Return the best shift of a part of the sound."""
     ranked = candidates(sound, streams.shock, streams.match, allowed_s)
     return _found(streams, sound, ranked)
 

@@ -91,11 +91,9 @@ class Ftdi:
         self._transport.control(FLOW, NO_FLOW_CONTROL)
 
     def set_dtr(self, *, is_high: bool) -> None:
-        """Set the line DTR."""
         self._transport.control(MODEM, 0x0101 if is_high else 0x0100)
 
     def set_rts(self, *, is_high: bool) -> None:
-        """Set the line RTS."""
         self._transport.control(MODEM, 0x0202 if is_high else 0x0200)
 
     def set_latency(self, milliseconds: int) -> None:

@@ -81,11 +81,7 @@ class HomingGuide:
 
 
 def home(driver: FalconDriver, clock: Clock, limit_s: float) -> Iterator[Guidance]:
-    """Yield guidance, 100 times a second, until an open Falcon is homed.
-
-    Raises:
-        DeviceError: when it is gone, or not homed after `limit_s`.
-    """
+    """Yield guidance, 100 times a second, until an open Falcon is homed."""
     guide, end_s = HomingGuide(), clock.now_s() + limit_s
     while clock.now_s() < end_s:
         driver.exchange(_ZERO, clock.now_s())

@@ -73,7 +73,6 @@ class Kinematics:
         self._solve = make_solver(geometry)
 
     def angles(self, counts: Counts) -> Vector:
-        """Return the thighs' angles for encoder counts, rad."""
         zero, per = self.geometry.theta0_rad, self.geometry.count_rad
         i, j, k = counts
         return (zero + per * i, zero + per * j, zero + per * k)

@@ -83,7 +83,6 @@ class DirectLink:
         self._answer = NO_ANSWER
 
     def post(self, frame: bytes) -> None:
-        """Send a frame."""
         self._ftdi.write(frame, WRITE_S)
 
     def newest(self) -> Answer:

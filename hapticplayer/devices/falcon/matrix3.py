@@ -8,7 +8,6 @@ Rows = tuple[Vector, Vector, Vector]
 
 
 def minus(a: Vector, b: Vector) -> Vector:
-    """Return a - b."""
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 

@@ -89,11 +89,7 @@ class Bench:
     def run(
         self, force_of: Callable[[float], Vector], duration_s: float
     ) -> Iterator[tuple[float, DeviceReading]]:
-        """Yield (seconds since the beginning, reading); the force is zero afterwards.
-
-        Raises:
-            DeviceError: when a person or a limit stops it, or the device is gone.
-        """
+        """Yield (seconds since the beginning, reading); the force is zero afterwards."""
         begin_s = deadline_s = self._clock.now_s()
         try:
             while (now_s := self._clock.now_s()) < begin_s + duration_s:

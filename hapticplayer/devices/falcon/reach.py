@@ -40,9 +40,6 @@ def reach_of(name: str, line: int = NO_LINE) -> Reach:
 
     `line` is what a loop gets from the owner of its processes, where a guard watches:
     for a simulated Falcon the way to its process, whose owner it becomes.
-
-    Raises:
-        UsageError: when it is not the name of a Falcon.
     """
     entry = installed_devices().get(name.partition(":")[0])
     if entry is None or not entry.direct:
@@ -54,5 +51,4 @@ def reach_of(name: str, line: int = NO_LINE) -> Reach:
 
 
 def real(line: int, serial: str) -> Reach:
-    """Return how to get at a Falcon on USB."""
     return Reach(opening(line, serial), find_image)

@@ -45,10 +45,6 @@ def set_up(reach: Reach, clock: Clock, show: Callable[[Progress], None]) -> None
 
     The device exerts no force. It continues until `show`, which is called 100 times a
     second (less while the device is being opened), raises Cancelled.
-
-    Raises:
-        DeviceError: when it cannot be opened, or is gone.
-        Cancelled: when `show` raises it.
     """
     driver = reach.driver(clock)
     show(Progress(Step.CONNECTING))

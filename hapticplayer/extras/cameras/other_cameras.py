@@ -52,7 +52,6 @@ def read(source: LogSource, choices: LogChoices) -> RawLog:
 
     Raises:
         TelemetryError: when it holds none, or telemetry-parser is not installed.
-        UsageError: when the axes are not given.
     """
     reason = ""
     if any("dji" in name.lower() for name in data_track_names(source.path)):
@@ -88,10 +87,6 @@ def read_other_camera(
         choices: `axes` must be given.
         command: of the child.
         time_limit_s: for the child, without copying.
-
-    Raises:
-        TelemetryError: when it holds none, or the output is not valid.
-        UsageError: when the axes are not given.
     """
     with tempfile.TemporaryDirectory(prefix="hapticplayer-") as folder:
         name, arrays = _read_copy(video, Path(folder), command, time_limit_s)

@@ -71,11 +71,7 @@ class DeviceFaults:
         self._controls = Controls(descriptor)
 
     def inject(self, fault: str) -> bool:
-        """Make a fault happen; False when it is one of the loop's.
-
-        Raises:
-            DeviceError: when the simulated device is gone.
-        """
+        """Make a fault happen; False when it is one of the loop's."""
         act = DEVICE_ACTS.get(Fault(fault))
         if act is not None:
             act(self._controls)

@@ -27,7 +27,6 @@ class FaultyLoop(Loop):
     """Injects each requested fault once, as soon as a force may be on."""
 
     def __post_init__(self) -> None:
-        """Begin sound."""
         super().__post_init__()
         self._pending: set[Fault] = set()
         self._sound: Any = None

@@ -38,11 +38,7 @@ def is_ours(head: bytes) -> bool:
 
 
 def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
-    """Write the size of a track's force.
-
-    Raises:
-        InputError: for forces beyond any device, or a curve of too many points.
-    """
+    """Write the size of a track's force."""
     refuse_large_force(track.force_n, "ahap")
     until_ms = end_ms(track, choices.duration_s)
     # corners may lie above the largest force by the tolerance

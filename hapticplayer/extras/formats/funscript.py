@@ -51,11 +51,7 @@ def is_ours(head: bytes) -> bool:
 
 
 def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
-    """Write the excursion of a normal hand; version 1.0 has the axis up alone.
-
-    Raises:
-        InputError: for forces beyond any device.
-    """
+    """Write the excursion of a normal hand; version 1.0 has the axis up alone."""
     refuse_large_force(track.force_n, "funscript")
     time_s, place_m = travel_m(track, end_ms(track, choices.duration_s) / 1000.0)
     axes = {
@@ -79,16 +75,11 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
 
 
 def no_newtons(_track: ForceTrack, _path: Path, _choices: WriteChoices) -> Loss:
-    """Return that there is nothing to compare."""
     return Loss(None, None, Message("positions, no newtons"))
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
-    """Return the spring's force on a hand at the centre.
-
-    Raises:
-        InputError: when it is no such file.
-    """
+    """Return the spring's force on a hand at the centre."""
     root = Fields.of(read_crowd(path), str(path))
     stem = path.name.lower().removesuffix(".funscript")
     if stem.endswith(_OTHER_SUFFIXES):

@@ -35,9 +35,6 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     """Write a track.
 
     The force vector stays within the tolerance: each axis gets its share.
-
-    Raises:
-        InputError: for forces beyond any device, or more keyframes than are read.
     """
     refuse_large_force(track.force_n, "hjif")
     largest_n = float(np.abs(track.force_n).max())

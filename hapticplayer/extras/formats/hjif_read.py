@@ -24,11 +24,7 @@ VIBRATION = ("Vibrotactile", "Vibration")
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
-    """Return the force of a file.
-
-    Raises:
-        InputError: when it is no such file, or holds no force.
-    """
+    """Return the force of a file."""
     root = Fields.of(read_crowd(path), str(path))
     if "perceptions" not in root.values:
         raise InputError("holds no perceptions", where=str(path), remedy=ANOTHER)
@@ -70,11 +66,7 @@ class _ChannelReader:
                 self._parts.append((scale_n * self._direction(channel), shape))
 
     def result(self, path: Path) -> ForceFile:
-        """Return all channels as one track.
-
-        Raises:
-            InputError: when there are none, or the forces are too large.
-        """
+        """Return all channels as one track."""
         unread = [
             Message("not read: {what} ({count})", what=what, count=count)
             for what, count in self._bands.unread.items()

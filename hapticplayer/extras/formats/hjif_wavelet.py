@@ -21,9 +21,6 @@ def block_height(stream: str) -> float:
 
     Args:
         stream: base64.
-
-    Raises:
-        InputError: when it is not base64.
     """
     try:
         content = base64.b64decode(stream.encode()[:32] + b"====")

@@ -13,11 +13,7 @@ MAX_BRACKETS = 1_000_000
 
 
 def read_crowd(path: PathLike) -> Any:
-    """Return the value of a JSON file that may hold many numbers.
-
-    Raises:
-        InputError: when it is no JSON, or too much for the memory.
-    """
+    """Return the value of a JSON file that may hold many numbers."""
     content = read_regular(path, MAX_BYTES)
     crowd = max(content.count(b",") / MAX_COMMAS, content.count(b"{") / MAX_BRACKETS)
     if max(crowd, content.count(b"[") / MAX_BRACKETS) > 1.0:
@@ -38,11 +34,6 @@ class Fields(NamedTuple):
 
     @classmethod
     def of(cls, value: Any, where: str) -> "Fields":
-        """Return the fields of a value.
-
-        Raises:
-            InputError: when it is not an object.
-        """
         if not isinstance(value, dict):
             raise InputError("is not an object", where=where, remedy=ANOTHER)
         return cls(value, where)

@@ -39,11 +39,7 @@ def is_ours(head: bytes) -> bool:
 
 
 def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
-    """Write a track; each 10 s at the lowest rate that stays within the tolerance.
-
-    Raises:
-        InputError: for forces beyond any device, or more effects than are read.
-    """
+    """Write a track; each 10 s at the lowest rate that stays within the tolerance."""
     refuse_large_force(track.force_n, "mpegv")
     until_ms = end_ms(track, choices.duration_s)
     rows = tags = 0

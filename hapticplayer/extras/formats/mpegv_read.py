@@ -35,11 +35,7 @@ _SI = "{urn:mpeg:mpeg21:2003:01-DIA-XSI-NS}"
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
-    """Return the force of a file.
-
-    Raises:
-        InputError: when it is no such file, or holds no force.
-    """
+    """Return the force of a file."""
     reader = _EffectReader(choices, str(path))
     for element, scale in reader.effects(_parsed(path)):
         reader.add(element, scale)

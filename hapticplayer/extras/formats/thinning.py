@@ -44,9 +44,6 @@ def thinned(
         signal: (n, m) of the forces (n, 3) N, such as their size, which between two
             corners of a track is no line; None: the forces.
         least: no value is below it.
-
-    Raises:
-        InputError: for more corners than files are read with.
     """
     found: list[tuple[list[Ticks], list[Floats]]] = []
     for first, last in pieces(until_ms):

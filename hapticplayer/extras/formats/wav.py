@@ -24,11 +24,7 @@ def is_ours(head: bytes) -> bool:
 
 
 def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
-    """Write a track; its lines and steps are sampled.
-
-    Raises:
-        InputError: for forces beyond any device, or a track that is too long.
-    """
+    """Write a track; its lines and steps are sampled."""
     refuse_large_force(track.force_n, "wav")
     scale_n = max(0.01, math.ceil(float(np.abs(track.force_n).max()) * 1000.0) / 1000.0)
     comment = MARK + f"{scale_n:.3f}; x, y, z{origin(track)}".encode()

@@ -43,11 +43,7 @@ _LOOP_HZ = 1000
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
-    """Return the force of a file, which is never in memory as a whole.
-
-    Raises:
-        InputError: when it is no such file.
-    """
+    """Return the force of a file, which is never in memory as a whole."""
     try:
         with open_regular(path) as reader:
             return _read(reader, path, choices)

@@ -21,7 +21,6 @@ class BlockVectors:
         self._has_begun = False
 
     def skips(self, frame: DecodedFrame) -> bool:
-        """Whether a frame is in between."""
         return is_between(frame)
 
     def step(self, frame: DecodedFrame) -> Matches | None:

@@ -78,10 +78,6 @@ def suggest_motion(
         clip: the video.
         gain: factor on both, set by hand.
         progress: called with the share done and a step; raises Cancelled to stop.
-
-    Raises:
-        InputError: without OpenCV, or when the clip is too short or has too few frames.
-        MediaError: when the clip cannot be decoded.
     """
     duration_s = probe(clip).duration_s
     steps: list[GroundMotion] = []
@@ -111,9 +107,6 @@ def suggestion(
         speeds: times and speeds over the ground, heights per second.
         duration_s: of the clip.
         gain: factor on sway and bounce.
-
-    Raises:
-        InputError: when there are too few frames per second.
     """
     watched_ = _Watched.of(steps, speeds, duration_s)
     sway, sway_sigma, sway_trust = _sway(watched_)

@@ -75,9 +75,6 @@ def synchronize_frames(
         imu: the log, with a gyro; its axes may be any.
         frames: rotation of the clip, from `rotation.rotation`.
         is_own: whether the log is known to be the clip's own.
-
-    Raises:
-        InputError: when the frames or the log tell of no rotation at all.
     """
     watched = usable(imu, frames)
     gyro = Gyro(imu)
@@ -147,11 +144,7 @@ def _parts(frames: FrameRotation) -> Iterator[FrameRotation]:
 
 
 def find_mounting(imu: ImuLog, frames: FrameRotation, clock: ClockMap) -> FoundMounting:
-    """Return which of the 24 mountings a log has whose clock is known.
-
-    Raises:
-        InputError: when the frames or the log tell of no rotation at all.
-    """
+    """Return which of the 24 mountings a log has whose clock is known."""
     watched = usable(imu, frames)
     log_s = (watched.begin_s - clock.offset_s) / clock.rate
     return _mounting(watched, Gyro(imu), log_s - watched.begin_s)
@@ -167,11 +160,7 @@ def _mounting(watched: Watched, gyro: Gyro, shifts_s: Floats) -> FoundMounting:
 
 
 def usable(imu: ImuLog, frames: FrameRotation) -> Watched:
-    """Return the frames' rotation, ready to be compared with the log's gyro.
-
-    Raises:
-        InputError: when the frames or the log tell of no rotation at all.
-    """
+    """Return the frames' rotation, ready to be compared with the log's gyro."""
     refuse_without_gyro(imu)
     told_s = float((frames.end_s - frames.begin_s) @ (frames.quality > 0.0))
     if told_s < _LEAST_S:

@@ -58,11 +58,9 @@ class Line(NamedTuple):
     second_axis: float
 
     def at(self, media_s: Floats) -> Floats:
-        """Return the shift at media times."""
         return np.asarray(self.shift_s + self.drift * (media_s - self.middle_s))
 
     def clock_map(self, shift_s: float, confidence: float) -> ClockMap:
-        """Return the clock map with another shift at the middle."""
         rate = 1.0 / (1.0 + self.drift)
         offset_s = -(shift_s - self.drift * self.middle_s) * rate
         return ClockMap(offset_s, rate, self.spread_s, confidence)
@@ -80,7 +78,6 @@ class Line(NamedTuple):
 
     @property
     def spread_s(self) -> float:
-        """Weighted RMS of what windows leave of the line."""
         weight = 1.0 / (self.window_sigma_s**2 + _WINDOW_FLOOR_S**2)
         return float(np.sqrt(weight @ self.window_error_s**2 / weight.sum()))
 

@@ -32,12 +32,6 @@ def suggested(
         gain: factor on the estimate, set by hand.
         mapping: must not have a lever arm, see Raises.
         progress: called while the frames are followed; raises Cancelled to stop.
-
-    Raises:
-        UsageError: when there is a log, or telemetry in the clip that can be used: what
-            was measured is better; or for a lever arm.
-        InputError: without OpenCV, when the clip is too short, or shows nothing.
-        MediaError: when it cannot be decoded.
     """
     if log is not None or _is_recorded(clip.path):
         raise UsageError(

@@ -139,10 +139,6 @@ def watched(
         spans_s: begin and end in media time of what is looked at; None for all.
         kind: of the features.
         progress: called with the share done and a step; raises Cancelled to stop.
-
-    Raises:
-        InputError: for corners without OpenCV.
-        MediaError: when the clip cannot be decoded, or holds no vectors.
     """
     features, decode = _BY_KIND[kind]()
     spans_s = spans_s or [(0.0, probe(clip).duration_s)]

@@ -174,7 +174,6 @@ def inverse3_options(text: str) -> DeviceOptions:
 
 
 def make(line: int, options: DeviceOptions) -> Inverse3Driver:
-    """The driver for a service."""
     url = f"ws://{options.address}"
     return Inverse3Driver(lambda: Connection(url, TITLE), line)
 

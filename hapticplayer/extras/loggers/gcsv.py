@@ -26,18 +26,13 @@ _TABLE = ("t", "gx", "gy", "gz", "ax", "ay", "az", "mx", "my", "mz")
 
 
 def recognises(source: LogSource) -> Confidence:
-    """Its first line."""
     if len(source.names) == 1 and source.first_line(source.names[0]) in _MARKS:
         return Confidence.CERTAIN
     return Confidence.NO
 
 
 def read(source: LogSource, _choices: LogChoices) -> RawLog:
-    """Return the log.
-
-    Raises:
-        InputError: when it has no accelerometer or its header is damaged.
-    """
+    """Return the log."""
     name = source.names[0]
     where = source.where(name)
     header, columns, lines = _header(source, name)

@@ -135,7 +135,6 @@ def _read(
 
     Raises:
         InputError: when it holds no acceleration.
-        UsageError: when the rate is needed.
     """
     header = _header(source, name, layout)
     accel = "accel" if header and "accel" in header.columns else "linear"

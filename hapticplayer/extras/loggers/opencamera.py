@@ -35,12 +35,7 @@ def recognises(source: LogSource) -> Confidence:
 
 
 def read(source: LogSource, _choices: LogChoices) -> RawLog:
-    """Return the log.
-
-    Raises:
-        InputError: when sensors are missing.
-        UsageError: when the folder holds several recordings.
-    """
+    """Return the log."""
     where = str(source.path)
     roles: dict[str, str] = {}
     for name in source.names:

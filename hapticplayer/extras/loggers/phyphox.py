@@ -66,11 +66,7 @@ def recognises(source: LogSource) -> Confidence:
 
 
 def read(source: LogSource, _choices: LogChoices) -> RawLog:
-    """Return the log.
-
-    Raises:
-        InputError: when sensors are missing or a unit is unknown.
-    """
+    """Return the log."""
     found = _sensors(source)
     is_free = "accel" not in found and "linear" in found
     accel = found.get("accel") or found.get("linear")

@@ -57,12 +57,7 @@ def recognises(source: LogSource) -> Confidence:
 
 
 def read(source: LogSource, choices: LogChoices) -> RawLog:
-    """Return the log.
-
-    Raises:
-        InputError: when it holds angles only.
-        UsageError: when the rate is needed.
-    """
+    """Return the log."""
     name = source.names[0]
     lines = [line.strip() for line in source.head(name).splitlines()]
     if any(_SENSOR_LINE.match(line) for line in lines):

@@ -45,11 +45,7 @@ def recognises(source: LogSource) -> Confidence:
 
 
 def read(source: LogSource, choices: LogChoices) -> RawLog:
-    """Return the log.
-
-    Raises:
-        UsageError: when the columns are ambiguous.
-    """
+    """Return the log."""
     name = source.names[0]
     rows = first_numbers(source, name)
     width = len(rows[0]) if rows else 0

@@ -49,12 +49,7 @@ def recognises(source: LogSource) -> Confidence:
 
 
 def read(source: LogSource, choices: LogChoices) -> RawLog:
-    """Return the log.
-
-    Raises:
-        InputError: when sensors are missing.
-        UsageError: when the sign of the acceleration is ambiguous.
-    """
+    """Return the log."""
     found = _sensors(source)
     where = str(source.path)
     system, is_standard = _metadata(source, choices)

@@ -47,11 +47,7 @@ def recognises(source: LogSource) -> Confidence:
 
 
 def read(source: LogSource, _choices: LogChoices) -> RawLog:
-    """Return the log.
-
-    Raises:
-        InputError: when it holds angles only, or no rows.
-    """
+    """Return the log."""
     name = source.names[0]
     if len(source.first_line(name).split(",")) == _EULER_WIDTH:
         raise InputError(

@@ -55,7 +55,6 @@ class LslStreams:
                 ) from problem
 
     def marker(self, text: str, monotonic_s: float) -> None:
-        """Send a marker."""
         self._markers.push_sample([text], monotonic_s)
 
     def force(

@@ -85,7 +85,6 @@ def _nested(key: str, *children: bytes) -> bytes:
 
 
 def _entry(key: str, kind: str, struct_bytes: int, payload: bytes) -> bytes:
-    """Return one entry, padded to four bytes."""
     count = len(payload) // struct_bytes
     head = struct.pack(">4scBH", key.encode(), kind.encode(), struct_bytes, count)
     return head + payload + bytes(-len(payload) % 4)

@@ -77,9 +77,6 @@ def simulate_motion(
     """Ride a scene with an inertial sensor only; equal arguments give equal bits.
 
     Time and memory grow linearly with the duration (None for the scene's own).
-
-    Raises:
-        UsageError: for a scene, sensor or duration that does not exist.
     """
     scene = entry_named(MOTION_SCENES, name, Message("motion scene"))
     length_s = scene.duration_s if duration_s is None else duration_s

@@ -63,7 +63,6 @@ class SimulatedRecording:
 
     @property
     def film(self) -> Film:
-        """Its frames."""
         return Film(self.scene, self.seed, self.width, self.height, self.frame_rate_hz)
 
     def frame(self, number: int) -> NDArray[np.uint8]:
@@ -86,11 +85,7 @@ class SimulatedRecording:
 
 
 def simulate(scene: str, seed: int) -> SimulatedRecording:
-    """Ride a scene; the same seed gives the same recording, bit for bit.
-
-    Raises:
-        UsageError: for a scene that does not exist.
-    """
+    """Ride a scene; the same seed gives the same recording, bit for bit."""
     ridden = entry_named(dict(sorted(SCENES.items())), scene, Message("scene"))(
         np.random.default_rng([seed, 0])
     )
@@ -120,11 +115,7 @@ def write_simulated_clip(
     path: str | os.PathLike[str],
     progress: Callable[[float], None] | None = None,
 ) -> None:
-    """Write frames and sound as MP4; `progress` is called with the share, 0 to 1.
-
-    Raises:
-        MediaError: when the clip cannot be written.
-    """
+    """Write frames and sound as MP4; `progress` is called with the share, 0 to 1."""
     from hapticplayer.media.encode import key_frame_interval
 
     film, is_quick = recorded.film, recorded.board is not None
@@ -184,11 +175,7 @@ def write_gopro_clip(
     clip: str | os.PathLike[str],
     path: str | os.PathLike[str],
 ) -> None:
-    """Write a copy of a clip with the camera's log as a GoPro's telemetry track.
-
-    Raises:
-        MediaError: when it cannot be written.
-    """
+    """Write a copy of a clip with the camera's log as a GoPro's telemetry track."""
     from hapticplayer.extras.rides.gpmf_writer import write_payloads
     from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 

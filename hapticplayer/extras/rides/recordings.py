@@ -44,10 +44,6 @@ def write_simulated_recording(
 
     The same seed gives the same files, bit for bit; `with_gopro` adds the clip with a
     telemetry track, as a GoPro writes it.
-
-    Raises:
-        UsageError: for a scenario that is no ride.
-        SequenceError: when the target exists or cannot be written.
     """
     entry_named(RIDES, scenario, Message("ride"))
     with storage.folder_written_aside(target) as aside:
@@ -110,12 +106,7 @@ def write_simulated_sequence(
     seed: int = DEMO_SEED,
     progress: Progress = no_progress,
 ) -> Path:
-    """Simulate a recording and import it; its truth is kept as truth.npz.
-
-    Raises:
-        UsageError: for a scenario that does not exist.
-        SequenceError: when the target exists or cannot be written.
-    """
+    """Simulate a recording and import it; its truth is kept as truth.npz."""
     storage.refuse_existing(target, storage.FOLDER)
     recorded = simulate(scenario, seed)
     with storage.scratch_beside(target) as scratch:

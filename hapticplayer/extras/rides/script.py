@@ -21,7 +21,6 @@ _GRID_S = 1.0 / KNOT_HZ
 
 
 def knot_times(duration_s: float) -> Floats:
-    """Return the knots from -MARGIN_S to duration + MARGIN_S."""
     first, last = -round(MARGIN_S * KNOT_HZ), round((duration_s + MARGIN_S) * KNOT_HZ)
     return np.arange(first, last + 1) / KNOT_HZ
 

@@ -127,12 +127,10 @@ class PacketReceiver:
                     yield port, arrived_s, heard
 
     def report(self) -> dict[int, dict[str, Any]]:
-        """The report of each port."""
         now_s = self._clock.now_s()
         return {port: rig.report(now_s) for port, rig in self.rigs.items()}
 
     def close(self) -> None:
-        """Close the ports."""
         for end in self._ends.values():
             end.close()
 

@@ -71,5 +71,4 @@ class RigSender:
 
 
 def make(_line: int, settings: RigSettings) -> RigSender:
-    """The sender with those settings."""
     return RigSender(settings)

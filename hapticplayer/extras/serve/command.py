@@ -178,7 +178,6 @@ class FileServer(ThreadingHTTPServer):
 
     @property
     def connections(self) -> int:
-        """How many are open."""
         return len(self._open)
 
     @property

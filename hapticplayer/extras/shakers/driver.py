@@ -89,7 +89,6 @@ class CardStream:
         give_coils_to_sound(settings)
 
     def begin(self) -> None:
-        """Open the stream and start it."""
         self._run(self._start)
 
     def drop(self) -> None:

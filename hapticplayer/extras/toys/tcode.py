@@ -172,7 +172,6 @@ def _serial(where: str) -> int:
 
 
 def make(_line: int, options: TcodeOptions) -> PacedDriver:
-    """The driver of a board."""
     return PacedDriver("tcode", TCODE, lambda: open_board(options), REFRESH_S)
 
 

@@ -29,7 +29,6 @@ def _pad(chosen: DeviceOptions, kind: type[EventPort]) -> EventPort:
 
 
 def make_wheel(_line: int, options: WheelOptions) -> PacedDriver:
-    """The driver of a wheel or joystick with a motor."""
     record = options.capabilities
     return PacedDriver("wheel", record, lambda: _wheel(options, EventPort), REFRESH_S)
 
@@ -40,7 +39,6 @@ def silence_wheel(_line: int, options: WheelOptions) -> Callable[[], bool]:
 
 
 def make_rumble(_line: int, options: DeviceOptions) -> PacedDriver:
-    """The driver of a pad that the kernel can rumble."""
     record = options.capabilities
     return PacedDriver("rumble", record, lambda: _pad(options, EventPort), REFRESH_S)
 

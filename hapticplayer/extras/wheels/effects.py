@@ -55,7 +55,6 @@ def _effect(kind: int, rest: bytes) -> bytes:
 
 
 def with_id(effect: bytes, number: int) -> bytearray:
-    """Return an effect under the number that the kernel has given it."""
     changed = bytearray(effect)
     struct.pack_into("=h", changed, 2, number)
     return changed

@@ -138,11 +138,7 @@ def open_first(
     translate: Callable[[], Translator],
     kind: type[EventPort] = EventPort,
 ) -> EventPort:
-    """Return the device of that name, or the first that knows the effect, open.
-
-    Raises:
-        DeviceError: when there is none that opens.
-    """
+    """Return the device of that name, or the first that knows the effect, open."""
     found = list_devices(effect)
     chosen = [one for one in found if node in ("", one.node)]
     if chosen:

@@ -69,7 +69,6 @@ def pack_reply(serial: int, reading: DeviceReading) -> bytes:
 
 
 def pack_control(control: Control) -> bytes:
-    """Return the bytes of an event."""
     return _sealed(_CONTROL.pack(_CONTROL_MAGIC, 0, control.value, control.event))
 
 

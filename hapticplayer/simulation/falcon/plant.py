@@ -77,7 +77,6 @@ class Plant:
         self._change_hand(hand)
 
     def energy_j(self) -> float:
-        """Return kinetic energy and that of the hand's spring."""
         return self._kinetic_j(self._rates, self.velocity_mps) + self._strain_j()
 
     def advance(self, force_n: Vector, duration_s: float) -> None:

@@ -31,11 +31,7 @@ def analyse_study(
     options: AnalysisOptions | None = None,
     progress: Progress = lambda _fraction, _step: None,
 ) -> ReportParts:
-    """Analyse ratings, or judgements by the extension that knows their kind.
-
-    Raises:
-        StudyError: when no extension does.
-    """
+    """Analyse ratings, or judgements by the extension that knows their kind."""
     if not answers.judgements:
         return parts_of(analyse(answers, options, progress))
     kinds = {one.name: one for one in extension.rows("study_analyses", AnalysisKind)}

@@ -67,11 +67,6 @@ def open_running(
 
     `find_image` is called only when it is needed, `progress` with the share of the
     upload.
-
-    Raises:
-        DeviceError: when the device cannot be opened, the firmware is missing, or
-            all attempts have failed.
-        Cancelled: when `progress` raises it.
     """
     ftdi = Ftdi(open_transport())
     try:

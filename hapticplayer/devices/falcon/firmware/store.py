@@ -88,7 +88,6 @@ def install_image(source: Path, *, accept_unknown: bool = False) -> FirmwareImag
     """Check a firmware file and keep a copy of it; show `LICENCE_NOTE` before.
 
     Raises:
-        DeviceError: when it is not valid firmware or cannot be kept.
         UnknownFirmwareError: when it is an unknown one and that was not accepted.
     """
     image = read_image(source)

@@ -46,7 +46,6 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
         self.ports = ports
 
     def enumerate_devices(self) -> list[SimulatedPort]:
-        """The devices on the bus."""
         return [port for port in self.ports if port.chip.is_plugged]
 
     def get_device_descriptor(self, port: SimulatedPort) -> SimpleNamespace:
@@ -129,7 +128,6 @@ class SimulatedBus(IBackend):  # type: ignore[misc]
         port.is_claimed = False
 
     def is_kernel_driver_active(self, port: SimulatedPort, intf: int) -> bool:
-        """Return whether the system's driver has it."""
         return port.has_kernel_driver
 
     def detach_kernel_driver(self, port: SimulatedPort, intf: int) -> None:

@@ -66,7 +66,6 @@ def opening(descriptor: int) -> OpenTransport:
 
 
 def make(descriptor: int, options: Options = DEFAULTS) -> FalconDriver:
-    """Return the real driver for the Falcon at the other end of a descriptor."""
     return FalconDriver(opening(descriptor), image=synthetic_image, options=options)
 
 

@@ -75,7 +75,6 @@ def unpack_request(data: bytes) -> UsbRequest | None:
 
 
 def pack_answer(answer: UsbAnswer) -> bytes:
-    """Return the bytes of an answer."""
     head = _ANSWER.pack(answer.serial, answer.problem, answer.taken)
     return head + answer.data
 
@@ -111,7 +110,6 @@ class RemoteChip:
         self._in = _Line(ours.detach())
 
     def control(self, request: int, value: int, index: int) -> None:
-        """Make a vendor request."""
         words = (request, value, index)
         self._do(self._out, UsbRequest(UsbRequestKind.CONTROL, words=words), _CONTROL_S)
 

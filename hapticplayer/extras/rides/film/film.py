@@ -45,7 +45,6 @@ class Film:
 
     @property
     def frame_count(self) -> int:
-        """How many frames there are."""
         return round(self.scene.duration_s * self.frame_rate_hz)
 
     def frames(self, first: int, end: int) -> Iterator[NDArray[np.uint8]]:

@@ -107,7 +107,6 @@ def _clouds(rng: np.random.Generator) -> Pixels:
 
 
 def _ridge(rng: np.random.Generator, height: float, roughness: float) -> Floats32:
-    """Return the rise of a ridge by azimuth."""
     noise = gaussian_filter(rng.standard_normal(_AZIMUTHS), roughness, mode="wrap")
     shape = height * (0.62 + 0.38 * noise / np.abs(noise).max())
     return np.asarray(shape.astype(np.float32))
@@ -151,7 +150,6 @@ class Placement(NamedTuple):
 
 
 def make_sprites(rng: np.random.Generator, *, wooden: bool) -> tuple[Sprite, ...]:
-    """Return the post and the kinds of trees, in the order of their numbers."""
     post = _stake() if wooden else _post()
     return (post, *(_tree(rng, kind) for kind in TREE_KINDS))
 

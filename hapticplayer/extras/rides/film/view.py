@@ -27,7 +27,6 @@ def rgb_of(red: float, green: float, blue: float) -> Floats32:
 
 
 def colour(red: float, green: float, blue: float) -> np.uint32:
-    """Return one packed colour."""
     return np.uint32(int(packed(rgb_of(red, green, blue))))
 
 
@@ -92,7 +91,6 @@ class CameraRays(NamedTuple):
         return self.z.shape[0], self.x.shape[1]
 
     def rows(self, first: int, last: int) -> "CameraRays":
-        """Return the view of some rows."""
         return CameraRays(self.x, self.z[first:last], self.focal_px)
 
     def edges(self, row: Floats32) -> Floats32:
