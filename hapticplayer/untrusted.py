@@ -31,9 +31,6 @@ PATIENCE_S = 20.0
 """How long opening a clip waits for its server; a clip that plays waits for ever."""
 
 MAX_REDIRECTS = 5
-MAX_BYTES_AT_ONCE = 4 << 20
-"""Of a clip in one answer, which is given up for a seek."""
-
 MAX_BYTES_KEPT = 64 << 20
 """Of a clip in memory."""
 

@@ -38,6 +38,8 @@ from hapticplayer.sequence.pack import pack
 
 MOST_LATER_MS, MOST_SEEK_LATER_MS, MOST_ROUND_TRIPS = 1000.0, 20.0, 1.5
 ROUND_TRIP_S = 0.05
+QUIET_S = 0.2
+"""After a seek: what one fetches ahead then does not slow the next one down."""
 _CLOCK = SystemClock()
 Ways = dict[str, Callable[[], Source]]
 
@@ -196,6 +198,7 @@ def _seeks(ways: Ways, count: int, report: Report) -> None:
             begin_s = time.monotonic()
             players[name].seek(float(target_s))
             took[name].append(1e3 * (time.monotonic() - begin_s))
+            time.sleep(QUIET_S)
     for one in players.values():
         one.player.close()
     rows = [[name, *np.percentile(each, [50.0, 95.0])] for name, each in took.items()]

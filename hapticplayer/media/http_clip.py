@@ -17,16 +17,15 @@ from hapticplayer.media.http_range import (
     RangeClient,
     Unreachable,
 )
-from hapticplayer.untrusted import MAX_BYTES_AT_ONCE, MAX_BYTES_KEPT, PATIENCE_S
+from hapticplayer.untrusted import MAX_BYTES_KEPT, PATIENCE_S
 
 BLOCK_BYTES = 128 << 10
 FEW_BLOCKS = 2
 """Fetched first; and where so little is to come still, no answer is given up."""
-MOST_BLOCKS = MAX_BYTES_AT_ONCE // BLOCK_BYTES
-"""Of one answer; each block is read as soon as it is there."""
 KEPT_BLOCKS = MAX_BYTES_KEPT // BLOCK_BYTES
 AHEAD_BLOCKS = 64
-"""8 MB ahead of each decoder: 8 s of 8 Mbit/s."""
+"""8 MB ahead of each decoder: 8 s of 8 Mbit/s; so much is asked for at once, and each
+block is read as soon as it is there."""
 
 _RETRY_S, _SLOWEST_RETRY_S = 0.1, 2.0
 _NOTICED_S = 1.0  # a wait that is shorter needs no words
@@ -193,7 +192,7 @@ class HttpClip(ClipBytes):
         first = next((k for k in range(wanted, end) if k not in self._blocks), None)
         if first is None:
             return None
-        most = min(first + MOST_BLOCKS, wanted + AHEAD_BLOCKS, self._count)
+        most = min(wanted + AHEAD_BLOCKS, self._count)
         rest = range(first + 1, most)
         return range(first, next((k for k in rest if k in self._blocks), most))
 
