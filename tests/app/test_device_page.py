@@ -112,9 +112,9 @@ def test_the_window_lends_its_device_and_gets_it_back(make_window, wait_for, qtb
     window.commands.get_to_know.trigger()
     page = window.findChild(DevicePage)
     assert page.isVisible()
-    assert window.player.snapshot().leading.name == "none"
+    assert window.player.snapshot().leading.health is Health.NONE
     page.reject()
-    wait_for(lambda: window.player.snapshot().leading.name == "simulated")
+    wait_for(lambda: window.player.snapshot().leading.health is Health.READY)
 
 
 def test_without_a_device_there_is_nothing_to_get_to_know(window):

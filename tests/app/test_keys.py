@@ -161,7 +161,8 @@ def test_settings_from_a_file_work_at_once(window, tmp_path):
 
 
 def test_export_and_import_that_fail_are_told(window, tmp_path):
-    window.dialogs.export(str(tmp_path / "missing" / "out.json"))
+    (tmp_path / "file").touch()
+    window.dialogs.export(str(tmp_path / "file" / "out.json"))
     assert "cannot be written" in window.messages.text()
     window.dialogs.take(str(tmp_path / "missing.json"))
     assert "no settings" in window.messages.text()

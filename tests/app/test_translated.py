@@ -133,7 +133,10 @@ def test_a_damaged_sequence_is_told_in_german(german, sequence, wait_for, tmp_pa
     (broken / "sequence.json").write_text("[]")
     german.session.open_path(broken)
     wait_for(german.messages.isVisible)
-    assert german.messages.text() == f"{broken / 'sequence.json'}: ist kein JSON-Objekt"
+    assert german.messages.text() == (
+        f"{broken / 'sequence.json'}: muss ein Objekt sein, nicht eine Liste; "
+        "importieren Sie es noch einmal"
+    )
 
 
 def test_a_log_that_cannot_be_read_is_told_in_german(

@@ -43,9 +43,7 @@ def test_a_screen_that_is_gone_leaves_the_window_where_it_is(playing, wait_for):
 @pytest.fixture
 def session(make_study, application):
     study = make_study()
-    made = StudySession(
-        study, load_study_sources(study), "none", SystemClock(), audio=None
-    )
+    made = StudySession(study, load_study_sources(study), (), SystemClock(), audio=None)
     made.participant.guard.setInterval(0)
     made.show(windowed=False)
     yield made

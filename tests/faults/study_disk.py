@@ -69,12 +69,11 @@ def full(disk: Path) -> dict:
         "problem": running.runner.problem,
         "accepted": accepted,
         "kept": count(running),
-        "halts": running.stage.halts,
+        "interrupts": running.stage.interrupts,
     }
     filler.unlink()
     running.runner.retry()
     found["after"] = running.kind.value
-    running.runner.stage.rearm()
     while running.kind is not PageKind.THANKS:
         finish(running)
     return {**found, "kept_in_the_end": count(running)}

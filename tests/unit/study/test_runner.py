@@ -25,7 +25,7 @@ class FakeStage:
         self.prepared = []
         self.playing = False
         self.ended = False
-        self.halts = 0
+        self.halts = self.interrupts = 0
         self.is_stopped = False
         self.reasons = ()
 
@@ -51,6 +51,7 @@ class FakeStage:
         self.playing, self.is_stopped = False, True
 
     def interrupt(self):
+        self.interrupts += 1
         self.playing = False
 
     def rearm(self):
