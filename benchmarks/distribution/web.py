@@ -148,7 +148,7 @@ def _pass_on(source: socket.socket, target: socket.socket, wait_s: float) -> Non
 
 def _first_force(ways: Ways, rounds: int, report: Report) -> None:
     """Open all in turn, until a tick has a force."""
-    player = Player(_CLOCK, device="simulated", audio=None)
+    player = Player(_CLOCK, outputs=["simulated"], audio=None)
     player.wait_ready()
     contenders: dict[str, Callable[[], float]] = {
         name: partial(_opened_ms, player, way) for name, way in ways.items()

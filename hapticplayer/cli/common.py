@@ -166,8 +166,13 @@ class _AddOutput(argparse.Action):
         named = getattr(namespace, "named_outputs", ())
         if values in named:
             parser.error(f"argument --device: {values} is there twice")
-        namespace.named_outputs = (*named, values)
-        namespace.outputs = tuple(n for n in (*named, values) if n != NO_DEVICE)
+        namespace.named_outputs = named = (*named, values)
+        if NO_DEVICE in named and len(named) > 1:
+            parser.error(
+                f"argument --device: {NO_DEVICE} means no device at all; leave it out, "
+                "or name no other"
+            )
+        namespace.outputs = tuple(n for n in named if n != NO_DEVICE)
 
 
 def _known_name(names: Sequence[str], text: str) -> str:

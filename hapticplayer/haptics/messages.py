@@ -60,6 +60,14 @@ class MessageSocket:
             self._poll.register(alarm, select.POLLIN)
         self.is_open = True
         self.is_alarmed = False
+        self._owed: MessageKind | None = None
+
+    def insist(self, word: MessageKind) -> None:
+        """Send a word, again at each `receive` while the line is full.
+
+        Only the newest of these counts: a re-arm takes the place of a stop.
+        """
+        self._owed = None if self.send(word) else word
 
     def send(self, word: MessageKind, text: str = "", descriptor: int = -1) -> bool:
         """Send one message; False when the other end is gone.
@@ -80,6 +88,8 @@ class MessageSocket:
         """Return the next message, or None; clears `is_open` at the end."""
         if not self.is_open:
             return None
+        if self._owed is not None:
+            self.insist(self._owed)
         ready = self._poll.poll(timeout_ms)
         self.is_alarmed = bool(ready) and self._has_alarm(ready)
         if not ready:

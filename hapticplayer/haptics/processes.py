@@ -239,11 +239,11 @@ class HapticsProcesses:
 
     def stop_force(self) -> None:
         """TRIP: zero at the next tick, until `rearm`."""
-        self._send(MessageKind.STOP)
+        self._insist(MessageKind.STOP)
 
     def rearm(self) -> None:
         """Let the force fade in again after a TRIP."""
-        self._send(MessageKind.REARM)
+        self._insist(MessageKind.REARM)
 
     @property
     def takes_faults(self) -> bool:
@@ -289,6 +289,10 @@ class HapticsProcesses:
         wait_for_end(processes, self._release_s)
         if self._recording:
             self._recording.finish()
+
+    def _insist(self, word: MessageKind) -> None:
+        if self._line is not None:
+            self._line.insist(word)
 
     def _send(self, word: MessageKind, text: str = "") -> None:
         if self._line is not None:

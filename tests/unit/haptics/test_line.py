@@ -51,3 +51,35 @@ def test_last_words_are_read_after_a_send_that_failed(ends):
     assert player.receive().text == "no Falcon is plugged in"
     assert player.receive() is None
     assert not player.is_open
+
+
+def fill(player):
+    count = 0
+    while player.send(MessageKind.FORGET, "1"):
+        count += 1
+    return count
+
+
+def test_a_stop_waits_while_the_line_is_full_and_is_sent(ends):
+    player, loop = ends
+    count = fill(player)
+    player.insist(MessageKind.STOP)
+    for _ in range(count):
+        assert loop.receive().word is MessageKind.FORGET
+    assert loop.receive() is None
+    player.receive()
+    assert loop.receive().word is MessageKind.STOP
+    player.receive()
+    assert loop.receive() is None  # sent once
+
+
+def test_of_a_stop_and_a_rearm_that_wait_the_newer_is_sent(ends):
+    player, loop = ends
+    count = fill(player)
+    player.insist(MessageKind.REARM)
+    player.insist(MessageKind.STOP)
+    for _ in range(count):
+        loop.receive()
+    player.receive()
+    assert loop.receive().word is MessageKind.STOP
+    assert loop.receive() is None
