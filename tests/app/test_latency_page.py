@@ -158,8 +158,8 @@ def test_on_a_device_the_force_is_gentle_and_escape_ends_it(make_page, wait_for)
     assert page.player is None
     assert not page.isVisible()
     last = player.snapshot()  # of the closed player
-    assert last.mode is Mode.TRIPPED
-    assert last.tick["force_n"].tolist() == [0.0, 0.0, 0.0]
+    assert last.leading.mode is Mode.TRIPPED
+    assert last.leading.tick["force_n"].tolist() == [0.0, 0.0, 0.0]
 
 
 def test_a_used_latency_is_kept_for_its_output_and_played_with(
