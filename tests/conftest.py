@@ -21,8 +21,10 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model import quaternions as quat
 from hapticplayer.playback.player import ClipPlayback, Player
 from hapticplayer.sequence.build import Choices, write_sequence
+from tests import needed_extras
 from tests.realtime import RealTime
 
+needed_extras.install()
 pytest_plugins = ("pytester",)
 
 TWO_SCREENS = Path(__file__).parent / "data" / "two_screens.json"

@@ -1,6 +1,8 @@
 """Every page and dialog, made one after the other, and what to look at in each."""
 
+import importlib
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QEventLoop, QPoint, QRect, Qt
@@ -37,8 +39,6 @@ from app.experimenter.rendering_page import RenderingPage
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study_editor import StudyEditor
-from app.extras.faults.panel import FaultPanel
-from app.extras.rigs.panel import RigPanel
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
 from app.player.commands import COMMANDS
@@ -125,10 +125,8 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             window, "Firmware", setup_texts.unknown_image(), "OK"
         ),
         "feedback": lambda: ConditionDialog(["mine"], window),
-        "faults": lambda: FaultPanel(window.clock, window.session, window),
         "outputs": lambda: OutputsPage(window.clock, window.session, window),
         "outputs-test": lambda: _outputs_in_test(window),
-        "rig": lambda: RigPanel(window.clock, window, (0,)),
         "forces": lambda: DevicePage(window.clock, "simulated", window),
         "latencies": lambda: LatencyPage(
             *(window.clock, "simulated", window.settings, _no_player),
@@ -139,7 +137,15 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             "Rides", lambda _progress: [], _no_export, print, window.clock
         ),
         "session": lambda: _operator(window.surface),
-    }
+    } | _dialogs_of_extras(window)
+
+
+def _dialogs_of_extras(window: PlayerWindow) -> dict[str, Callable[[], QWidget]]:
+    found = {}
+    for file in sorted((Path(__file__).parent / "extras").glob("*/faces.py")):
+        faces = importlib.import_module(f"tests.app.extras.{file.parent.name}.faces")
+        found |= faces.dialogs(window)
+    return found
 
 
 def _outputs_in_test(window: PlayerWindow) -> OutputsPage:

@@ -23,7 +23,6 @@ from app.player.outputs_page import OutputsPage, state_text
 from app.player.window import PlayerWindow
 from hapticplayer import __version__, cli, storage
 from hapticplayer.clock import SystemClock
-from hapticplayer.extras.rigs.receiver import PacketReceiver
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import RigTrack
@@ -36,6 +35,8 @@ from hapticplayer.rendering.rig import RigStep
 
 @pytest.fixture
 def receiver():
+    from hapticplayer.extras.rigs.receiver import PacketReceiver
+
     with contextlib.closing(PacketReceiver(SystemClock(), [0])) as made:
         yield made
 

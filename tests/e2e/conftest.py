@@ -6,8 +6,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hapticplayer.extras.rides import recordings as demos
-from hapticplayer.extras.rides.recording import SimulatedRecording, simulate
 from hapticplayer.media.encode import write_clip
 from tests.e2e.command import hapticplayer
 from tests.once import made_once
@@ -22,17 +20,19 @@ def clip(tmp_path_factory) -> Path:
     return path
 
 
-def small_simulate(scene: str, seed: int) -> SimulatedRecording:
-    return replace(simulate(scene, seed), width=160, height=90, frame_rate_hz=10)
-
-
 @pytest.fixture(scope="session")
 def demo(tmp_path_factory) -> Path:
     """The demo with small frames."""
+    from hapticplayer.extras.rides import recordings as demos
+
+    whole = demos.simulate
+
+    def small(scene, seed):
+        return replace(whole(scene, seed), width=160, height=90, frame_rate_hz=10)
 
     def draw(target):
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(demos, "simulate", small_simulate)
+            patch.setattr(demos, "simulate", small)
             done = hapticplayer("simulate", "demo", "-o", target)
         assert done.returncode == 0, done.stderr
 

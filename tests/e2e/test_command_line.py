@@ -14,7 +14,6 @@ from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import device_names
 from hapticplayer.doctor import ROOT
-from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import ImuLog
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.sequence import demo as demos
@@ -381,6 +380,8 @@ def test_a_bad_force_track_is_refused(content, clip, tmp_path):
 
 
 def test_a_ride_without_a_clip_is_a_log_with_its_truth(tmp_path):
+    from hapticplayer.extras.rides.motion_scenes import simulate_motion
+
     target = tmp_path / "walk"
     done = hapticplayer("simulate", "walk", "-o", target, "--seed", "3")
     assert done.returncode == 0, done.stderr

@@ -6,7 +6,6 @@ import signal
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.extras.faults.usb.board import synthetic_image
 from tests.e2e.command import hapticplayer, report_of, started
 
 FALCON = ("--device", "falcon-simulated")
@@ -62,6 +61,8 @@ def test_an_invalid_time_limit_is_refused_first(limit, device):
 
 
 def test_firmware_is_kept_only_with_consent_and_if_valid(device, tmp_path):
+    from hapticplayer.extras.faults.usb.board import synthetic_image
+
     file = tmp_path / "image.bin"
     kept = tmp_path / "hapticplayer" / "falcon-firmware.bin"
     upload = ("upload-firmware", file, *FALCON)

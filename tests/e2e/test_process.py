@@ -13,7 +13,6 @@ import pytest
 from hapticplayer import motion
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.sequence.store import read_recorded
 from tests.e2e.command import command_line, hapticplayer, refused, report_of, started
 
@@ -21,6 +20,8 @@ from tests.e2e.command import command_line, hapticplayer, refused, report_of, st
 @pytest.fixture(scope="module")
 def ride():
     """A minute of somebody walking, with the truth."""
+    from hapticplayer.extras.rides.motion_scenes import simulate_motion
+
     return simulate_motion("walk", 5)
 
 

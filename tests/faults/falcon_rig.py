@@ -5,7 +5,6 @@ virtual time: what two threads do in a process is done here between two ticks.
 """
 
 import numpy as np
-from haptic_rig import DriverGrip
 
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.kinematics import Kinematics, OutOfReachError
@@ -16,6 +15,7 @@ from hapticplayer.extras.faults.usb.backend import SimulatedBus, SimulatedPort
 from hapticplayer.extras.faults.usb.board import Board, Stage
 from hapticplayer.extras.faults.usb.chip import Chip
 from tests.doubles import BenchMechanics
+from tests.faults.haptic_rig import DriverGrip
 
 ALWAYS = 10**9
 PERIOD_S = 0.001

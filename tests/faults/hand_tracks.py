@@ -4,8 +4,6 @@ import functools
 
 import numpy as np
 
-from hapticplayer.extras.rides.motion_scenes import simulate_motion
-from hapticplayer.extras.rides.recording import simulate
 from hapticplayer.model import Feedback, ForceTrack, Mapping, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.force import Reconstruction
@@ -34,6 +32,8 @@ def rendered(time_s, acceleration_mps2):
 
 def demo():
     """The built-in ride: a bend, a kerb, a hard stop."""
+    from hapticplayer.extras.rides.recording import simulate
+
     truth = simulate("demo", SEED).truth
     up = np.array([0.0, 0.0, GRAVITY_MPS2])
     gravity = quat.rotate(quat.conjugate(truth.quaternion_wxyz), up)
@@ -42,6 +42,8 @@ def demo():
 
 def bike():
     """A mountain bike downhill: knocks up to the limit of the force."""
+    from hapticplayer.extras.rides.motion_scenes import simulate_motion
+
     ride = simulate_motion("mountain-bike", SEED, duration_s=20.0)
     return rendered(ride.imu.time_s - ride.imu.time_s[0], ride.acceleration_mps2)
 

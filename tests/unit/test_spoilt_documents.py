@@ -4,14 +4,11 @@ import copy
 import json
 import random
 import zlib
-from functools import partial
 
 import pytest
 
 from hapticplayer.capture.choices import LogChoices, read_template, write_template
-from hapticplayer.errors import DeviceError, InputError
-from hapticplayer.extras.inverse3.protocol import state_of
-from hapticplayer.extras.toys.buttplug import motors_of
+from hapticplayer.errors import InputError
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.playback.latency import latencies_in, read_settings
 from hapticplayer.playback.replay import read_force_log
@@ -254,53 +251,3 @@ def test_a_spoilt_playback_log_is_refused(tmp_path):
         path.write_bytes(json.dumps(header).encode() + b"\n" + text)
         said = refusal(lambda: read_force_log(path), what)
         assert not said or "play.log" in said, what
-
-
-DEVICES = {
-    "Devices": {
-        "0": {
-            "DeviceIndex": 0,
-            "DeviceMessageTimingGap": 10,
-            "DeviceFeatures": {"0": {"Output": {"Vibrate": {"Value": [0, 20]}}}},
-        }
-    }
-}
-OLDER = {
-    "Devices": [
-        {
-            "DeviceIndex": 0,
-            "DeviceMessages": {
-                "ScalarCmd": [{"StepCount": 20, "ActuatorType": "Vibrate"}]
-            },
-        }
-    ]
-}
-
-
-@pytest.mark.parametrize(("version", "document"), [(4, DEVICES), (3, OLDER)])
-def test_a_spoilt_list_of_toys_is_refused(version, document):
-    assert motors_of(document, version)[0]
-    for what, text in spoilt(document):
-        try:
-            listed = json.loads(text)
-        except (ValueError, RecursionError):
-            continue
-        if isinstance(listed, dict):
-            said = refusal(partial(motors_of, listed, version), what, DeviceError)
-            assert not said or "Intiface" in said, what
-
-
-def test_a_spoilt_state_of_an_inverse3_is_ignored():
-    place = {"x": 0.0, "y": 0.0, "z": 0.0}
-    device = {
-        "device_id": "a",
-        "state": {"cursor_position": place},
-        "status": {"calibrated": True, "ready": True},
-    }
-    grip = {"state": {"buttons": {"a": True, "b": False}}}
-    document = {"version": "3.5.0", "inverse3": [device], "wireless_verse_grip": [grip]}
-    assert state_of(json.dumps(document)) is not None
-    for what, text in spoilt(document):
-        state = state_of(text)
-        if state is not None:
-            assert all(abs(one) < 1.0 for one in state.position_m), what

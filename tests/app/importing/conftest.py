@@ -11,12 +11,10 @@ from scipy.signal import resample_poly
 from app.experimenter import import_wizard
 from app.experimenter.import_wizard import ImportWizard
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.extras.rides.gpmf_writer import write_payloads
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 from hapticplayer.sequence import import_preview
 from hapticplayer.sequence.import_preview import preview_import
-from tests.material.sync_clips import simulate_pats
 
 SECONDS = 20
 
@@ -24,6 +22,9 @@ SECONDS = 20
 @pytest.fixture(scope="session")
 def ride(tmp_path_factory):
     """A clip with pats, its log, a stranger's log, a GoPro's file, and the truth."""
+    from hapticplayer.extras.rides.gpmf_writer import write_payloads
+    from tests.material.sync_clips import simulate_pats
+
     folder = tmp_path_factory.mktemp("pats")
     made = simulate_pats(41_001, hard=False, rate_hz=200, duration_s=SECONDS)
     other = simulate_pats(41_002, hard=False, rate_hz=200, duration_s=SECONDS)

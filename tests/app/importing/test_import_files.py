@@ -5,9 +5,7 @@ import pytest
 
 from app.experimenter import import_suggestion, import_wizard
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT
-from hapticplayer.extras.frames import estimate
 from hapticplayer.sequence import open_sequence
-from tests.unit.extras.frames.made_up import stepping, steps, suggested, turning
 
 
 def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_path):
@@ -84,6 +82,9 @@ def plain(ride, tmp_path):
 def test_a_plain_video_gets_an_estimate_if_a_person_wants_it(
     wizard, ride, plain, wait_for, monkeypatch
 ):
+    from hapticplayer.extras.frames import estimate
+    from tests.unit.extras.frames.made_up import stepping, steps, suggested, turning
+
     def here(work, *arguments, progress, **options):
         return work(*arguments, progress=progress, **options)
 

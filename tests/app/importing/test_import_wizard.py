@@ -14,7 +14,6 @@ from app.experimenter.import_wizard import FILES, MOUNTING, REPORT, SYNC, Import
 from hapticplayer.capture import formats, read_recording
 from hapticplayer.capture.sync import methods
 from hapticplayer.errors import Message
-from hapticplayer.extras.frames.watching import is_available
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
@@ -93,6 +92,8 @@ def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for, tmp_
 
 
 def test_a_real_camera_is_recognised_and_imported(wizard, wait_for, shared_data):
+    from hapticplayer.extras.frames.watching import is_available
+
     wizard.take([shared_data / "capture" / "gopro" / "karma.mp4"])
     wait_for(wizard.next.isEnabled)
     facts = wizard.files.facts.text()

@@ -8,25 +8,29 @@ from app.player.setup_page import SetupPage
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import open_falcon
-from hapticplayer.extras.faults.usb.board import Stage, synthetic_image
-from hapticplayer.extras.faults.usb.driver import make_set
-from hapticplayer.extras.faults.usb.mechanics import Homing
 
 
 def small_image():
     """Return firmware that is loaded within 0.1 s."""
+    from hapticplayer.extras.faults.usb.board import synthetic_image
+
     return synthetic_image(200)
 
 
 @pytest.fixture
 def owner():
     """Somebody who soon homes the Falcon."""
+    from hapticplayer.extras.faults.usb.mechanics import Homing
+
     return Homing(deciding_s=0.2)
 
 
 @pytest.fixture
 def falcon(owner):
     """A simulated one, just plugged in."""
+    from hapticplayer.extras.faults.usb.board import Stage
+    from hapticplayer.extras.faults.usb.driver import make_set
+
     return make_set(stage=Stage.DARK, homing=owner)
 
 

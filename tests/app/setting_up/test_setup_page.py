@@ -13,7 +13,6 @@ from hapticplayer.devices import DEVICES, guides, installed_devices
 from hapticplayer.devices.checks import Check
 from hapticplayer.devices.guides import Guide
 from hapticplayer.errors import Message
-from hapticplayer.extras.rigs.packets import FORMATS
 from hapticplayer.haptics.processes import Health
 from tests.app.setting_up.conftest import choose
 
@@ -49,6 +48,8 @@ def test_a_device_that_needs_nothing_says_so(make_page, wait_for):
 
 
 def test_every_kind_says_what_it_is_and_how_to_connect_it(make_page):
+    from hapticplayer.extras.rigs.packets import FORMATS
+
     page = make_page("simulated")
     said = {}
     for row in range(page.device.count()):

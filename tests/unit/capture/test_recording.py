@@ -6,7 +6,6 @@ import pytest
 
 from hapticplayer.capture import read_recording
 from hapticplayer.errors import InputError, MediaError, TelemetryError
-from hapticplayer.extras.rides.gpmf_writer import write_payloads
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 from hapticplayer.model import ClockMap, ImuLog
@@ -131,6 +130,8 @@ def test_importing_the_room_loads_neither_pyav_nor_scipy():
 
 def test_units_and_axes_of_a_camera_are_noted(tmp_path):
     """A HERO9 at rest shows 9.83 m/s2 here, by its own norm; 1.3 g is implausible."""
+    from hapticplayer.extras.rides.gpmf_writer import write_payloads
+
     real = read_recording(recorded("gopro/hero9_rotation.gpmd"))
     assert "9.83 m/s2 at rest" in real.notes[0]
     assert "x to its right, y to where it looks, z to its top" in real.notes[0]

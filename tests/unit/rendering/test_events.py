@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import InputError, UsageError
-from hapticplayer.extras.rides.motion_scenes import simulate_motion
-from hapticplayer.extras.rides.trajectory import smooth_step
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.motion import remove_gravity
@@ -53,6 +51,8 @@ def blow(at_s, peak_mps2, length_s=0.05):
 
 
 def level(first_s, last_s, mps2, edge_s=0.5):
+    from hapticplayer.extras.rides.trajectory import smooth_step
+
     rise = smooth_step(TIME_S, first_s, edge_s)
     return mps2 * (rise - smooth_step(TIME_S, last_s, edge_s))
 
@@ -282,6 +282,8 @@ def test_low_sound_keeps_50_hz_and_drops_2000():
     ("ride", "sensor"), [("bicycle", "camera"), ("car-hard", "paper-board")]
 )
 def test_known_rides_have_their_events(ride, sensor):
+    from hapticplayer.extras.rides.motion_scenes import simulate_motion
+
     made = simulate_motion(ride, 3, duration_s=60.0, sensor=sensor)
     known = known_events(made.trajectory, 60.0)
     events = find_events(remove_gravity(made.imu), made.imu)

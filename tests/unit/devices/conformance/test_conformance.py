@@ -5,11 +5,12 @@ import subprocess
 import sys
 
 import pytest
-from worlds import WORLDS, ZERO, Example, capabilities_of
 
 from hapticplayer.devices import installed_devices
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.limiter import limits_of
+from tests.unit.devices.conformance.world import ZERO
+from tests.unit.devices.conformance.worlds import WORLDS, Example, capabilities_of
 
 PUSH = (1.0, 1.5, 0.5)
 

@@ -17,7 +17,6 @@ from hapticplayer.devices.falcon.firmware import (
 )
 from hapticplayer.devices.falcon.firmware import image as image_module
 from hapticplayer.errors import Cancelled, DeviceError, UsageError
-from hapticplayer.extras.faults.usb.board import Stage
 
 QUICK = replace(firmware.RETRY_LIMITS, attempts=3)
 
@@ -159,6 +158,8 @@ def start(bench, retry=QUICK, progress=None):
 
 
 def test_an_upload_starts_the_firmware(bench, image):
+    from hapticplayer.extras.faults.usb.board import Stage
+
     seen = []
     began_s = bench.clock.now_s()
     ftdi = start(bench, progress=seen.append)
@@ -222,6 +223,8 @@ def test_a_loader_that_raises_cts_late_or_never_is_served(bench, after_s):
 
 
 def test_old_bytes_do_not_disturb_the_hello(bench):
+    from hapticplayer.extras.faults.usb.board import Stage
+
     ftdi = bench.ftdi()
     bench.chip.send_back(b"<AAAAAAAAAAAAAA>" * 3, bench.clock.now_s())
     firmware.upload(ftdi, bench.image, bench.clock)
@@ -231,6 +234,8 @@ def test_old_bytes_do_not_disturb_the_hello(bench):
 
 @pytest.mark.parametrize("place", [-1, 0, 61, 62, 500])
 def test_a_wrong_echo_is_seen_and_the_next_attempt_succeeds(bench, place):
+    from hapticplayer.extras.faults.usb.board import Stage
+
     bench.faults.wrong_echo_at = place
     with pytest.raises(firmware.UploadError, match=r"wrong|does not answer"):
         firmware.upload(bench.ftdi(), bench.image, bench.clock)
@@ -265,6 +270,8 @@ def test_an_image_that_does_not_run_is_said(bench):
 
 @pytest.mark.parametrize("after_s", [0.0, 0.05, 0.1, 0.15, 0.2])
 def test_unplugging_at_any_moment_of_an_upload_is_said(bench, after_s):
+    from hapticplayer.extras.faults.usb.board import Stage
+
     class Impatient(type(bench.clock)):
         def sleep_until(self, deadline_s):
             super().sleep_until(deadline_s)

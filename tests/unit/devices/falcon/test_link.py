@@ -12,7 +12,7 @@ from hapticplayer.devices.falcon.protocol import Reply, encode_reply
 from hapticplayer.devices.falcon.transport import FalconGoneError
 from hapticplayer.errors import DeviceError
 from hapticplayer.extras.faults.usb.board import Stage
-from tests.unit.devices.falcon.conftest import Bench
+from tests.unit.devices.falcon.bench import Bench
 
 LONG_S = 20.0  # for what happens at once unless it is broken
 REPLY = Reply((1, -2, 3), 4, 7)

@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from fake_card import FakeCard
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -16,6 +15,7 @@ from hapticplayer.extras.shakers.meter import LevelMeter
 from hapticplayer.extras.shakers.settings import shaker_settings
 from hapticplayer.extras.shakers.signal import FULL_N, SAMPLE_HZ, limited
 from hapticplayer.model.device import ChannelLevel
+from tests.unit.extras.shakers.fake_card import FakeCard
 
 ZERO = (0.0, 0.0, 0.0)
 

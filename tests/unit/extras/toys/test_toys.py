@@ -9,7 +9,6 @@ import threading
 import tty
 
 import pytest
-from fake_intiface import NEW_TOY, FakeIntiface
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -19,6 +18,7 @@ from hapticplayer.errors import DeviceError, HapticPlayerError
 from hapticplayer.extras.toys import buttplug, tcode
 from hapticplayer.extras.toys.extension import TCODE
 from tests.doubles import DirectWriter
+from tests.unit.extras.toys.fake_intiface import NEW_TOY, FakeIntiface
 
 ZERO = (0.0, 0.0, 0.0)
 HALF = (0.0, 2.25, 0.0)

@@ -5,7 +5,6 @@ import math
 import os
 
 import pytest
-from fake_input import Constant, Effect, FakeInput, InputEvent, Rumble
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -19,6 +18,13 @@ from hapticplayer.extras.wheels.extension import RUMBLE, WHEEL
 from hapticplayer.extras.wheels.options import wheel_options
 from hapticplayer.rendering.demonstration import demonstration
 from tests.doubles import DirectWriter
+from tests.unit.extras.wheels.fake_input import (
+    Constant,
+    Effect,
+    FakeInput,
+    InputEvent,
+    Rumble,
+)
 
 ZERO = (0.0, 0.0, 0.0)
 

@@ -6,12 +6,11 @@ here with the next tick.
 
 from collections import deque
 
-from haptic_rig import DriverGrip
-
 from hapticplayer.errors import DeviceError
 from hapticplayer.extras.inverse3.driver import Inverse3Driver
 from hapticplayer.extras.inverse3.simulated.service import Service, simulation_of
 from hapticplayer.haptics.limiter import ZERO
+from tests.faults.haptic_rig import DriverGrip
 
 
 class VirtualLink:

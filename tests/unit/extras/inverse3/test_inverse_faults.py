@@ -1,11 +1,27 @@
-"""Faults that only the Inverse3's service has."""
+"""The safety contract with the Inverse3's driver, and faults only its service has."""
+
+from functools import partial
 
 import pytest
-from haptic_rig import Rig, SlowClock
-from inverse_rig import InverseGrip, Placed
 
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import ZERO
+from tests.faults.driver_faults import Side, cases_of, check_force_is_gone_in_time
+from tests.faults.haptic_rig import Rig, SlowClock
+from tests.unit.extras.inverse3.inverse_rig import InverseGrip, Placed
+
+# An answer is taken with the tick after its command. JSON has no "not a number".
+NEWER = Side(
+    InverseGrip,
+    phases=3,
+    slack=2,
+    cannot=("position-not-finite",),
+    also={},
+    deaf=("unplugged", "reply-late", "reply-lost"),
+)
+OLDER = NEWER._replace(  # it says `values` for `vector`
+    make=partial(InverseGrip, version="3.1.2"), phases=1
+)
 
 
 @pytest.fixture(params=["3.5.0", "3.1.2"])
@@ -53,3 +69,11 @@ def test_the_axes_are_turned_between_the_frames(rig):
     assert rig.device.applied_n == (1.0, 2.0, 3.0)
     sent = rig.device.link.sent[-1]
     assert '{"x":1.0,"y":-3.0,"z":2.0}' in sent
+
+
+@pytest.mark.parametrize(
+    ("side", "name", "phase"),
+    [(side, *case) for side in (NEWER, OLDER) for case in cases_of(side)],
+)
+def test_the_force_is_gone_in_the_stated_time_and_its_slack(side, name, phase):
+    check_force_is_gone_in_time(side, name, phase)

@@ -1,6 +1,0 @@
-"""The fake kernel is a plain module beside the tests."""
-
-import sys
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).resolve().parent))
