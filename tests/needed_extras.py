@@ -11,6 +11,12 @@ TESTS = Path(__file__).parent
 OF_AN_EXTRA = re.compile(r"(?:hapticplayer|app|tests\.unit|tests\.app)\.extras\.(\w+)")
 
 
+def needs(name: str) -> pytest.MarkDecorator:
+    """A mark for what names an extra's format, device or command."""
+    place = Path(__file__).parents[1] / "hapticplayer" / "extras" / name
+    return pytest.mark.skipif(not place.is_dir(), reason=f"needs the extra {name}")
+
+
 class NeededExtras(MetaPathFinder):
     """Asked last, when nobody has found a module; errors of the core stay errors."""
 

@@ -37,11 +37,11 @@ def main() -> int:
     names = {path.name for path in ROOT.glob("*/extras/*") if path.is_dir()}
     with tempfile.TemporaryDirectory(prefix="core-") as folder:
         copy_without({options.only} if options.only else names, Path(folder))
+        more = {"cwd": folder, "env": os.environ | {"PYTHONPATH": folder}}
+        tables = [sys.executable, "-m", "tools.tables"]
+        subprocess.run(tables, check=True, **more)  # of the rows that are left
         command = [sys.executable, "-m", "pytest", *(arguments or AT_WORK)]
-        environment = os.environ | {"PYTHONPATH": folder}
-        return subprocess.run(
-            command, cwd=folder, env=environment, check=False
-        ).returncode
+        return subprocess.run(command, check=False, **more).returncode
 
 
 if __name__ == "__main__":

@@ -74,7 +74,8 @@ def _tracked_files() -> list[Path]:
     return [
         path
         for top in ROOT.iterdir()
-        if top.name not in (".git", ".venv") and not top.name.endswith("_cache")
+        if top.name not in (".git", ".venv", ".hypothesis")
+        and not top.name.endswith("_cache")
         for path in (top.rglob("*") if top.is_dir() else [top])
         if "__pycache__" not in path.parts
     ]

@@ -198,4 +198,4 @@ def test_no_other_place_opens_files_for_reading():
             )
             name = str(path.relative_to(ROOT))
             found |= {(name, how) for call in calls if (how := opened_by(call))}
-    assert found == set(OWN)
+    assert found == {one for one in OWN if (ROOT / one[0]).is_file()}

@@ -10,6 +10,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.gopro import read_gopro
 from hapticplayer.capture.recording import Recording
 from hapticplayer.media.telemetry import TelemetryPacket
+from tests.needed_extras import needs
 from tests.unit.capture.conftest import device, klv, nested, recorded, sensor, shorts
 
 PAYLOAD_S, PAYLOADS = 1.001, 12
@@ -78,6 +79,7 @@ def recording(
 
 
 @pytest.mark.parametrize("lag_s", [0.0, 0.013, -0.021, 0.04])
+@needs("frames")
 def test_lag_of_the_gyro_is_measured_and_taken_out(lag_s):
     found = recording(lag_s)
 
@@ -93,6 +95,7 @@ def test_lag_of_the_gyro_is_measured_and_taken_out(lag_s):
     assert any("CORI" in note for note in found.notes)
 
 
+@needs("frames")
 def test_a_repeated_orientation_does_not_matter():
     """As a HERO8 and a HERO9 write it."""
     found = recording(0.008, repeated_in=4)
@@ -123,6 +126,7 @@ def test_an_indistinct_orientation_changes_nothing(flaw):
         ("hero9_rotation.gpmd", -0.7, 1.0),
     ],
 )
+@needs("frames")
 def test_lag_of_real_cameras(name, lag_ms, tolerance_ms):
     found = read_recording(recorded(f"gopro/{name}"))
 

@@ -9,6 +9,7 @@ from hapticplayer.errors import InputError, MediaError, TelemetryError
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
 from hapticplayer.model import ClockMap, ImuLog
+from tests.needed_extras import needs
 from tests.unit.capture.conftest import device, recorded, sensor
 
 
@@ -81,6 +82,7 @@ def test_synthetic_camera_file_is_read_with_its_times(tmp_path, mute_clip):
     np.testing.assert_allclose(recording.imu.specific_force_mps2[:, 2], 9.8, rtol=1e-6)
 
 
+@needs("frames")
 def test_video_without_motion_names_the_remedy(mute_clip):
     with pytest.raises(TelemetryError) as caught:
         read_recording(mute_clip)

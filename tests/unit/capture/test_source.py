@@ -14,8 +14,10 @@ from hapticplayer.capture.source import LogSource, open_source
 from hapticplayer.errors import InputError
 from tests.faults.import_formats import FORMATS, put, zipped
 from tests.faults.import_signal import sample
+from tests.needed_extras import needs
 
 
+@needs("loggers")
 def test_a_zip_and_its_folder_are_the_same_recording(tmp_path):
     files = FORMATS["OpenCamera Sensors"].write(sample(apart=True))
     folder = read_recording(put(files, tmp_path / "a")).imu
@@ -37,6 +39,7 @@ def replaced(path):
 
 @pytest.mark.parametrize("change", [appended, replaced, os.utime])
 @pytest.mark.parametrize("kind", ["folder", "files", "zip", "file"])
+@needs("loggers")
 def test_a_recording_that_changes_meanwhile_is_refused(
     tmp_path, monkeypatch, change, kind
 ):
@@ -58,6 +61,7 @@ def test_a_recording_that_changes_meanwhile_is_refused(
         read_recording(log)
 
 
+@needs("loggers")
 def test_folder_inside_the_zip_does_not_matter(tmp_path):
     files = FORMATS["Sensor Logger Android"].write(sample(apart=True))
     inside = {f"2026-01-01_ride/{name}": content for name, content in files.items()}
@@ -77,6 +81,7 @@ def test_names_that_point_out_of_a_zip_are_refused(tmp_path, name):
     assert [file.name for file in tmp_path.iterdir()] == ["evil.zip"]
 
 
+@needs("loggers")
 def test_a_zip_that_swells_is_refused_before_it_fills_the_memory(tmp_path, monkeypatch):
     """Whatever size it claims; here the claim itself is honest and too large."""
     monkeypatch.setattr(source, "MAX_CSV_BYTES", 1 << 20)
@@ -108,6 +113,7 @@ def test_too_many_members_are_refused(tmp_path, monkeypatch):
             read_recording(path)
 
 
+@needs("loggers")
 def test_links_and_pipes_in_a_folder_are_passed_over(tmp_path):
     outside = tmp_path / "outside.csv"
     outside.write_text("x")

@@ -29,6 +29,7 @@ from hapticplayer.sequence import editing, open_sequence, store
 from hapticplayer.sequence.build import write_sequence
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.session_setup import load_study_sources
+from tests.needed_extras import needs
 
 KEYS, SHARE = ("bike", "horse", "car-turning", "car-braking"), Range(0.0, 1.0)
 
@@ -158,7 +159,9 @@ def test_an_installed_device_is_offered_everywhere(install, capsys, qapp):
     assert said[said.index(need) + 1].strip() == "Pay it."
 
 
-@pytest.mark.parametrize("device", ["simulated", "rig:outsim", "wheel:event5,axis=y"])
+@pytest.mark.parametrize(
+    "device", ["simulated", pytest.param("rig:outsim", marks=needs("rigs"))]
+)
 def test_capabilities_of_a_device_are_printed(capsys, device):
     assert cli.main(["device", "info", "--device", device]) == 0
     said = capsys.readouterr().out

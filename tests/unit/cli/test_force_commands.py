@@ -8,6 +8,7 @@ import pytest
 from hapticplayer import cli
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.force_formats import read_formats, written_formats
+from tests.needed_extras import needs
 
 KINDS = [
     name for name in written_formats() if name in read_formats() and name != "funscript"
@@ -41,6 +42,7 @@ def test_an_exported_track_comes_back_into_the_sequence(
 
 
 @pytest.mark.parametrize("name", written_formats())
+@needs("formats")
 def test_every_format_is_made_of_a_csv(name, report_of, tmp_path):
     source = tmp_path / "in.csv"
     source.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1.5,0\n1.5,0,0,0\n")
@@ -50,6 +52,7 @@ def test_every_format_is_made_of_a_csv(name, report_of, tmp_path):
     assert set(report) >= {"kbit_s", "kbit_s_compressed", "track_kbit_s", "notes"}
 
 
+@needs("formats")
 def test_motion_is_exported_where_it_was_shared(report_of, sequence_folder, tmp_path):
     path = tmp_path / "a.sem"
     report_of("export", sequence_folder, "-o", path, "--with-motion")
@@ -60,6 +63,7 @@ def test_motion_is_exported_where_it_was_shared(report_of, sequence_folder, tmp_
     assert cli.main([*packed, str(tmp_path / "b.hjif")]) == 2
 
 
+@needs("formats")
 def test_a_packed_video_is_exported_like_its_folder(
     report_of, sequence_folder, tmp_path
 ):
@@ -70,6 +74,7 @@ def test_a_packed_video_is_exported_like_its_folder(
     assert one["error_max_n"] == two["error_max_n"]
 
 
+@needs("formats")
 def test_the_tolerance_is_kept_and_saves_bytes(report_of, sequence_folder, tmp_path):
     fine = report_of(
         "export", sequence_folder, "-o", tmp_path / "a.hjif", "--tolerance", 0.001
@@ -81,6 +86,7 @@ def test_the_tolerance_is_kept_and_saves_bytes(report_of, sequence_folder, tmp_p
     assert rough["bytes"] < fine["bytes"]
 
 
+@needs("formats")
 def test_a_check_says_which_parts_of_a_file_would_be_lost(capsys, tmp_path):
     path = tmp_path / "ride.sem"
     effect = '<Effect type="{}" timestamp="0" duration="900">{}</Effect>'
@@ -93,6 +99,7 @@ def test_a_check_says_which_parts_of_a_file_would_be_lost(capsys, tmp_path):
     assert "only a part of it would be read" in said
 
 
+@needs("formats")
 def test_a_check_refuses_what_an_import_would_refuse(capsys, tmp_path):
     path = tmp_path / "bad.hjif"
     path.write_text('{"version":"2020"}')
@@ -106,8 +113,15 @@ def test_a_check_refuses_what_an_import_would_refuse(capsys, tmp_path):
         (["export", "{folder}", "-o", "x.doc"], 2, "unknown"),
         (["export", "{folder}", "-o", "x.csv", "--feedback", "y"], 2, "choose one of"),
         (["export", "{folder}", "-o", "x.csv", "--tolerance", "9"], 2, "between"),
-        (["convert", "x.hjif", "y.csv", "--direction", "0,0,0"], 2, "three numbers"),
-        (["convert", "none.hjif", "y.csv"], 1, "no such file"),
+        pytest.param(
+            *(["convert", "x.hjif", "y.csv", "--direction", "0,0,0"], 2),
+            *("three numbers",),
+            marks=needs("formats"),
+        ),
+        pytest.param(
+            *(["convert", "none.hjif", "y.csv"], 1, "no such file"),
+            marks=needs("formats"),
+        ),
         (["import-force", "away.csv", "{folder}"], 1, "no such file"),
         (["import-force", "away.csv"], 2, "needs a SEQUENCE"),
         (["import-force", "--check", "away.csv", "{folder}"], 2, "no SEQUENCE"),

@@ -12,6 +12,7 @@ from hapticplayer.devices.falcon import guide
 from hapticplayer.devices.falcon.transport import FalconAddress, FalconForbiddenError
 from hapticplayer.devices.guides import checks_of, guide_of, hold_text
 from hapticplayer.errors import Message
+from tests.needed_extras import needs
 
 REMEDY = Message("do it")
 
@@ -25,6 +26,7 @@ def port_of(end):
     return f"127.0.0.1:{end.getsockname()[1]}"
 
 
+@needs("faults")
 def test_every_device_has_a_guide_of_its_own():
     real = [one for one in installed_devices().values() if not one.is_for_developers]
     for entry in real:
@@ -35,6 +37,7 @@ def test_every_device_has_a_guide_of_its_own():
     assert guide_of(find_device("falcon-simulated")).what.startswith("the Falcon's own")
 
 
+@needs("toys")
 def test_a_service_is_reached_at_its_port_or_is_not():
     with socket.create_server(("127.0.0.1", 0)) as server:
         where = port_of(server)
@@ -44,6 +47,8 @@ def test_a_service_is_reached_at_its_port_or_is_not():
     assert "not HOST:PORT" in service("It", "here").remedy
 
 
+@needs("rigs")
+@needs("toys")
 def test_a_receiver_is_seen_without_sending_to_it():
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
         end.bind(("127.0.0.1", 0))
@@ -60,6 +65,7 @@ def test_a_receiver_is_seen_without_sending_to_it():
     assert "not HOST:PORT" in receiver("here", REMEDY).remedy
 
 
+@needs("toys")
 def test_permission_is_that_of_this_user(tmp_path, monkeypatch):
     node = tmp_path / "event5"
     node.touch()

@@ -105,7 +105,6 @@ class Example(World):
 WORLDS = {
     "simulated": lambda: Process("simulated"),
     "falcon": Falcon,
-    "falcon-simulated": lambda: Process("falcon-simulated", "--running"),
     "example": Example,
 }
 for _file in sorted((ROOT / "tests" / "unit" / "extras").glob("*/worlds.py")):

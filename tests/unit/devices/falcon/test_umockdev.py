@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from hapticplayer.doctor import ROOT
+from tests.needed_extras import needs
 
 SCENARIO = Path(__file__).with_name("umockdev_falcon.py")
 WRAPPER = shutil.which("umockdev-wrapper")
@@ -30,6 +31,7 @@ def missing() -> str:
 
 
 @pytest.mark.skipif(bool(missing()), reason=missing())
+@needs("faults")
 def test_the_whole_life_of_a_falcon_through_libusb():
     done = subprocess.run(
         [WRAPPER, sys.executable, str(SCENARIO)],
