@@ -148,10 +148,6 @@
         <translation>&amp;Gerät einrichten…</translation>
     </message>
     <message>
-        <source>M&amp;ore devices…</source>
-        <translation>Weitere &amp;Geräte…</translation>
-    </message>
-    <message>
         <source>&amp;Try out the forces…</source>
         <translation>&amp;Kräfte ausprobieren…</translation>
     </message>
@@ -174,6 +170,10 @@
     <message>
         <source>Measure l&amp;atencies…</source>
         <translation>L&amp;atenzen messen…</translation>
+    </message>
+    <message>
+        <source>&amp;Outputs…</source>
+        <translation>&amp;Ausgaben…</translation>
     </message>
     <message>
         <source>Live &amp;plots</source>
@@ -501,24 +501,12 @@
         <translation>Sie spüren jede Kraft dreimal, zuerst sanft. Esc, STOPP oder eine Taste am Gerät beendet sie sofort.</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>Angehalten.</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Starting</source>
-        <translation>Startet</translation>
-    </message>
-    <message>
-        <source>The haptics process has ended.</source>
-        <translation>Der Haptikprozess ist zu Ende.</translation>
     </message>
 </context>
 <context>
@@ -1362,6 +1350,10 @@
     <message>
         <source>No device: choose {name} to see the simulated grip</source>
         <translation>Kein Gerät: wählen Sie {name}, um den simulierten Griff zu sehen</translation>
+    </message>
+    <message>
+        <source>This device has no grip</source>
+        <translation>Dieses Gerät hat keinen Griff</translation>
     </message>
     <message>
         <source>Position unknown</source>
@@ -2417,14 +2409,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
-    <name>OutletsPage</name>
+    <name>OutputsPage</name>
     <message>
-        <source>This device plays already</source>
-        <translation>Dieses Gerät spielt schon</translation>
+        <source>This device is already in use</source>
+        <translation>Dieses Gerät wird schon verwendet</translation>
     </message>
     <message>
-        <source>Settings are letters, digits and signs</source>
-        <translation>Einstellungen sind Buchstaben, Ziffern und Zeichen</translation>
+        <source>Settings may contain letters, digits and punctuation</source>
+        <translation>Einstellungen dürfen Buchstaben, Ziffern und Satzzeichen enthalten</translation>
     </message>
     <message>
         <source>No more devices can be added; remove one first</source>
@@ -2435,15 +2427,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Latenz, die ausgeglichen wird ({source}), und Verstärkung</translation>
     </message>
     <message>
-        <source>More devices</source>
-        <translation>Weitere Geräte</translation>
+        <source>Outputs</source>
+        <translation>Ausgaben</translation>
     </message>
     <message>
         <source>Add</source>
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Play on this device, too</source>
+        <source>Also play on this device</source>
         <translation>Auch auf diesem Gerät spielen</translation>
     </message>
     <message>
@@ -2479,8 +2471,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Gerät, das hinzukommt</translation>
     </message>
     <message>
-        <source>Each of these plays beside the chosen device and stops with it. A rig moves with the motion of the recording: begin with a small gain.</source>
-        <translation>Jedes davon spielt neben dem gewählten Gerät und hält mit ihm an. Eine Plattform bewegt sich mit der Bewegung der Aufnahme: Beginnen Sie mit einer kleinen Verstärkung.</translation>
+        <source>All of these play at once and stop at once. The first one leads: its position is shown and its buttons count. A rig moves with the motion of the recording: begin with a small gain.</source>
+        <translation>Alle spielen gleichzeitig und halten gleichzeitig an. Die erste führt: Ihre Position wird gezeigt, und ihre Tasten gelten. Eine Bewegungsplattform bewegt sich mit der Bewegung der Aufnahme: Beginnen Sie mit einer kleinen Verstärkung.</translation>
     </message>
     <message>
         <source>Mute</source>
@@ -2510,6 +2502,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <source>Release this device</source>
         <translation>Dieses Gerät freigeben</translation>
     </message>
+    <message>
+        <source>Move up; the first one leads</source>
+        <translation>Nach oben; die erste führt</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben</translation>
+    </message>
 </context>
 <context>
     <name>PlayBar</name>
@@ -2518,12 +2518,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Show less of the clip (+)</source>
-        <translation>Weniger vom Clip zeigen (+)</translation>
+        <source>Zoom in (+)</source>
+        <translation>Vergrößern (+)</translation>
     </message>
     <message>
-        <source>Show more of the clip (−)</source>
-        <translation>Mehr vom Clip zeigen (−)</translation>
+        <source>Zoom out (−)</source>
+        <translation>Verkleinern (−)</translation>
     </message>
     <message>
         <source>&amp;Whole clip</source>
@@ -2568,6 +2568,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
 </context>
 <context>
     <name>PlayerWindow</name>
+    <message>
+        <source>Force stopped. {keys} re-arms it.</source>
+        <translation>Kraft abgeschaltet. {keys} gibt sie wieder frei.</translation>
+    </message>
     <message>
         <source>hapticplayer</source>
         <translation>hapticplayer</translation>
@@ -3177,14 +3181,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <source>Another task is running; wait for it or cancel it</source>
         <translation>Eine andere Aufgabe läuft; warten Sie oder brechen Sie sie ab</translation>
     </message>
-    <message>
-        <source>Move the grip to the centre first, then re-arm again</source>
-        <translation>Bringen Sie den Griff zuerst in die Mitte und lassen Sie die Kraft dann wieder zu</translation>
-    </message>
-    <message>
-        <source>The haptics process has ended; choose the device again</source>
-        <translation>Der Haptikprozess ist beendet; wählen Sie das Gerät noch einmal</translation>
-    </message>
 </context>
 <context>
     <name>SessionControl</name>
@@ -3388,6 +3384,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sitzung beendet</translation>
     </message>
     <message>
+        <source>the force was stopped</source>
+        <translation>die Kraft wurde abgeschaltet</translation>
+    </message>
+    <message>
         <source>stopped by the operator</source>
         <translation>von der Versuchsleitung angehalten</translation>
     </message>
@@ -3475,12 +3475,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Für die Wiedergabe benutzen</translation>
     </message>
     <message>
-        <source>More devices…</source>
-        <translation>Weitere Geräte…</translation>
-    </message>
-    <message>
         <source>Play on several devices at once</source>
         <translation>Auf mehreren Geräten zugleich abspielen</translation>
+    </message>
+    <message>
+        <source>Outputs…</source>
+        <translation>Ausgaben…</translation>
     </message>
     <message>
         <source>Keep the current device</source>
@@ -3637,10 +3637,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Lesen</translation>
     </message>
     <message>
-        <source>A video file to send: every player shows it, hapticplayer makes it felt.</source>
-        <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie, mit hapticplayer wird sie spürbar.</translation>
-    </message>
-    <message>
         <source>Others can then render another force from it</source>
         <translation>Andere können daraus dann eine andere Kraft berechnen</translation>
     </message>
@@ -3679,6 +3675,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>What is shared</source>
         <translation>Was geteilt wird</translation>
+    </message>
+    <message>
+        <source>A video file to send: every player shows it, hapticplayer also plays the force.</source>
+        <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie, hapticplayer spielt auch die Kraft.</translation>
     </message>
     <message>
         <source>Together</source>
@@ -4520,10 +4520,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>GPMF-Spur</translation>
     </message>
     <message>
-        <source>Game pad</source>
-        <translation>Gamepad</translation>
-    </message>
-    <message>
         <source>Gyroflow gcsv</source>
         <translation>Gyroflow-gcsv</translation>
     </message>
@@ -4896,10 +4892,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wählen Sie eine Datei, die es exportiert hat</translation>
     </message>
     <message>
-        <source>choose a folder with write permission</source>
-        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
-    </message>
-    <message>
         <source>choose a log that `play --log` wrote</source>
         <translation>wählen Sie ein Protokoll, das `play --log` geschrieben hat</translation>
     </message>
@@ -4914,10 +4906,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>choose another log</source>
         <translation>wählen Sie ein anderes Protokoll</translation>
-    </message>
-    <message>
-        <source>choose another place</source>
-        <translation>wählen Sie einen anderen Ort</translation>
     </message>
     <message>
         <source>choose another {kind}</source>
@@ -4986,10 +4974,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>correct it</source>
         <translation>berichtigen Sie es</translation>
-    </message>
-    <message>
-        <source>correct that line</source>
-        <translation>berichtigen Sie diese Zeile</translation>
     </message>
     <message>
         <source>could be {formats}</source>
@@ -5164,10 +5148,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>machen Sie Platz frei, oder kopieren Sie die Sequenz in einen eigenen Ordner</translation>
     </message>
     <message>
-        <source>free some space, or choose a folder with write permission</source>
-        <translation>machen Sie Platz frei, oder wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
-    </message>
-    <message>
         <source>from {lowest_hz:.1f} to {highest_hz:.1f} Hz</source>
         <translation>von {lowest_hz:.1f} bis {highest_hz:.1f} Hz</translation>
     </message>
@@ -5338,10 +5318,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has no answers yet</source>
         <translation>hat noch keine Antworten</translation>
-    </message>
-    <message>
-        <source>has no force ({reason})</source>
-        <translation>hat keine Kraft ({reason})</translation>
     </message>
     <message>
         <source>has no timestamps, and its firmware has no fixed rate</source>
@@ -5532,10 +5508,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist kein JSON</translation>
     </message>
     <message>
-        <source>is not a JSON object</source>
-        <translation>ist kein JSON-Objekt</translation>
-    </message>
-    <message>
         <source>is not a playback log</source>
         <translation>ist kein Protokoll</translation>
     </message>
@@ -5558,10 +5530,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not available in {language!r}</source>
         <translation>gibt es nicht auf {language!r}</translation>
-    </message>
-    <message>
-        <source>is not finite or too large</source>
-        <translation>ist nicht endlich oder zu groß</translation>
     </message>
     <message>
         <source>cannot be read by telemetry-parser ({reason})</source>
@@ -5868,10 +5836,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kein Falcon {serial!r} ist angesteckt; es gibt: {known}</translation>
     </message>
     <message>
-        <source>no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable</source>
-        <translation>kein Gamepad ist angesteckt; schließen Sie einen DualSense oder DualShock 4 mit USB-Kabel an</translation>
-    </message>
-    <message>
         <source>no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm</source>
         <translation>kein Bein erreicht ({x:.1f}, {y:.1f}, {z:.1f}) mm</translation>
     </message>
@@ -5938,14 +5902,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>describes {count} of {total} tables (/ between them)</source>
         <translation>beschreibt {count} von {total} Tabellen (/ dazwischen)</translation>
-    </message>
-    <message>
-        <source>cannot be overwritten ({reason})</source>
-        <translation>kann nicht überschrieben werden ({reason})</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>/dev/input/{node}: it has no such force feedback; devices that have: {known}</source>
@@ -6020,16 +5976,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Wählen Sie dieses Spiel in der Software der Bewegungsplattform. Die Pakete bleiben auf diesem Computer, solange Sie keine andere Adresse eingeben.</translation>
     </message>
     <message>
-        <source>Connect a DualSense or DualShock 4 by USB cable.</source>
-        <translation>Schließen Sie einen DualSense oder DualShock 4 per USB-Kabel an.</translation>
-    </message>
-    <message>
         <source>Connect it as its maker says.</source>
         <translation>Schließen Sie es nach Anleitung des Herstellers an.</translation>
-    </message>
-    <message>
-        <source>Connect it by USB cable.</source>
-        <translation>Schließen Sie es per USB-Kabel an.</translation>
     </message>
     <message>
         <source>Connect it by cable or by Bluetooth.</source>
@@ -6074,10 +6022,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Delayed</source>
         <translation>Verzögert</translation>
-    </message>
-    <message>
-        <source>DualSense or DualShock 4: its vibration follows the strength of the force, not its direction.</source>
-        <translation>DualSense oder DualShock 4: Die Vibration folgt der Stärke der Kraft, nicht ihrer Richtung.</translation>
     </message>
     <message>
         <source>Edited</source>
@@ -6504,10 +6448,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Effekt liegt außerhalb jedes Clips</translation>
     </message>
     <message>
-        <source>answers with status {status}</source>
-        <translation>antwortet mit Status {status}</translation>
-    </message>
-    <message>
         <source>ask for a file that was packed with --with-motion</source>
         <translation>verlangen Sie eine Datei, die mit --with-motion gepackt wurde</translation>
     </message>
@@ -6542,18 +6482,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>cannot listen on port {port} ({reason})</source>
         <translation>Port {port} kann nicht geöffnet werden ({reason})</translation>
-    </message>
-    <message>
-        <source>check the address, and that `hapticplayer serve` runs there</source>
-        <translation>Adresse prüfen, und ob dort `hapticplayer serve` läuft</translation>
-    </message>
-    <message>
-        <source>check the address, and that `hapticplayer serve` still runs there</source>
-        <translation>Adresse prüfen, und ob dort `hapticplayer serve` noch läuft</translation>
-    </message>
-    <message>
-        <source>check the network, then start again</source>
-        <translation>Netzwerk prüfen und neu starten</translation>
     </message>
     <message>
         <source>checking the clip</source>
@@ -6620,24 +6548,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>curve: {kind} nimmt höchstens {most} Punkte</translation>
     </message>
     <message>
-        <source>device option {part!r}: not known; use HOST:PORT or a serial port, then channel=V0</source>
-        <translation>Geräteoption {part!r}: unbekannt; verwenden Sie HOST:PORT oder eine serielle Schnittstelle, dann channel=V0</translation>
-    </message>
-    <message>
-        <source>device option {part!r}: not known; use event5 (a name in /dev/input), axis=x, y or z, full=N (0.5 to 20 newtons of the track), sign=+ or -</source>
-        <translation>Geräteoption {part!r}: unbekannt; verwenden Sie event5 (ein Name in /dev/input), axis=x, y oder z, full=N (0,5 bis 20 Newton der Spur), sign=+ oder -</translation>
-    </message>
-    <message>
         <source>direction: must be three numbers that are not all zero</source>
         <translation>direction: muss aus drei Zahlen bestehen, die nicht alle null sind</translation>
     </message>
     <message>
         <source>does not declare its rate</source>
         <translation>gibt seine Rate nicht an</translation>
-    </message>
-    <message>
-        <source>does not have what its manifest names</source>
-        <translation>hat nicht, was das Manifest nennt</translation>
     </message>
     <message>
         <source>drop one video with its log; import further ones after it</source>
@@ -6760,16 +6676,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie das Protokoll mit --imu LOG an, oder lassen Sie die Bewegung mit --suggest-motion aus dem Bild schätzen</translation>
     </message>
     <message>
-        <source>give the one that `hapticplayer serve` prints (http://HOST:PORT/TOKEN/{name})</source>
-        <translation>die Adresse angeben, die `hapticplayer serve` ausgibt (http://HOST:PORT/TOKEN/{name})</translation>
-    </message>
-    <message>
         <source>haptic pattern for iPhones</source>
         <translation>Haptik-Muster für iPhones</translation>
-    </message>
-    <message>
-        <source>has a clip that was changed meanwhile</source>
-        <translation>hat einen Clip, der inzwischen geändert wurde</translation>
     </message>
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
@@ -6836,10 +6744,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>importieren Sie eine Aufnahme, oder bitten Sie um eine Datei, die --with-motion gepackt wurde</translation>
     </message>
     <message>
-        <source>import it with its motion, or serve a file that was packed</source>
-        <translation>mit seiner Bewegung importieren, oder eine gepackte Datei anbieten</translation>
-    </message>
-    <message>
         <source>in test, or being set up</source>
         <translation>wird getestet oder eingerichtet</translation>
     </message>
@@ -6884,10 +6788,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>gehört das Log zu diesem Video, und ist das Video nicht stabilisiert?</translation>
     </message>
     <message>
-        <source>is longer than {most_h:g} h</source>
-        <translation>ist länger als {most_h:g} h</translation>
-    </message>
-    <message>
         <source>is not MPEG-V (SEM)</source>
         <translation>ist kein MPEG-V (SEM)</translation>
     </message>
@@ -6914,10 +6814,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not overwritten, because it is not such a file written by hapticplayer</source>
         <translation>wird nicht überschrieben, denn es ist keine solche Datei von hapticplayer</translation>
-    </message>
-    <message>
-        <source>is not the address of a stream</source>
-        <translation>ist keine Adresse eines Streams</translation>
     </message>
     <message>
         <source>is not valid XML ({reason})</source>
@@ -7028,10 +6924,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>darf höchstens {limit} Einträge haben</translation>
     </message>
     <message>
-        <source>must have different tracks, among them the feedback</source>
-        <translation>muss verschiedene Spuren haben, darunter die des Feedbacks</translation>
-    </message>
-    <message>
         <source>must have {limit} entries</source>
         <translation>muss {limit} Einträge haben</translation>
     </message>
@@ -7094,10 +6986,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>one gap</source>
         <translation>eine Lücke</translation>
-    </message>
-    <message>
-        <source>only a sequence on this machine can be given another feedback</source>
-        <translation>nur eine Sequenz auf diesem Rechner kann ein anderes Feedback bekommen</translation>
     </message>
     <message>
         <source>only {count} of {total} rows hold both specific force and angular rate</source>
@@ -7264,10 +7152,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>aufgezeichnete Messwerte</translation>
     </message>
     <message>
-        <source>refuses the token in the address</source>
-        <translation>lehnt den Schlüssel in der Adresse ab</translation>
-    </message>
-    <message>
         <source>relaxed</source>
         <translation>lockere</translation>
     </message>
@@ -7294,10 +7178,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>ride</source>
         <translation>Fahrt</translation>
-    </message>
-    <message>
-        <source>rig:{text}: {reason}</source>
-        <translation>rig:{text}: {reason}</translation>
     </message>
     <message>
         <source>row {number}</source>
@@ -7328,16 +7208,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Szene</translation>
     </message>
     <message>
-        <source>send it as a file</source>
-        <translation>als Datei senden</translation>
-    </message>
-    <message>
         <source>sends another part than was asked for</source>
         <translation>sendet einen anderen Teil als verlangt</translation>
-    </message>
-    <message>
-        <source>sends more than was asked for</source>
-        <translation>sendet mehr als verlangt</translation>
     </message>
     <message>
         <source>sensor</source>
@@ -7358,14 +7230,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>set up</source>
         <translation>eingerichtet</translation>
-    </message>
-    <message>
-        <source>shaker option {part!r} is unknown; use a card, then {known}</source>
-        <translation>Option {part!r} des Körperschallwandlers: unbekannt; verwenden Sie eine Karte, dann {known}</translation>
-    </message>
-    <message>
-        <source>shaker option {part!r}: {reason}</source>
-        <translation>Option {part!r} des Körperschallwandlers: {reason}</translation>
     </message>
     <message>
         <source>shaker:{text}: {count} channels need one band, or one each, and each channel once</source>
@@ -7398,10 +7262,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>soft_knee_n must be below force_limit_n, got {knee_n} and {limit_n}</source>
         <translation>soft_knee_n muss unter force_limit_n liegen, angegeben sind {knee_n} und {limit_n}</translation>
-    </message>
-    <message>
-        <source>sort the log by time and remove duplicates</source>
-        <translation>sortieren Sie das Protokoll nach der Zeit, und entfernen Sie Wiederholungen</translation>
     </message>
     <message>
         <source>sort the rows by time or cut the recording there</source>
@@ -7524,10 +7384,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Inverse3 ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
     </message>
     <message>
-        <source>the Python package hidapi is missing; ./run sets it up in .venv</source>
-        <translation>das Python-Paket hidapi fehlt; ./run richtet es in .venv ein</translation>
-    </message>
-    <message>
         <source>the Python package websockets is missing; install hapticplayer with its extra websockets</source>
         <translation>das Python-Paket websockets fehlt; installieren Sie hapticplayer mit dem Zusatz websockets</translation>
     </message>
@@ -7552,16 +7408,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Antwort konnte nicht gespeichert werden ({reason})</translation>
     </message>
     <message>
-        <source>the answer does not say which part it is</source>
-        <translation>die Antwort sagt nicht, welcher Teil sie ist</translation>
-    </message>
-    <message>
         <source>the answer ended early</source>
         <translation>die Antwort endete zu früh</translation>
-    </message>
-    <message>
-        <source>the answer has no length</source>
-        <translation>die Antwort nennt keine Länge</translation>
     </message>
     <message>
         <source>the axes {text!r} mirror the motion; change one sign</source>
@@ -7692,10 +7540,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Das Gyroskop erklärt {explained:.0%} ihrer Drehung (Video stabilisiert oder Kamera ruhig)</translation>
     </message>
     <message>
-        <source>the method pictures needs a clip</source>
-        <translation>Das Verfahren pictures braucht ein Video</translation>
-    </message>
-    <message>
         <source>the motion of {key!r} was estimated from the picture, nothing measured it</source>
         <translation>die Bewegung von {key!r} wurde aus dem Bild geschätzt, nichts hat sie gemessen</translation>
     </message>
@@ -7708,10 +7552,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Bewegung wurde aus dem Bild geschätzt, nichts hat sie gemessen: ihre Stärke ist geraten, und Studien lehnen sie ab, wenn sie das Feedback &apos;estimated&apos; nicht nennen</translation>
     </message>
     <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else tap marks (pats) and frames (pictures), as far as there are any</source>
-        <translation>der Versatz, wenn gegeben; die eigene Uhr der Aufnahme, wenn sie die des Videos ist; sonst Klopfer (pats) und Einzelbilder (pictures), soweit vorhanden</translation>
-    </message>
-    <message>
         <source>the realistic force with the effects of the sequence on it</source>
         <translation>die realistische Kraft mit den Effekten der Sequenz</translation>
     </message>
@@ -7722,10 +7562,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the rig is not open; choose the device again</source>
         <translation>die Plattform ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
-    </message>
-    <message>
-        <source>the server has not answered for {s:g} s</source>
-        <translation>der Server hat {s:g} s lang nicht geantwortet</translation>
     </message>
     <message>
         <source>the shaker is not open; choose the device again</source>
@@ -7752,22 +7588,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ihre Drehung ist nicht die des Gyroskops</translation>
     </message>
     <message>
-        <source>there is no outlet {name!r}</source>
-        <translation>es gibt keine Ausgabe {name!r}</translation>
-    </message>
-    <message>
-        <source>timed out</source>
-        <translation>Zeitüberschreitung</translation>
-    </message>
-    <message>
-        <source>two outlets send {format} to {address}; keep one of them</source>
-        <translation>zwei Ausgaben senden {format} an {address}; behalten Sie eine davon</translation>
-    </message>
-    <message>
-        <source>update hapticplayer here and where the clip is served</source>
-        <translation>hapticplayer hier und beim Anbieter aktualisieren</translation>
-    </message>
-    <message>
         <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
         <translation>{clip}: Die Bilder lassen offen, ob die Montage {axes} oder {next_best} ist (Verhältnis {ratio:.2f}); {give}</translation>
     </message>
@@ -7776,20 +7596,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{clip}: Die Bilder ergeben die Montage {axes}, die Schwerkraft aber eine andere Seite oben; steht das Video aufrecht und ist es nicht gespiegelt? Sonst: {give}</translation>
     </message>
     <message>
-        <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {pictures_s:.3f} s; choose --sync pats or --sync pictures (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
-        <translation>{clip}: Die Klopfer ergeben einen Versatz von {pats_s:.3f} s, die Bilder {pictures_s:.3f} s; wählen Sie --sync pats oder --sync pictures (sync: --method), oder geben Sie --offset S an; kommt der Ton der Kamera spät, klärt --skew es</translation>
-    </message>
-    <message>
         <source>{look}; {brings}</source>
         <translation>{look}; {brings}</translation>
     </message>
     <message>
         <source>{name} holds no motion; choose one of {known}</source>
         <translation>{name} enthält keine Bewegung; wählen Sie {known}</translation>
-    </message>
-    <message>
-        <source>{outlet}: {what}</source>
-        <translation>{outlet}: {what}</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -7842,10 +7654,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the header is {header!r}</source>
         <translation>der Kopf ist {header!r}</translation>
-    </message>
-    <message>
-        <source>the installed device {name!r} cannot be loaded: {reason}; update or uninstall its package</source>
-        <translation>das installierte Gerät {name!r} kann nicht geladen werden: {reason}; sein Paket aktualisieren oder entfernen</translation>
     </message>
     <message>
         <source>the largest angular rate is {largest:.3g} rad/s</source>
@@ -8068,14 +7876,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Arbeit wurde von außen beendet (Status {status}), vielleicht aus Mangel an Arbeitsspeicher; nichts wurde geschrieben</translation>
     </message>
     <message>
-        <source>permission denied for the {title}, or it is gone; copy the udev rule {rule} to /etc/udev/rules.d, then unplug it and plug it in</source>
-        <translation>Sie dürfen das Gerät ({title}) nicht benutzen, oder es ist weg; kopieren Sie die udev-Regel {rule} nach /etc/udev/rules.d, ziehen Sie es dann ab und stecken Sie es wieder an</translation>
-    </message>
-    <message>
-        <source>the {title} was unplugged; plug it in and choose the device again</source>
-        <translation>das Gerät ({title}) wurde abgezogen; stecken Sie es an, und wählen Sie es noch einmal</translation>
-    </message>
-    <message>
         <source>a track {name!r} exists; choose another name</source>
         <translation>eine Spur {name!r} gibt es schon; wählen Sie einen anderen Namen</translation>
     </message>
@@ -8206,10 +8006,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has dates as timestamps ({found})</source>
         <translation>schreibt seine Zeiten als Datum ({found})</translation>
-    </message>
-    <message>
-        <source>writing failed ({reason})</source>
-        <translation>das Schreiben ist fehlgeschlagen ({reason})</translation>
     </message>
     <message>
         <source>written to</source>
@@ -8352,16 +8148,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Firmware</translation>
     </message>
     <message>
-        <source>Game pad on USB</source>
-        <translation>Gamepad an USB</translation>
-    </message>
-    <message>
         <source>Game pad that Linux can rumble</source>
         <translation>Gamepad, das Linux vibrieren lassen kann</translation>
     </message>
     <message>
         <source>Haply&apos;s Inverse Service has no Inverse3; connect its cable and supply, and choose the device again</source>
         <translation>der Inverse Service von Haply hat kein Inverse3; schließen Sie Kabel und Netzteil an und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>Intiface at {where} gives no version or no ping time; update it</source>
+        <translation>Intiface unter {where} nennt keine Version oder keine Ping-Zeit; aktualisieren Sie es</translation>
     </message>
     <message>
         <source>Inverse3</source>
@@ -8428,6 +8224,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine einzige Sequenz folgt zwangsläufig sich selbst</translation>
     </message>
     <message>
+        <source>a smoother over the whole recording, with the sensor&apos;s errors</source>
+        <translation>ein Glätter über die ganze Aufnahme, mit den Fehlern des Sensors</translation>
+    </message>
+    <message>
         <source>a whole number</source>
         <translation>eine ganze Zahl</translation>
     </message>
@@ -8452,8 +8252,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine andere Umsetzung braucht den Ordner der Sequenz; entpacken Sie sie</translation>
     </message>
     <message>
+        <source>ask for the file again, or agree with --accept-changed-video</source>
+        <translation>lassen Sie sich die Datei noch einmal geben, oder stimmen Sie mit --accept-changed-video zu</translation>
+    </message>
+    <message>
         <source>asks about feedbacks before the first trial</source>
         <translation>fragt vor dem ersten Durchgang nach Feedbacks</translation>
+    </message>
+    <message>
+        <source>check the address and the network</source>
+        <translation>prüfen Sie die Adresse und das Netzwerk</translation>
+    </message>
+    <message>
+        <source>check the address, or ask who offers the file</source>
+        <translation>prüfen Sie die Adresse, oder fragen Sie den Anbieter der Datei</translation>
+    </message>
+    <message>
+        <source>check the network, then open it again</source>
+        <translation>prüfen Sie das Netzwerk, und öffnen Sie sie dann noch einmal</translation>
     </message>
     <message>
         <source>checking {name}</source>
@@ -8480,8 +8296,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Clip wird kopiert</translation>
     </message>
     <message>
+        <source>device {name!r}: nothing can follow; use {kind}</source>
+        <translation>Gerät {name!r}: Danach kann nichts folgen; verwenden Sie {kind}</translation>
+    </message>
+    <message>
+        <source>does not give parts of this file</source>
+        <translation>gibt keine Teile dieser Datei heraus</translation>
+    </message>
+    <message>
         <source>done</source>
         <translation>fertig</translation>
+    </message>
+    <message>
+        <source>download it and play the file</source>
+        <translation>laden Sie sie herunter, und spielen Sie die Datei ab</translation>
     </message>
     <message>
         <source>drawing the figures</source>
@@ -8508,6 +8336,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>aus dem Bild geschätzt</translation>
     </message>
     <message>
+        <source>export the force again</source>
+        <translation>exportieren Sie die Kraft noch einmal</translation>
+    </message>
+    <message>
         <source>fifo</source>
         <translation>FIFO</translation>
     </message>
@@ -8528,6 +8360,26 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>keine Reihenfolge gefunden, in der keine Sequenz zweimal nacheinander kommt</translation>
     </message>
     <message>
+        <source>give a link that needs none, such as a signed one</source>
+        <translation>geben Sie einen Link an, der ohne auskommt, etwa einen signierten</translation>
+    </message>
+    <message>
+        <source>give one that begins with http:// or https://</source>
+        <translation>geben Sie eine an, die mit http:// oder https:// beginnt</translation>
+    </message>
+    <message>
+        <source>give the address that it leads to, if you trust it</source>
+        <translation>geben Sie die Adresse an, zu der sie führt, wenn Sie ihr vertrauen</translation>
+    </message>
+    <message>
+        <source>give the log of a motion sensor with --imu LOG</source>
+        <translation>geben Sie das Protokoll eines Bewegungssensors mit --imu LOG an</translation>
+    </message>
+    <message>
+        <source>give what is asked for by hand, such as --offset S or --mounting</source>
+        <translation>geben Sie das Gefragte von Hand an, etwa mit --offset S oder --mounting</translation>
+    </message>
+    <message>
         <source>gone</source>
         <translation>beendet</translation>
     </message>
@@ -8540,6 +8392,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>fragt nichts nach einem Clip</translation>
     </message>
     <message>
+        <source>has no rows</source>
+        <translation>hat keine Zeilen</translation>
+    </message>
+    <message>
         <source>has records of version {found}, this program reads {version}</source>
         <translation>enthält Aufzeichnungen der Version {found}, dieses Programm liest {version}</translation>
     </message>
@@ -8548,16 +8404,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>gehört</translation>
     </message>
     <message>
+        <source>holds a user name or password, which would be shown and stored</source>
+        <translation>enthält einen Benutzernamen oder ein Passwort, die angezeigt und gespeichert würden</translation>
+    </message>
+    <message>
+        <source>holds no motion that can be read</source>
+        <translation>enthält keine lesbare Bewegung</translation>
+    </message>
+    <message>
         <source>install hapticplayer[vision], which synchronises without pats, finds the mounting of a sensor and suggests motion for a plain video</source>
         <translation>Installieren Sie hapticplayer[vision]: es synchronisiert ohne Klopfer, findet, wie ein Sensor montiert war, und schlägt Bewegung für ein bloßes Video vor</translation>
+    </message>
+    <message>
+        <source>is being changed by another program</source>
+        <translation>wird gerade von einem anderen Programm geändert</translation>
     </message>
     <message>
         <source>is damaged or missing, and the definition of the study has changed</source>
         <translation>ist beschädigt oder fehlt, und die Definition der Studie hat sich geändert</translation>
     </message>
     <message>
+        <source>is empty or has become shorter</source>
+        <translation>ist leer oder kürzer geworden</translation>
+    </message>
+    <message>
         <source>is not UTF-8 text</source>
         <translation>ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>is not a manifest of hapticplayer</source>
+        <translation>ist kein Manifest von hapticplayer</translation>
     </message>
     <message>
         <source>is not a question of this page</source>
@@ -8572,12 +8448,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist kein gültiger Schlüssel</translation>
     </message>
     <message>
+        <source>is not the address of a file</source>
+        <translation>ist keine Adresse einer Datei</translation>
+    </message>
+    <message>
         <source>is not the definition of a study</source>
         <translation>beschreibt keine Studie</translation>
     </message>
     <message>
+        <source>is not the video that its force was made for (its checksum differs)</source>
+        <translation>ist nicht das Video, für das die Kraft berechnet wurde (die Prüfsumme weicht ab)</translation>
+    </message>
+    <message>
         <source>is not valid JSON ({reason})</source>
         <translation>ist kein gültiges JSON ({reason})</translation>
+    </message>
+    <message>
+        <source>is refused by its server (status {status})</source>
+        <translation>wird vom Server verweigert (Status {status})</translation>
     </message>
     <message>
         <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
@@ -8588,12 +8476,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sein Pixelformat kann nicht umgewandelt werden</translation>
     </message>
     <message>
+        <source>its server does not give parts of files (HTTP ranges)</source>
+        <translation>der Server gibt keine Teile von Dateien heraus (HTTP-Bereiche)</translation>
+    </message>
+    <message>
         <source>listening</source>
         <translation>Ton wird angehört</translation>
     </message>
     <message>
         <source>missing entry {name!r}</source>
         <translation>fehlender Eintrag {name!r}</translation>
+    </message>
+    <message>
+        <source>move the grip to the centre first, then re-arm again</source>
+        <translation>bringen Sie den Griff zuerst in die Mitte, und geben Sie die Kraft dann noch einmal frei</translation>
     </message>
     <message>
         <source>must be a number from {least} to {most}</source>
@@ -8652,6 +8548,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>noch nicht</translation>
     </message>
     <message>
+        <source>open it again</source>
+        <translation>öffnen Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>open the study again and repeat the change</source>
+        <translation>öffnen Sie die Studie noch einmal, und wiederholen Sie die Änderung</translation>
+    </message>
+    <message>
         <source>predicting excursions</source>
         <translation>Ausschläge werden vorhergesagt</translation>
     </message>
@@ -8662,6 +8566,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>reading {name}</source>
         <translation>{name} wird gelesen</translation>
+    </message>
+    <message>
+        <source>redirects from {scheme} to another scheme</source>
+        <translation>leitet von {scheme} auf ein anderes Schema um</translation>
+    </message>
+    <message>
+        <source>redirects to a private address</source>
+        <translation>leitet auf eine private Adresse um</translation>
+    </message>
+    <message>
+        <source>redirects too often</source>
+        <translation>leitet zu oft um</translation>
     </message>
     <message>
         <source>remove the constraint</source>
@@ -8696,6 +8612,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fahrt</translation>
     </message>
     <message>
+        <source>say it once</source>
+        <translation>geben Sie es nur einmal an</translation>
+    </message>
+    <message>
         <source>session {code}: {key} was left out; it is not in the definition</source>
         <translation>Sitzung {code}: {key} wurde ausgelassen; es ist nicht in der Definition</translation>
     </message>
@@ -8712,6 +8632,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>slice</translation>
     </message>
     <message>
+        <source>sort the file by time and remove duplicates</source>
+        <translation>sortieren Sie die Datei nach der Zeit, und entfernen Sie Wiederholungen</translation>
+    </message>
+    <message>
         <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
         <translation>Ausreißer entfernt aus {force} Abtastwerten des Beschleunigungssensors, {rate} des Gyroskops, {field} des Magnetometers; {kept} auffällige Abtastwerte blieben als Bewegung</translation>
     </message>
@@ -8726,6 +8650,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>synchronising</source>
         <translation>wird synchronisiert</translation>
+    </message>
+    <message>
+        <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
+        <translation>die Auswertung von Konsistenzversuchen fehlt; installieren Sie die Erweiterung, die sie hat, oder exportieren Sie die Antworten</translation>
     </message>
     <message>
         <source>the camera does not move: there is nothing to estimate</source>
@@ -8746,6 +8674,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the camera&apos;s rotation in the frames fits the log nowhere (is it the log of this clip, and the video not stabilised?)</source>
         <translation>die Drehung der Kamera in den Bildern passt nirgends zum Log (gehört es zu diesem Video, und ist das Video nicht stabilisiert?)</translation>
+    </message>
+    <message>
+        <source>the causal filter of Laidig and Seel 2023</source>
+        <translation>das kausale Filter von Laidig und Seel 2023</translation>
     </message>
     <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
@@ -8772,6 +8704,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>dies ist die Seite {page}, nicht {expected}</translation>
     </message>
     <message>
+        <source>the extension {name!r} cannot be used: {reason}; update or uninstall it</source>
+        <translation>die Erweiterung {name!r} kann nicht verwendet werden: {reason}; aktualisieren oder entfernen Sie sie</translation>
+    </message>
+    <message>
+        <source>the force is stopped; re-arm it first</source>
+        <translation>die Kraft ist abgeschaltet; geben Sie sie zuerst frei</translation>
+    </message>
+    <message>
         <source>the guard could not be started: {reason}</source>
         <translation>der Wächter konnte nicht gestartet werden: {reason}</translation>
     </message>
@@ -8788,6 +8728,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Haptikprozess wurde beendet, die Kraft ist aus; wählen Sie das Gerät erneut</translation>
     </message>
     <message>
+        <source>the haptics process has ended; test the device again</source>
+        <translation>der Haptikprozess ist beendet; testen Sie das Gerät noch einmal</translation>
+    </message>
+    <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
         <translation>der persönliche Ordner ist unbekannt; {variable} auf den Pfad der Firmware setzen</translation>
     </message>
@@ -8796,16 +8740,44 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Log enthält keine Drehrate, mit der Bilder verglichen werden könnten</translation>
     </message>
     <message>
+        <source>the method frames needs a clip</source>
+        <translation>das Verfahren frames braucht ein Video</translation>
+    </message>
+    <message>
         <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
         <translation>die Bewegung von {name} wurde aufgezeichnet, und das ist besser als eine Schätzung aus dem Bild; importieren Sie es ohne --suggest-motion</translation>
+    </message>
+    <message>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else tap marks (pats) and frames, as far as there are any</source>
+        <translation>der Versatz, wenn gegeben; die eigene Uhr der Aufnahme, wenn sie die des Videos ist; sonst Klopfer (pats) und Einzelbilder (frames), soweit vorhanden</translation>
+    </message>
+    <message>
+        <source>the output {name} is there twice</source>
+        <translation>die Ausgabe {name} kommt zweimal vor</translation>
     </message>
     <message>
         <source>the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
         <translation>das Klopfen ist nicht sicher (Konfidenz {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}</translation>
     </message>
     <message>
+        <source>the quaternion Kalman filter of Sabatini 2006</source>
+        <translation>das Quaternionen-Kalman-Filter von Sabatini 2006</translation>
+    </message>
+    <message>
+        <source>the same, forwards and backwards</source>
+        <translation>dasselbe, vorwärts und rückwärts</translation>
+    </message>
+    <message>
         <source>the sequence {key!r}: {reason}</source>
         <translation>die Sequenz {key!r}: {reason}</translation>
+    </message>
+    <message>
+        <source>the server does not answer</source>
+        <translation>der Server antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the slow part of the specific force is gravity</source>
+        <translation>der langsame Anteil der spezifischen Kraft ist die Schwerkraft</translation>
     </message>
     <message>
         <source>there are no frames to write</source>
@@ -8828,6 +8800,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es gibt keine Bewegung, in der Ereignisse gesucht werden könnten</translation>
     </message>
     <message>
+        <source>there is no output {name!r}</source>
+        <translation>es gibt keine Ausgabe {name!r}</translation>
+    </message>
+    <message>
         <source>there is no valid motion in the clip to fit a gain to</source>
         <translation>im Clip gibt es keine gültige Bewegung, an die sich eine Verstärkung anpassen ließe</translation>
     </message>
@@ -8842,6 +8818,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>this haptic loop does not accept injected faults</source>
         <translation>diese haptische Schleife nimmt keine eingespielten Fehler an</translation>
+    </message>
+    <message>
+        <source>this installation cannot look at the frames of a clip</source>
+        <translation>diese Installation kann die Einzelbilder eines Videos nicht auswerten</translation>
+    </message>
+    <message>
+        <source>this installation has no demo; open a sequence or a video instead</source>
+        <translation>diese Installation hat keine Demo; öffnen Sie stattdessen eine Sequenz oder ein Video</translation>
+    </message>
+    <message>
+        <source>this installation has no streams of the kind {name!r}; leave them out</source>
+        <translation>diese Installation hat keine Datenströme der Art {name!r}; lassen Sie sie weg</translation>
     </message>
     <message>
         <source>this is not the video that the force was made for (its checksum differs): it plays without force</source>
@@ -8868,8 +8856,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>dreht und wird nicht gelesen</translation>
     </message>
     <message>
+        <source>--bind {text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
+        <translation>--bind {text!r} ist keine Adresse dieses Rechners; geben Sie sie ganz an, etwa {loopback} oder 192.168.1.5</translation>
+    </message>
+    <message>
         <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
         <translation>die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s ({doubt})</translation>
+    </message>
+    <message>
+        <source>two outputs send {what}; keep one of them</source>
+        <translation>zwei Ausgaben senden {what}; behalten Sie eine davon</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -8888,8 +8884,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nehmen Sie --sync pats (sync: --method pats), oder geben Sie --offset S an</translation>
     </message>
     <message>
+        <source>use L, R, V or A and a digit, such as V0</source>
+        <translation>verwenden Sie L, R, V oder A und eine Ziffer, etwa V0</translation>
+    </message>
+    <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
         <translation>eine Datei verwenden, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
+    </message>
+    <message>
+        <source>use a name in /dev/input, such as event5</source>
+        <translation>verwenden Sie einen Namen aus /dev/input, etwa event5</translation>
     </message>
     <message>
         <source>vibration: full intensity was taken as {full_n:.3g} N</source>
@@ -8902,6 +8906,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>wait until nothing writes to it, then start again</source>
         <translation>warten Sie, bis niemand mehr in die Datei schreibt, und beginnen Sie neu</translation>
+    </message>
+    <message>
+        <source>wait until that has finished, or close it, then try again</source>
+        <translation>warten Sie, bis es fertig ist, oder schließen Sie es, und versuchen Sie es dann noch einmal</translation>
+    </message>
+    <message>
+        <source>was changed by another program meanwhile</source>
+        <translation>wurde inzwischen von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>was changed on the server</source>
+        <translation>wurde auf dem Server geändert</translation>
     </message>
     <message>
         <source>was changed or replaced while it was read</source>
@@ -8940,6 +8956,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wird geschrieben</translation>
     </message>
     <message>
+        <source>writing the force for other programs</source>
+        <translation>die Kraft für andere Programme wird geschrieben</translation>
+    </message>
+    <message>
         <source>writing the logs</source>
         <translation>Protokolle werden geschrieben</translation>
     </message>
@@ -8968,6 +8988,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{clip}: Die Bilder zeigen die Montage {axes} (Verhältnis {ratio:.1f}), nicht {used}; geben Sie --mounting auto an, um sie zu übernehmen, oder --mounting forward, um die Achsen des Logs zu behalten</translation>
     </message>
     <message>
+        <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose --sync pats or --sync frames (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
+        <translation>{clip}: Die Klopfer ergeben einen Versatz von {pats_s:.3f} s, die Einzelbilder {frames_s:.3f} s; wählen Sie --sync pats oder --sync frames (sync: --method), oder geben Sie --offset S an; kommt der Ton der Kamera spät, klärt --skew es</translation>
+    </message>
+    <message>
         <source>{clip}: {why}; {look}</source>
         <translation>{clip}: {why}; {look}</translation>
     </message>
@@ -8986,6 +9010,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
         <translation>{device} ist ein echtes Gerät und nimmt keine eingespielten Fehler an</translation>
+    </message>
+    <message>
+        <source>{device} option {part!r}: {reason}</source>
+        <translation>{device}, Option {part!r}: {reason}</translation>
     </message>
     <message>
         <source>{device}, {state}</source>
@@ -9026,10 +9054,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name!r} has no parameters</source>
         <translation>{name!r} hat keine Parameter</translation>
-    </message>
-    <message>
-        <source>{name!r} is not a packet format; use {known}</source>
-        <translation>{name!r} ist kein Paketformat; verwenden Sie {known}</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -9144,16 +9168,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{order!r} sind keine Achsen, die Telemetrie ist also beschädigt</translation>
     </message>
     <message>
+        <source>{output}: {what}</source>
+        <translation>{output}: {what}</translation>
+    </message>
+    <message>
         <source>{path}: cannot be restored ({reason})</source>
         <translation>{path}: kann nicht zurückgeholt werden ({reason})</translation>
     </message>
     <message>
         <source>{path}: is not a log of {name}</source>
         <translation>{path}: ist kein Protokoll von {name}</translation>
-    </message>
-    <message>
-        <source>{path}: the firmware cannot be kept there ({reason}); set {variable} to another path</source>
-        <translation>{path}: Die Firmware kann dort nicht aufbewahrt werden ({reason}); setzen Sie {variable} auf einen anderen Pfad</translation>
     </message>
     <message>
         <source>{path}: {reason}</source>
@@ -9236,6 +9260,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} kennt die Uhr des Videos nicht; nehmen Sie --sync pats (sync: --method pats), oder geben Sie --offset S an</translation>
     </message>
     <message>
+        <source>{reason}, or set {variable} to another path</source>
+        <translation>{reason}, oder setzen Sie {variable} auf einen anderen Pfad</translation>
+    </message>
+    <message>
         <source>{share:.1%} of the force samples reach the force limit</source>
         <translation>{share:.1%} der Kraftwerte erreichen die Grenze der Kraft</translation>
     </message>
@@ -9258,6 +9286,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{text!r} is not a participant&apos;s code</source>
         <translation>{text!r} ist kein Teilnahmecode</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a serial number; it has letters and digits only, see &apos;hapticplayer device list&apos;</source>
+        <translation>{text!r} ist keine Seriennummer; sie hat nur Buchstaben und Ziffern, siehe „hapticplayer device list“</translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>
@@ -9294,6 +9326,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{what}; {remedy}</source>
         <translation>{what}; {remedy}</translation>
+    </message>
+    <message>
+        <source>{where}: waiting for the server</source>
+        <translation>{where}: wartet auf den Server</translation>
+    </message>
+    <message>
+        <source>{where}: {reason}</source>
+        <translation>{where}: {reason}</translation>
     </message>
     <message>
         <source>{where}: {what}</source>

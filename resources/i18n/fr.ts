@@ -148,10 +148,6 @@
         <translation>Pré&amp;parer l’appareil…</translation>
     </message>
     <message>
-        <source>M&amp;ore devices…</source>
-        <translation>A&amp;utres appareils…</translation>
-    </message>
-    <message>
         <source>&amp;Try out the forces…</source>
         <translation>E&amp;ssayer les forces…</translation>
     </message>
@@ -174,6 +170,10 @@
     <message>
         <source>Measure l&amp;atencies…</source>
         <translation>Mesurer les l&amp;atences…</translation>
+    </message>
+    <message>
+        <source>&amp;Outputs…</source>
+        <translation>S&amp;orties…</translation>
     </message>
     <message>
         <source>Live &amp;plots</source>
@@ -501,24 +501,12 @@
         <translation>Vous sentirez chaque force trois fois, d&apos;abord doucement. Échap, STOP ou un bouton de l&apos;appareil l&apos;arrête aussitôt.</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>Arrêté.</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>Progression</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
-    </message>
-    <message>
-        <source>Starting</source>
-        <translation>Démarrage</translation>
-    </message>
-    <message>
-        <source>The haptics process has ended.</source>
-        <translation>Le processus haptique s’est terminé.</translation>
     </message>
 </context>
 <context>
@@ -1362,6 +1350,10 @@
     <message>
         <source>No device: choose {name} to see the simulated grip</source>
         <translation>Aucun appareil&#xa0;: choisissez {name} pour voir la poignée simulée</translation>
+    </message>
+    <message>
+        <source>This device has no grip</source>
+        <translation>Cet appareil n’a pas de poignée</translation>
     </message>
     <message>
         <source>Position unknown</source>
@@ -2417,14 +2409,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
-    <name>OutletsPage</name>
+    <name>OutputsPage</name>
     <message>
-        <source>This device plays already</source>
-        <translation>Cet appareil joue déjà</translation>
+        <source>This device is already in use</source>
+        <translation>Cet appareil est déjà utilisé</translation>
     </message>
     <message>
-        <source>Settings are letters, digits and signs</source>
-        <translation>Les réglages sont des lettres, des chiffres et des signes</translation>
+        <source>Settings may contain letters, digits and punctuation</source>
+        <translation>Les réglages peuvent contenir des lettres, des chiffres et des signes de ponctuation</translation>
     </message>
     <message>
         <source>No more devices can be added; remove one first</source>
@@ -2435,15 +2427,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Latence compensée ({source}) et gain</translation>
     </message>
     <message>
-        <source>More devices</source>
-        <translation>Autres appareils</translation>
+        <source>Outputs</source>
+        <translation>Sorties</translation>
     </message>
     <message>
         <source>Add</source>
         <translation>Ajouter</translation>
     </message>
     <message>
-        <source>Play on this device, too</source>
+        <source>Also play on this device</source>
         <translation>Jouer aussi sur cet appareil</translation>
     </message>
     <message>
@@ -2479,8 +2471,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Appareil à ajouter</translation>
     </message>
     <message>
-        <source>Each of these plays beside the chosen device and stops with it. A rig moves with the motion of the recording: begin with a small gain.</source>
-        <translation>Chacun joue à côté de l’appareil choisi et s’arrête avec lui. Une plateforme suit le mouvement de l’enregistrement&#xa0;: commencez avec un petit gain.</translation>
+        <source>All of these play at once and stop at once. The first one leads: its position is shown and its buttons count. A rig moves with the motion of the recording: begin with a small gain.</source>
+        <translation>Toutes jouent et s’arrêtent en même temps. La première mène&#xa0;: sa position est affichée et ses boutons comptent. Une plateforme suit le mouvement de l’enregistrement&#xa0;: commencez par un petit gain.</translation>
     </message>
     <message>
         <source>Mute</source>
@@ -2510,6 +2502,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <source>Release this device</source>
         <translation>Libérer cet appareil</translation>
     </message>
+    <message>
+        <source>Move up; the first one leads</source>
+        <translation>Monter&#xa0;; la première mène</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Monter</translation>
+    </message>
 </context>
 <context>
     <name>PlayBar</name>
@@ -2518,12 +2518,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Show less of the clip (+)</source>
-        <translation>Montrer moins du clip (+)</translation>
+        <source>Zoom in (+)</source>
+        <translation>Agrandir (+)</translation>
     </message>
     <message>
-        <source>Show more of the clip (−)</source>
-        <translation>Montrer plus du clip (−)</translation>
+        <source>Zoom out (−)</source>
+        <translation>Réduire (−)</translation>
     </message>
     <message>
         <source>&amp;Whole clip</source>
@@ -2568,6 +2568,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
 </context>
 <context>
     <name>PlayerWindow</name>
+    <message>
+        <source>Force stopped. {keys} re-arms it.</source>
+        <translation>Force coupée. {keys} la réarme.</translation>
+    </message>
     <message>
         <source>hapticplayer</source>
         <translation>hapticplayer</translation>
@@ -3177,14 +3181,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <source>Another task is running; wait for it or cancel it</source>
         <translation>Une autre tâche est en cours&#xa0;; attendez ou annulez-la</translation>
     </message>
-    <message>
-        <source>Move the grip to the centre first, then re-arm again</source>
-        <translation>Ramenez d’abord la poignée au centre, puis réarmez</translation>
-    </message>
-    <message>
-        <source>The haptics process has ended; choose the device again</source>
-        <translation>Le processus haptique s’est terminé&#xa0;; choisissez l’appareil à nouveau</translation>
-    </message>
 </context>
 <context>
     <name>SessionControl</name>
@@ -3388,6 +3384,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>session terminée</translation>
     </message>
     <message>
+        <source>the force was stopped</source>
+        <translation>la force a été coupée</translation>
+    </message>
+    <message>
         <source>stopped by the operator</source>
         <translation>arrêté par l’opérateur</translation>
     </message>
@@ -3475,12 +3475,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>L’utiliser pour la lecture</translation>
     </message>
     <message>
-        <source>More devices…</source>
-        <translation>Autres appareils…</translation>
-    </message>
-    <message>
         <source>Play on several devices at once</source>
         <translation>Jouer sur plusieurs appareils à la fois</translation>
+    </message>
+    <message>
+        <source>Outputs…</source>
+        <translation>Sorties…</translation>
     </message>
     <message>
         <source>Keep the current device</source>
@@ -3637,10 +3637,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Lecture</translation>
     </message>
     <message>
-        <source>A video file to send: every player shows it, hapticplayer makes it felt.</source>
-        <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs le montrent, hapticplayer le fait ressentir.</translation>
-    </message>
-    <message>
         <source>Others can then render another force from it</source>
         <translation>D’autres peuvent alors en calculer une autre force</translation>
     </message>
@@ -3679,6 +3675,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>What is shared</source>
         <translation>Ce qui est partagé</translation>
+    </message>
+    <message>
+        <source>A video file to send: every player shows it, hapticplayer also plays the force.</source>
+        <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs l’affichent, hapticplayer joue aussi la force.</translation>
     </message>
     <message>
         <source>Together</source>
@@ -4520,10 +4520,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>piste GPMF</translation>
     </message>
     <message>
-        <source>Game pad</source>
-        <translation>Manette</translation>
-    </message>
-    <message>
         <source>Gyroflow gcsv</source>
         <translation>gcsv de Gyroflow</translation>
     </message>
@@ -4896,10 +4892,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez un fichier qu’il a exporté</translation>
     </message>
     <message>
-        <source>choose a folder with write permission</source>
-        <translation>choisissez un dossier où vous pouvez écrire</translation>
-    </message>
-    <message>
         <source>choose a log that `play --log` wrote</source>
         <translation>choisissez un journal que `play --log` a écrit</translation>
     </message>
@@ -4914,10 +4906,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>choose another log</source>
         <translation>choisissez un autre journal</translation>
-    </message>
-    <message>
-        <source>choose another place</source>
-        <translation>choisissez un autre endroit</translation>
     </message>
     <message>
         <source>choose another {kind}</source>
@@ -4986,10 +4974,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>correct it</source>
         <translation>corrigez cela</translation>
-    </message>
-    <message>
-        <source>correct that line</source>
-        <translation>corrigez cette ligne</translation>
     </message>
     <message>
         <source>could be {formats}</source>
@@ -5164,10 +5148,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>libérez de la place ou copiez la séquence dans un dossier à vous</translation>
     </message>
     <message>
-        <source>free some space, or choose a folder with write permission</source>
-        <translation>libérez de la place, ou choisissez un dossier où vous pouvez écrire</translation>
-    </message>
-    <message>
         <source>from {lowest_hz:.1f} to {highest_hz:.1f} Hz</source>
         <translation>de {lowest_hz:.1f} à {highest_hz:.1f} Hz</translation>
     </message>
@@ -5338,10 +5318,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has no answers yet</source>
         <translation>n’a pas encore de réponses</translation>
-    </message>
-    <message>
-        <source>has no force ({reason})</source>
-        <translation>n’a pas de force ({reason})</translation>
     </message>
     <message>
         <source>has no timestamps, and its firmware has no fixed rate</source>
@@ -5532,10 +5508,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas du JSON</translation>
     </message>
     <message>
-        <source>is not a JSON object</source>
-        <translation>n’est pas un objet JSON</translation>
-    </message>
-    <message>
         <source>is not a playback log</source>
         <translation>n’est pas un journal</translation>
     </message>
@@ -5558,10 +5530,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not available in {language!r}</source>
         <translation>n’existe pas en {language!r}</translation>
-    </message>
-    <message>
-        <source>is not finite or too large</source>
-        <translation>n’est pas fini ou est trop grand</translation>
     </message>
     <message>
         <source>cannot be read by telemetry-parser ({reason})</source>
@@ -5868,10 +5836,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun Falcon {serial!r} n’est branché&#xa0;; il y a&#xa0;: {known}</translation>
     </message>
     <message>
-        <source>no game pad is plugged in; connect a DualSense or DualShock 4 by USB cable</source>
-        <translation>aucune manette n’est branchée&#xa0;; branchez une DualSense ou une DualShock 4 par câble USB</translation>
-    </message>
-    <message>
         <source>no leg reaches ({x:.1f}, {y:.1f}, {z:.1f}) mm</source>
         <translation>aucune jambe n’atteint ({x:.1f}, {y:.1f}, {z:.1f}) mm</translation>
     </message>
@@ -5938,14 +5902,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>describes {count} of {total} tables (/ between them)</source>
         <translation>décrit {count} tableaux sur {total} (/ entre eux)</translation>
-    </message>
-    <message>
-        <source>cannot be overwritten ({reason})</source>
-        <translation>ne peut pas être remplacé ({reason})</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>/dev/input/{node}: it has no such force feedback; devices that have: {known}</source>
@@ -6020,16 +5976,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Choisissez ce jeu dans le logiciel de la plateforme. Les paquets restent sur cet ordinateur tant que vous n&apos;entrez pas une autre adresse.</translation>
     </message>
     <message>
-        <source>Connect a DualSense or DualShock 4 by USB cable.</source>
-        <translation>Branchez une DualSense ou une DualShock 4 par câble USB.</translation>
-    </message>
-    <message>
         <source>Connect it as its maker says.</source>
         <translation>Branchez-le selon les instructions de son fabricant.</translation>
-    </message>
-    <message>
-        <source>Connect it by USB cable.</source>
-        <translation>Branchez-la par câble USB.</translation>
     </message>
     <message>
         <source>Connect it by cable or by Bluetooth.</source>
@@ -6074,10 +6022,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Delayed</source>
         <translation>Retardée</translation>
-    </message>
-    <message>
-        <source>DualSense or DualShock 4: its vibration follows the strength of the force, not its direction.</source>
-        <translation>DualSense ou DualShock 4&#xa0;: la vibration suit l&apos;intensité de la force, pas sa direction.</translation>
     </message>
     <message>
         <source>Edited</source>
@@ -6504,10 +6448,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un effet se trouve en dehors de tout clip</translation>
     </message>
     <message>
-        <source>answers with status {status}</source>
-        <translation>répond avec le statut {status}</translation>
-    </message>
-    <message>
         <source>ask for a file that was packed with --with-motion</source>
         <translation>demandez un fichier empaqueté avec --with-motion</translation>
     </message>
@@ -6542,18 +6482,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>cannot listen on port {port} ({reason})</source>
         <translation>impossible d’écouter sur le port {port} ({reason})</translation>
-    </message>
-    <message>
-        <source>check the address, and that `hapticplayer serve` runs there</source>
-        <translation>vérifiez l’adresse, et que `hapticplayer serve` y est lancé</translation>
-    </message>
-    <message>
-        <source>check the address, and that `hapticplayer serve` still runs there</source>
-        <translation>vérifiez l’adresse, et que `hapticplayer serve` y est encore lancé</translation>
-    </message>
-    <message>
-        <source>check the network, then start again</source>
-        <translation>vérifiez le réseau, puis recommencez</translation>
     </message>
     <message>
         <source>checking the clip</source>
@@ -6620,24 +6548,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>curve: {kind} prend au plus {most} points</translation>
     </message>
     <message>
-        <source>device option {part!r}: not known; use HOST:PORT or a serial port, then channel=V0</source>
-        <translation>option d&apos;appareil {part!r}&#xa0;: inconnue&#xa0;; utilisez HOST:PORT ou un port série, puis channel=V0</translation>
-    </message>
-    <message>
-        <source>device option {part!r}: not known; use event5 (a name in /dev/input), axis=x, y or z, full=N (0.5 to 20 newtons of the track), sign=+ or -</source>
-        <translation>option d&apos;appareil {part!r}&#xa0;: inconnue&#xa0;; utilisez event5 (un nom dans /dev/input), axis=x, y ou z, full=N (0,5 à 20 newtons de la piste), sign=+ ou -</translation>
-    </message>
-    <message>
         <source>direction: must be three numbers that are not all zero</source>
         <translation>direction: doit être trois nombres qui ne sont pas tous nuls</translation>
     </message>
     <message>
         <source>does not declare its rate</source>
         <translation>n&apos;indique pas sa fréquence</translation>
-    </message>
-    <message>
-        <source>does not have what its manifest names</source>
-        <translation>n’a pas ce que nomme son manifeste</translation>
     </message>
     <message>
         <source>drop one video with its log; import further ones after it</source>
@@ -6760,16 +6676,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez le journal avec --imu LOG, ou faites estimer le mouvement d’après l’image avec --suggest-motion</translation>
     </message>
     <message>
-        <source>give the one that `hapticplayer serve` prints (http://HOST:PORT/TOKEN/{name})</source>
-        <translation>donnez celle qu’affiche `hapticplayer serve` (http://HOST:PORT/TOKEN/{name})</translation>
-    </message>
-    <message>
         <source>haptic pattern for iPhones</source>
         <translation>motif haptique pour iPhone</translation>
-    </message>
-    <message>
-        <source>has a clip that was changed meanwhile</source>
-        <translation>a un clip qui a été modifié entre-temps</translation>
     </message>
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
@@ -6836,10 +6744,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>importez un enregistrement, ou demandez un fichier empaqueté --with-motion</translation>
     </message>
     <message>
-        <source>import it with its motion, or serve a file that was packed</source>
-        <translation>importez-le avec son mouvement, ou servez un fichier partagé</translation>
-    </message>
-    <message>
         <source>in test, or being set up</source>
         <translation>en test ou en configuration</translation>
     </message>
@@ -6884,10 +6788,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est-ce le journal de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;?</translation>
     </message>
     <message>
-        <source>is longer than {most_h:g} h</source>
-        <translation>dure plus de {most_h:g} h</translation>
-    </message>
-    <message>
         <source>is not MPEG-V (SEM)</source>
         <translation>n’est pas du MPEG-V (SEM)</translation>
     </message>
@@ -6914,10 +6814,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not overwritten, because it is not such a file written by hapticplayer</source>
         <translation>n’est pas remplacé, car ce n’est pas un tel fichier écrit par hapticplayer</translation>
-    </message>
-    <message>
-        <source>is not the address of a stream</source>
-        <translation>n’est pas l’adresse d’un flux</translation>
     </message>
     <message>
         <source>is not valid XML ({reason})</source>
@@ -7028,10 +6924,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>doit avoir au plus {limit} entrées</translation>
     </message>
     <message>
-        <source>must have different tracks, among them the feedback</source>
-        <translation>doit avoir des pistes différentes, dont celle du retour</translation>
-    </message>
-    <message>
         <source>must have {limit} entries</source>
         <translation>doit avoir {limit} entrées</translation>
     </message>
@@ -7094,10 +6986,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>one gap</source>
         <translation>une lacune</translation>
-    </message>
-    <message>
-        <source>only a sequence on this machine can be given another feedback</source>
-        <translation>seule une séquence de cette machine peut recevoir un autre retour</translation>
     </message>
     <message>
         <source>only {count} of {total} rows hold both specific force and angular rate</source>
@@ -7264,10 +7152,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>échantillons enregistrés</translation>
     </message>
     <message>
-        <source>refuses the token in the address</source>
-        <translation>refuse le jeton de l’adresse</translation>
-    </message>
-    <message>
         <source>relaxed</source>
         <translation>détendue</translation>
     </message>
@@ -7294,10 +7178,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>ride</source>
         <translation>le trajet</translation>
-    </message>
-    <message>
-        <source>rig:{text}: {reason}</source>
-        <translation>rig:{text}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>row {number}</source>
@@ -7328,16 +7208,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la scène</translation>
     </message>
     <message>
-        <source>send it as a file</source>
-        <translation>envoyez-le comme fichier</translation>
-    </message>
-    <message>
         <source>sends another part than was asked for</source>
         <translation>envoie une autre partie que celle demandée</translation>
-    </message>
-    <message>
-        <source>sends more than was asked for</source>
-        <translation>envoie plus que demandé</translation>
     </message>
     <message>
         <source>sensor</source>
@@ -7358,14 +7230,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>set up</source>
         <translation>préparé</translation>
-    </message>
-    <message>
-        <source>shaker option {part!r} is unknown; use a card, then {known}</source>
-        <translation>option de transducteur {part!r}&#xa0;: inconnue&#xa0;; utilisez une carte, puis {known}</translation>
-    </message>
-    <message>
-        <source>shaker option {part!r}: {reason}</source>
-        <translation>option de transducteur {part!r}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>shaker:{text}: {count} channels need one band, or one each, and each channel once</source>
@@ -7398,10 +7262,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>soft_knee_n must be below force_limit_n, got {knee_n} and {limit_n}</source>
         <translation>soft_knee_n doit être inférieur à force_limit_n, reçu {knee_n} et {limit_n}</translation>
-    </message>
-    <message>
-        <source>sort the log by time and remove duplicates</source>
-        <translation>triez le journal par temps et enlevez les doublons</translation>
     </message>
     <message>
         <source>sort the rows by time or cut the recording there</source>
@@ -7524,10 +7384,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l&apos;Inverse3 n&apos;est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
     </message>
     <message>
-        <source>the Python package hidapi is missing; ./run sets it up in .venv</source>
-        <translation>le paquet Python hidapi manque&#xa0;; ./run l’installe dans .venv</translation>
-    </message>
-    <message>
         <source>the Python package websockets is missing; install hapticplayer with its extra websockets</source>
         <translation>le paquet Python websockets manque&#xa0;; installez hapticplayer avec son extra websockets</translation>
     </message>
@@ -7552,16 +7408,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la réponse n’a pas pu être enregistrée ({reason})</translation>
     </message>
     <message>
-        <source>the answer does not say which part it is</source>
-        <translation>la réponse ne dit pas quelle partie elle est</translation>
-    </message>
-    <message>
         <source>the answer ended early</source>
         <translation>la réponse s&apos;est terminée trop tôt</translation>
-    </message>
-    <message>
-        <source>the answer has no length</source>
-        <translation>la réponse n&apos;a pas de longueur</translation>
     </message>
     <message>
         <source>the axes {text!r} mirror the motion; change one sign</source>
@@ -7692,10 +7540,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le gyroscope explique {explained:.0%} de leur rotation (vidéo stabilisée ou caméra calme)</translation>
     </message>
     <message>
-        <source>the method pictures needs a clip</source>
-        <translation>la méthode pictures nécessite une vidéo</translation>
-    </message>
-    <message>
         <source>the motion of {key!r} was estimated from the picture, nothing measured it</source>
         <translation>le mouvement de {key!r} a été estimé d’après l’image, rien ne l’a mesuré</translation>
     </message>
@@ -7708,10 +7552,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le mouvement a été estimé d’après l’image, rien ne l’a mesuré&#xa0;: sa force est supposée, et les études le refusent si elles ne nomment pas le retour &apos;estimated&apos;</translation>
     </message>
     <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else tap marks (pats) and frames (pictures), as far as there are any</source>
-        <translation>le décalage s&apos;il est donné, l&apos;horloge de l&apos;enregistrement si c&apos;est celle de la vidéo, sinon tapes (pats) et images (pictures), s&apos;il y en a</translation>
-    </message>
-    <message>
         <source>the realistic force with the effects of the sequence on it</source>
         <translation>la force réaliste avec les effets de la séquence</translation>
     </message>
@@ -7722,10 +7562,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the rig is not open; choose the device again</source>
         <translation>la plateforme n’est pas ouverte&#xa0;; choisissez à nouveau l’appareil</translation>
-    </message>
-    <message>
-        <source>the server has not answered for {s:g} s</source>
-        <translation>le serveur n’a pas répondu depuis {s:g} s</translation>
     </message>
     <message>
         <source>the shaker is not open; choose the device again</source>
@@ -7752,22 +7588,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>leur rotation n&apos;est pas celle du gyroscope</translation>
     </message>
     <message>
-        <source>there is no outlet {name!r}</source>
-        <translation>il n’y a pas de sortie {name!r}</translation>
-    </message>
-    <message>
-        <source>timed out</source>
-        <translation>délai dépassé</translation>
-    </message>
-    <message>
-        <source>two outlets send {format} to {address}; keep one of them</source>
-        <translation>deux sorties envoient {format} à {address}&#xa0;; n’en gardez qu’une</translation>
-    </message>
-    <message>
-        <source>update hapticplayer here and where the clip is served</source>
-        <translation>mettez hapticplayer à jour ici et là où le clip est servi</translation>
-    </message>
-    <message>
         <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
         <translation>{clip}&#xa0;: les images ne disent pas si le montage est {axes} ou {next_best} (rapport {ratio:.2f})&#xa0;; {give}</translation>
     </message>
@@ -7776,20 +7596,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{clip}&#xa0;: d&apos;après les images le montage est {axes}, mais selon la gravité un autre côté était en haut&#xa0;; la vidéo est-elle droite et non inversée&#xa0;? Sinon&#xa0;: {give}</translation>
     </message>
     <message>
-        <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {pictures_s:.3f} s; choose --sync pats or --sync pictures (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
-        <translation>{clip}&#xa0;: les tapes donnent un décalage de {pats_s:.3f} s, les images {pictures_s:.3f} s&#xa0;; choisissez --sync pats ou --sync pictures (sync&#xa0;: --method), ou donnez --offset S&#xa0;; si le son de la caméra est en retard, --skew règle la question</translation>
-    </message>
-    <message>
         <source>{look}; {brings}</source>
         <translation>{look}&#xa0;; {brings}</translation>
     </message>
     <message>
         <source>{name} holds no motion; choose one of {known}</source>
         <translation>{name} ne contient pas de mouvement&#xa0;; choisissez {known}</translation>
-    </message>
-    <message>
-        <source>{outlet}: {what}</source>
-        <translation>{outlet}&#xa0;: {what}</translation>
     </message>
     <message>
         <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
@@ -7842,10 +7654,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the header is {header!r}</source>
         <translation>l’en-tête est {header!r}</translation>
-    </message>
-    <message>
-        <source>the installed device {name!r} cannot be loaded: {reason}; update or uninstall its package</source>
-        <translation>l’appareil installé {name!r} ne peut pas être chargé&#xa0;: {reason}&#xa0;; mettez à jour ou désinstallez son paquet</translation>
     </message>
     <message>
         <source>the largest angular rate is {largest:.3g} rad/s</source>
@@ -8068,14 +7876,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le travail a été arrêté de l’extérieur (état {status}), peut-être faute de mémoire&#xa0;; rien n’a été écrit</translation>
     </message>
     <message>
-        <source>permission denied for the {title}, or it is gone; copy the udev rule {rule} to /etc/udev/rules.d, then unplug it and plug it in</source>
-        <translation>vous n’avez pas le droit d’utiliser l’appareil ({title}), ou il n’est plus là&#xa0;; copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez-le et rebranchez-le</translation>
-    </message>
-    <message>
-        <source>the {title} was unplugged; plug it in and choose the device again</source>
-        <translation>l’appareil ({title}) a été débranché&#xa0;; rebranchez-le et choisissez-le de nouveau</translation>
-    </message>
-    <message>
         <source>a track {name!r} exists; choose another name</source>
         <translation>il y a déjà une piste {name!r}&#xa0;; choisissez un autre nom</translation>
     </message>
@@ -8206,10 +8006,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has dates as timestamps ({found})</source>
         <translation>écrit ses temps sous forme de dates ({found})</translation>
-    </message>
-    <message>
-        <source>writing failed ({reason})</source>
-        <translation>l’écriture a échoué ({reason})</translation>
     </message>
     <message>
         <source>written to</source>
@@ -8352,16 +8148,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Micrologiciel</translation>
     </message>
     <message>
-        <source>Game pad on USB</source>
-        <translation>Manette sur USB</translation>
-    </message>
-    <message>
         <source>Game pad that Linux can rumble</source>
         <translation>Manette que Linux peut faire vibrer</translation>
     </message>
     <message>
         <source>Haply&apos;s Inverse Service has no Inverse3; connect its cable and supply, and choose the device again</source>
         <translation>l&apos;Inverse Service de Haply n&apos;a pas d&apos;Inverse3&#xa0;; branchez son câble et son alimentation, puis choisissez l&apos;appareil à nouveau</translation>
+    </message>
+    <message>
+        <source>Intiface at {where} gives no version or no ping time; update it</source>
+        <translation>Intiface à l’adresse {where} n’indique pas de version ou de délai de ping&#xa0;; mettez-le à jour</translation>
     </message>
     <message>
         <source>Inverse3</source>
@@ -8428,6 +8224,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une seule séquence ne peut que se suivre elle-même</translation>
     </message>
     <message>
+        <source>a smoother over the whole recording, with the sensor&apos;s errors</source>
+        <translation>un lisseur sur tout l’enregistrement, avec les erreurs du capteur</translation>
+    </message>
+    <message>
         <source>a whole number</source>
         <translation>un nombre entier</translation>
     </message>
@@ -8452,8 +8252,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un autre rendu demande le dossier de la séquence&#xa0;; dépaquetez-la</translation>
     </message>
     <message>
+        <source>ask for the file again, or agree with --accept-changed-video</source>
+        <translation>redemandez le fichier, ou acceptez avec --accept-changed-video</translation>
+    </message>
+    <message>
         <source>asks about feedbacks before the first trial</source>
         <translation>interroge sur les retours avant le premier essai</translation>
+    </message>
+    <message>
+        <source>check the address and the network</source>
+        <translation>vérifiez l’adresse et le réseau</translation>
+    </message>
+    <message>
+        <source>check the address, or ask who offers the file</source>
+        <translation>vérifiez l’adresse, ou demandez à qui propose le fichier</translation>
+    </message>
+    <message>
+        <source>check the network, then open it again</source>
+        <translation>vérifiez le réseau, puis ouvrez-le de nouveau</translation>
     </message>
     <message>
         <source>checking {name}</source>
@@ -8480,8 +8296,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>copie du clip</translation>
     </message>
     <message>
+        <source>device {name!r}: nothing can follow; use {kind}</source>
+        <translation>appareil {name!r}&#xa0;: rien ne peut suivre&#xa0;; utilisez {kind}</translation>
+    </message>
+    <message>
+        <source>does not give parts of this file</source>
+        <translation>ne fournit pas de parties de ce fichier</translation>
+    </message>
+    <message>
         <source>done</source>
         <translation>terminé</translation>
+    </message>
+    <message>
+        <source>download it and play the file</source>
+        <translation>téléchargez-le et lisez le fichier</translation>
     </message>
     <message>
         <source>drawing the figures</source>
@@ -8508,6 +8336,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>estimé d’après l’image</translation>
     </message>
     <message>
+        <source>export the force again</source>
+        <translation>exportez de nouveau la force</translation>
+    </message>
+    <message>
         <source>fifo</source>
         <translation>FIFO</translation>
     </message>
@@ -8528,6 +8360,26 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun ordre trouvé dans lequel aucune séquence n’est jouée deux fois de suite</translation>
     </message>
     <message>
+        <source>give a link that needs none, such as a signed one</source>
+        <translation>donnez un lien qui s’en passe, par exemple un lien signé</translation>
+    </message>
+    <message>
+        <source>give one that begins with http:// or https://</source>
+        <translation>donnez-en une qui commence par http:// ou https://</translation>
+    </message>
+    <message>
+        <source>give the address that it leads to, if you trust it</source>
+        <translation>donnez l’adresse à laquelle elle mène, si vous lui faites confiance</translation>
+    </message>
+    <message>
+        <source>give the log of a motion sensor with --imu LOG</source>
+        <translation>donnez le journal d’un capteur de mouvement avec --imu LOG</translation>
+    </message>
+    <message>
+        <source>give what is asked for by hand, such as --offset S or --mounting</source>
+        <translation>donnez vous-même ce qui est demandé, par exemple --offset S ou --mounting</translation>
+    </message>
+    <message>
         <source>gone</source>
         <translation>disparu</translation>
     </message>
@@ -8540,6 +8392,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne demande rien après une vidéo</translation>
     </message>
     <message>
+        <source>has no rows</source>
+        <translation>n’a pas de lignes</translation>
+    </message>
+    <message>
         <source>has records of version {found}, this program reads {version}</source>
         <translation>contient des données de la version {found}, ce programme lit {version}</translation>
     </message>
@@ -8548,16 +8404,36 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>entendu</translation>
     </message>
     <message>
+        <source>holds a user name or password, which would be shown and stored</source>
+        <translation>contient un nom d’utilisateur ou un mot de passe, qui serait affiché et enregistré</translation>
+    </message>
+    <message>
+        <source>holds no motion that can be read</source>
+        <translation>ne contient pas de mouvement lisible</translation>
+    </message>
+    <message>
         <source>install hapticplayer[vision], which synchronises without pats, finds the mounting of a sensor and suggests motion for a plain video</source>
         <translation>installez hapticplayer[vision], qui synchronise sans tapes, trouve le montage d’un capteur et suggère un mouvement pour une simple vidéo</translation>
+    </message>
+    <message>
+        <source>is being changed by another program</source>
+        <translation>est en cours de modification par un autre programme</translation>
     </message>
     <message>
         <source>is damaged or missing, and the definition of the study has changed</source>
         <translation>est endommagé ou manquant, et la définition de l’étude a changé</translation>
     </message>
     <message>
+        <source>is empty or has become shorter</source>
+        <translation>est vide ou a raccourci</translation>
+    </message>
+    <message>
         <source>is not UTF-8 text</source>
         <translation>n’est pas du texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>is not a manifest of hapticplayer</source>
+        <translation>n’est pas un manifeste de hapticplayer</translation>
     </message>
     <message>
         <source>is not a question of this page</source>
@@ -8572,12 +8448,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas une clé valide</translation>
     </message>
     <message>
+        <source>is not the address of a file</source>
+        <translation>n’est pas l’adresse d’un fichier</translation>
+    </message>
+    <message>
         <source>is not the definition of a study</source>
         <translation>ne décrit pas d’étude</translation>
     </message>
     <message>
+        <source>is not the video that its force was made for (its checksum differs)</source>
+        <translation>n’est pas la vidéo pour laquelle la force a été calculée (sa somme de contrôle diffère)</translation>
+    </message>
+    <message>
         <source>is not valid JSON ({reason})</source>
         <translation>n’est pas du JSON valable ({reason})</translation>
+    </message>
+    <message>
+        <source>is refused by its server (status {status})</source>
+        <translation>est refusé par son serveur (statut {status})</translation>
     </message>
     <message>
         <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
@@ -8588,12 +8476,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>son format de pixels ne peut pas être converti</translation>
     </message>
     <message>
+        <source>its server does not give parts of files (HTTP ranges)</source>
+        <translation>son serveur ne fournit pas de parties de fichiers (plages HTTP)</translation>
+    </message>
+    <message>
         <source>listening</source>
         <translation>écoute du son</translation>
     </message>
     <message>
         <source>missing entry {name!r}</source>
         <translation>entrée manquante {name!r}</translation>
+    </message>
+    <message>
+        <source>move the grip to the centre first, then re-arm again</source>
+        <translation>ramenez d’abord la poignée au centre, puis réarmez encore une fois</translation>
     </message>
     <message>
         <source>must be a number from {least} to {most}</source>
@@ -8652,6 +8548,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>pas encore</translation>
     </message>
     <message>
+        <source>open it again</source>
+        <translation>ouvrez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>open the study again and repeat the change</source>
+        <translation>ouvrez de nouveau l’étude et refaites la modification</translation>
+    </message>
+    <message>
         <source>predicting excursions</source>
         <translation>prévision des excursions</translation>
     </message>
@@ -8662,6 +8566,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>reading {name}</source>
         <translation>lecture de {name}</translation>
+    </message>
+    <message>
+        <source>redirects from {scheme} to another scheme</source>
+        <translation>redirige de {scheme} vers un autre schéma</translation>
+    </message>
+    <message>
+        <source>redirects to a private address</source>
+        <translation>redirige vers une adresse privée</translation>
+    </message>
+    <message>
+        <source>redirects too often</source>
+        <translation>redirige trop souvent</translation>
     </message>
     <message>
         <source>remove the constraint</source>
@@ -8696,6 +8612,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>parcours</translation>
     </message>
     <message>
+        <source>say it once</source>
+        <translation>ne le donnez qu’une fois</translation>
+    </message>
+    <message>
         <source>session {code}: {key} was left out; it is not in the definition</source>
         <translation>session {code}&#xa0;: {key} a été omis&#xa0;; absent de la définition</translation>
     </message>
@@ -8712,6 +8632,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>slice</translation>
     </message>
     <message>
+        <source>sort the file by time and remove duplicates</source>
+        <translation>triez le fichier par temps et supprimez les doublons</translation>
+    </message>
+    <message>
         <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
         <translation>pics retirés de {force} échantillons de l’accéléromètre, {rate} du gyromètre, {field} du magnétomètre&#xa0;; {kept} échantillons saillants laissés comme mouvement</translation>
     </message>
@@ -8726,6 +8650,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>synchronising</source>
         <translation>synchronisation</translation>
+    </message>
+    <message>
+        <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
+        <translation>l’analyse des essais de cohérence manque&#xa0;; installez l’extension qui la contient, ou exportez les réponses</translation>
     </message>
     <message>
         <source>the camera does not move: there is nothing to estimate</source>
@@ -8746,6 +8674,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the camera&apos;s rotation in the frames fits the log nowhere (is it the log of this clip, and the video not stabilised?)</source>
         <translation>la rotation de la caméra dans les images ne correspond nulle part au journal (est-ce celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;?)</translation>
+    </message>
+    <message>
+        <source>the causal filter of Laidig and Seel 2023</source>
+        <translation>le filtre causal de Laidig et Seel 2023</translation>
     </message>
     <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
@@ -8772,6 +8704,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>c’est la page {page}, pas {expected}</translation>
     </message>
     <message>
+        <source>the extension {name!r} cannot be used: {reason}; update or uninstall it</source>
+        <translation>l’extension {name!r} ne peut pas être utilisée&#xa0;: {reason}&#xa0;; mettez-la à jour ou désinstallez-la</translation>
+    </message>
+    <message>
+        <source>the force is stopped; re-arm it first</source>
+        <translation>la force est coupée&#xa0;; réarmez-la d’abord</translation>
+    </message>
+    <message>
         <source>the guard could not be started: {reason}</source>
         <translation>le gardien n’a pas pu démarrer&#xa0;: {reason}</translation>
     </message>
@@ -8788,6 +8728,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le processus haptique s’est terminé, la force est coupée&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
     <message>
+        <source>the haptics process has ended; test the device again</source>
+        <translation>le processus haptique est terminé&#xa0;; testez de nouveau l’appareil</translation>
+    </message>
+    <message>
         <source>the home folder is unknown; set {variable} to the firmware&apos;s path</source>
         <translation>le dossier personnel est inconnu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
     </message>
@@ -8796,16 +8740,44 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le journal ne contient pas de vitesse angulaire à laquelle comparer les images</translation>
     </message>
     <message>
+        <source>the method frames needs a clip</source>
+        <translation>la méthode frames a besoin d’une vidéo</translation>
+    </message>
+    <message>
         <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
         <translation>le mouvement de {name} a été enregistré, ce qui vaut mieux qu’une estimation d’après l’image&#xa0;; importez-la sans --suggest-motion</translation>
+    </message>
+    <message>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else tap marks (pats) and frames, as far as there are any</source>
+        <translation>le décalage s’il est donné, l’horloge de l’enregistrement si c’est celle de la vidéo, sinon tapes (pats) et images (frames), s’il y en a</translation>
+    </message>
+    <message>
+        <source>the output {name} is there twice</source>
+        <translation>la sortie {name} figure deux fois</translation>
     </message>
     <message>
         <source>the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
         <translation>les tapes ne sont pas sûres (confiance {confidence:.2f})&#xa0;: le meilleur décalage est de {offset_s:.3f} s{next_best}</translation>
     </message>
     <message>
+        <source>the quaternion Kalman filter of Sabatini 2006</source>
+        <translation>le filtre de Kalman à quaternions de Sabatini 2006</translation>
+    </message>
+    <message>
+        <source>the same, forwards and backwards</source>
+        <translation>le même, vers l’avant et vers l’arrière</translation>
+    </message>
+    <message>
         <source>the sequence {key!r}: {reason}</source>
         <translation>la séquence {key!r}&#xa0;: {reason}</translation>
+    </message>
+    <message>
+        <source>the server does not answer</source>
+        <translation>le serveur ne répond pas</translation>
+    </message>
+    <message>
+        <source>the slow part of the specific force is gravity</source>
+        <translation>la partie lente de la force spécifique est la pesanteur</translation>
     </message>
     <message>
         <source>there are no frames to write</source>
@@ -8828,6 +8800,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il n’y a pas de mouvement où chercher des événements</translation>
     </message>
     <message>
+        <source>there is no output {name!r}</source>
+        <translation>il n’y a pas de sortie {name!r}</translation>
+    </message>
+    <message>
         <source>there is no valid motion in the clip to fit a gain to</source>
         <translation>le clip ne contient aucun mouvement valide auquel ajuster un gain</translation>
     </message>
@@ -8842,6 +8818,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>this haptic loop does not accept injected faults</source>
         <translation>cette boucle haptique n’accepte pas de pannes injectées</translation>
+    </message>
+    <message>
+        <source>this installation cannot look at the frames of a clip</source>
+        <translation>cette installation ne peut pas analyser les images d’une vidéo</translation>
+    </message>
+    <message>
+        <source>this installation has no demo; open a sequence or a video instead</source>
+        <translation>cette installation n’a pas de démo&#xa0;; ouvrez plutôt une séquence ou une vidéo</translation>
+    </message>
+    <message>
+        <source>this installation has no streams of the kind {name!r}; leave them out</source>
+        <translation>cette installation n’a pas de flux du type {name!r}&#xa0;; omettez-les</translation>
     </message>
     <message>
         <source>this is not the video that the force was made for (its checksum differs): it plays without force</source>
@@ -8868,8 +8856,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est une rotation et n’est pas lu</translation>
     </message>
     <message>
+        <source>--bind {text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
+        <translation>--bind {text!r} n’est pas une adresse de cet ordinateur&#xa0;; donnez-la en entier, par exemple {loopback} ou 192.168.1.5</translation>
+    </message>
+    <message>
         <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
         <translation>les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s ({doubt})</translation>
+    </message>
+    <message>
+        <source>two outputs send {what}; keep one of them</source>
+        <translation>deux sorties envoient {what}&#xa0;; gardez-en une</translation>
     </message>
     <message>
         <source>unknown entry {name!r}</source>
@@ -8888,8 +8884,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>utilisez --sync pats (sync&#xa0;: --method pats), ou donnez --offset S</translation>
     </message>
     <message>
+        <source>use L, R, V or A and a digit, such as V0</source>
+        <translation>utilisez L, R, V ou A et un chiffre, par exemple V0</translation>
+    </message>
+    <message>
         <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
         <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
+    </message>
+    <message>
+        <source>use a name in /dev/input, such as event5</source>
+        <translation>utilisez un nom de /dev/input, par exemple event5</translation>
     </message>
     <message>
         <source>vibration: full intensity was taken as {full_n:.3g} N</source>
@@ -8902,6 +8906,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>wait until nothing writes to it, then start again</source>
         <translation>attendez que plus rien n’y écrive, puis recommencez</translation>
+    </message>
+    <message>
+        <source>wait until that has finished, or close it, then try again</source>
+        <translation>attendez qu’il ait fini, ou fermez-le, puis réessayez</translation>
+    </message>
+    <message>
+        <source>was changed by another program meanwhile</source>
+        <translation>a été modifié entre-temps par un autre programme</translation>
+    </message>
+    <message>
+        <source>was changed on the server</source>
+        <translation>a été modifié sur le serveur</translation>
     </message>
     <message>
         <source>was changed or replaced while it was read</source>
@@ -8940,6 +8956,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>écriture</translation>
     </message>
     <message>
+        <source>writing the force for other programs</source>
+        <translation>écriture de la force pour d’autres programmes</translation>
+    </message>
+    <message>
         <source>writing the logs</source>
         <translation>écriture des journaux</translation>
     </message>
@@ -8968,6 +8988,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{clip}&#xa0;: ses images montrent le montage {axes} (rapport {ratio:.1f}), non {used}&#xa0;; donnez --mounting auto pour le prendre, ou --mounting forward pour garder les axes du journal</translation>
     </message>
     <message>
+        <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose --sync pats or --sync frames (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
+        <translation>{clip}&#xa0;: les tapes donnent un décalage de {pats_s:.3f} s, les images {frames_s:.3f} s&#xa0;; choisissez --sync pats ou --sync frames (sync&#xa0;: --method), ou donnez --offset S&#xa0;; si le son de la caméra est en retard, --skew règle la question</translation>
+    </message>
+    <message>
         <source>{clip}: {why}; {look}</source>
         <translation>{clip}&#xa0;: {why}&#xa0;; {look}</translation>
     </message>
@@ -8986,6 +9010,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
         <translation>{device} est un appareil réel et n’accepte pas de pannes injectées</translation>
+    </message>
+    <message>
+        <source>{device} option {part!r}: {reason}</source>
+        <translation>{device}, option {part!r}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>{device}, {state}</source>
@@ -9026,10 +9054,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name!r} has no parameters</source>
         <translation>{name!r} n’a pas de paramètres</translation>
-    </message>
-    <message>
-        <source>{name!r} is not a packet format; use {known}</source>
-        <translation>{name!r} n’est pas un format de paquets&#xa0;; utilisez {known}</translation>
     </message>
     <message>
         <source>{name!r} is not a plain file name</source>
@@ -9144,16 +9168,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{order!r} ne sont pas des axes, la télémétrie est donc endommagée</translation>
     </message>
     <message>
+        <source>{output}: {what}</source>
+        <translation>{output}&#xa0;: {what}</translation>
+    </message>
+    <message>
         <source>{path}: cannot be restored ({reason})</source>
         <translation>{path}&#xa0;: ne peut pas être récupéré ({reason})</translation>
     </message>
     <message>
         <source>{path}: is not a log of {name}</source>
         <translation>{path}&#xa0;: n’est pas un journal de {name}</translation>
-    </message>
-    <message>
-        <source>{path}: the firmware cannot be kept there ({reason}); set {variable} to another path</source>
-        <translation>{path}&#xa0;: le micrologiciel ne peut pas être gardé là ({reason})&#xa0;; donnez à {variable} un autre chemin</translation>
     </message>
     <message>
         <source>{path}: {reason}</source>
@@ -9236,6 +9260,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name} ne connaît pas l&apos;horloge de la vidéo&#xa0;; utilisez --sync pats (sync&#xa0;: --method pats) ou donnez --offset S</translation>
     </message>
     <message>
+        <source>{reason}, or set {variable} to another path</source>
+        <translation>{reason}, ou donnez à {variable} un autre chemin</translation>
+    </message>
+    <message>
         <source>{share:.1%} of the force samples reach the force limit</source>
         <translation>{share:.1%} des mesures de force atteignent la limite de force</translation>
     </message>
@@ -9258,6 +9286,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{text!r} is not a participant&apos;s code</source>
         <translation>{text!r} n’est pas un code de participant</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a serial number; it has letters and digits only, see &apos;hapticplayer device list&apos;</source>
+        <translation>{text!r} n’est pas un numéro de série&#xa0;; il n’a que des lettres et des chiffres, voir «&#xa0;hapticplayer device list&#xa0;»</translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>
@@ -9294,6 +9326,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{what}; {remedy}</source>
         <translation>{what}&#xa0;; {remedy}</translation>
+    </message>
+    <message>
+        <source>{where}: waiting for the server</source>
+        <translation>{where}&#xa0;: attente du serveur</translation>
+    </message>
+    <message>
+        <source>{where}: {reason}</source>
+        <translation>{where}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>{where}: {what}</source>
