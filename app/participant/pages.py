@@ -38,6 +38,9 @@ class TextPage(FittedPage):
         is_short = len(page.text) < 160
         self.text = paragraph(page.text, centred=is_short)
         self.column.addWidget(self.text)
+        self.problem = paragraph("", centred=True)
+        self.problem.hide()
+        self.column.addWidget(self.problem)
         self.buttons: dict[str, Button] = {}
         for name, text in buttons:
             button = self.buttons[name] = Button(text)
@@ -52,6 +55,12 @@ class TextPage(FittedPage):
     def focus(self) -> None:
         if self.buttons:
             list(self.buttons.values())[-1].setFocus(Qt.FocusReason.TabFocusReason)
+
+    def show_problem(self, text: str) -> None:
+        """Say why a button did nothing."""
+        self.problem.setText(text)
+        self.problem.show()
+        self.fit()
 
     def values(self) -> dict[str, Any]:
         """Return no answers."""

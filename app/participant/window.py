@@ -157,9 +157,12 @@ class ParticipantWindow(QWidget):
         if not self.guard.isActive():
             try:
                 action()
+                self.refresh()
             except UsageError as problem:
                 self.refused.emit(problem)
-            self.refresh()
+                self.refresh()
+                if isinstance(self.content, TextPage) and self._runner is not None:
+                    self.content.show_problem(self._runner.maker.word("centre"))
 
     def halt(self, reason: str) -> None:
         """Take the force away at once."""

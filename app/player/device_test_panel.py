@@ -15,7 +15,7 @@ from app.widgets.buttons import text_button
 from app.widgets.layout import column_of, paragraph, row_of
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
-from hapticplayer.errors import HapticPlayerError, message_of
+from hapticplayer.errors import HapticPlayerError, UsageError, message_of
 from hapticplayer.playback.device_test import DeviceTest
 from hapticplayer.playback.latch import StopLatch
 
@@ -124,9 +124,15 @@ class DeviceTestPanel(QWidget):
         if self.is_acting:
             self.stop()
         else:
+            self._rearm()
+
+    def _rearm(self) -> None:
+        try:
             self._latch.rearm(self._clock.now_s())
             self.state.setText("")
-            self._show_buttons()
+        except UsageError as problem:
+            self.state.setText(translated(message_of(problem)))
+        self._show_buttons()
 
     def stop(self) -> None:
         """Take the force away at once; the device is let go of."""

@@ -85,6 +85,7 @@ class PlayerWindow(QMainWindow):
         self.study_menu.running.connect(
             lambda is_on: self.desktop.set_study_mode(is_on=is_on)
         )
+        self.study_menu.running.connect(self._on_study)
         self.themes = ThemeMenus(self.commands, settings)
         self.pump = Pump(player.poll, clock, self._on_gap, self)
         self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
@@ -239,6 +240,11 @@ class PlayerWindow(QMainWindow):
         self.player.lend_outputs()
         self.player.wait_released()
         return self.player.output_names
+
+    def _on_study(self, is_on: bool) -> None:
+        """Begin stopped after a session: what was stopped there stays so here."""
+        if not is_on:
+            self.stop()
 
     def _take_back_devices(self) -> None:
         self.player.take_back_outputs()

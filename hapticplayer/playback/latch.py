@@ -6,6 +6,7 @@ demonstrations. So a stop survives each change of devices, pages and dialogs.
 """
 
 import math
+from collections.abc import Callable
 
 from hapticplayer.errors import Message, UsageError
 
@@ -18,17 +19,25 @@ class StopLatch:
     Attributes:
         is_set: whether it is.
         rearmed_s: monotonic time at which it was re-armed last.
+        conditions: of a re-arm, each raises UsageError where it is not met.
     """
 
     def __init__(self) -> None:
         self.is_set, self.rearmed_s = False, -math.inf
+        self.conditions: list[Callable[[], None]] = []
 
     def stop(self) -> None:
         """Keep every force off from now on."""
         self.is_set = True
 
     def rearm(self, now_s: float) -> None:
-        """Allow force again; only what a person does may call this."""
+        """Allow force again; only what a person does may call this.
+
+        Raises:
+            UsageError: when a condition is not met; it stays set.
+        """
+        for check in self.conditions:
+            check()
         self.is_set, self.rearmed_s = False, now_s
 
     def refuse(self) -> None:

@@ -179,7 +179,12 @@ class Output:
             self.load(self._tracks, self._motion)
 
     def release(self) -> None:
-        """Close the device in a thread of its own: the force ramps down meanwhile."""
+        """Close the device in a thread of its own: the force ramps down meanwhile.
+
+        What its loop has done until now still counts: it may have tripped.
+        """
+        self._next_read_s = 0.0
+        self.poll()
         thread = threading.Thread(target=self.processes.close, name="device-releaser")
         self._releasing = [one for one in self._releasing if one.is_alive()]
         self._releasing.append(thread)

@@ -66,6 +66,7 @@ class Player:
         latch: StopLatch | None = None,
     ) -> None:
         self._latch = latch or StopLatch()
+        self._latch.conditions.append(self._refuse_off_centre)
         self._is_held = self._latch.is_set
         self._clock, self._reporter = clock, Reporter(clock)
         self._feedback, self._log_problem, self._waiting = "", "", ""
@@ -259,12 +260,14 @@ class Player:
         Raises:
             UsageError: when a grip is not near the middle; the force stays off.
         """
-        if not all(one.is_near_middle() for one in self._outputs):
-            raise UsageError("move the grip to the centre first, then re-arm again")
         self._latch.rearm(self._clock.now_s())
         self._outputs.rearm()
         self._is_held = False
         self._reporter.event("rearm")
+
+    def _refuse_off_centre(self) -> None:
+        if not all(one.is_near_middle() for one in self._outputs):
+            raise UsageError("move the grip to the centre first, then re-arm again")
 
     def _follow_latch(self) -> None:
         """Stop, or let the force come back, where another owner of the latch did."""
@@ -293,6 +296,8 @@ class Player:
     def close(self) -> None:
         """Ramp the force to zero, end all threads and finish the log."""
         self._stop_all()  # before anything that takes its time
+        if self._refuse_off_centre in self._latch.conditions:
+            self._latch.conditions.remove(self._refuse_off_centre)
         self._end_source()
         self._clip.close()
         self._outputs.close()

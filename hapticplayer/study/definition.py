@@ -279,6 +279,7 @@ class ButtonWords(JsonObject, frozen=True):
     feedback: Text
     clip: Text
     missing: Text
+    centre: Text
     paused: Text
     resume: Text
     leave: Text

@@ -150,6 +150,54 @@ def test_no_command_or_dialog_undoes_a_stop(stopped, wait_for, felt, feel):
 
 
 @pytest.mark.realtime
+def test_no_item_of_the_study_menu_undoes_a_stop(
+    stopped, wait_for, felt, make_study, monkeypatch
+):
+    window, study, said = stopped, make_study(), []
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
+    monkeypatch.setattr(window.study_menu, "report", said.append)
+    menu = next(
+        one.menu()
+        for one in window.menuBar().actions()
+        if one.text().replace("&", "") == "Study"
+    )
+    felt.clear()
+    for action in menu.actions():
+        action.trigger()
+        QTest.qWait(SETTLED_MS)
+        press_everything()
+        play_on(window, wait_for)
+        assert window.player.snapshot().is_stopped
+        assert window.transport.stop.text() == "Re-arm"
+    assert not max(felt, default=0.0)
+    assert "re-arm" in str(said[0])
+    assert not window.study_menu.process.is_running
+
+
+@pytest.mark.realtime
+def test_the_window_is_stopped_after_a_session(
+    window, wait_for, source, felt, feel, make_study, monkeypatch, tmp_path
+):
+    window.session.choose_leading("simulated")
+    window.session.show_source(source)
+    program, study = tmp_path / "session", make_study()
+    program.write_text("#!/bin/sh\nexit 0\n")
+    program.chmod(0o700)
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
+    with monkeypatch.context() as patch:
+        patch.setattr("app.experimenter.study_menu.sys.executable", str(program))
+        window.study_menu.run()
+    felt.clear()
+    wait_for(lambda: not window.study_menu.process.is_running)
+    assert window.session.is_stopped
+    play_on(window, wait_for)
+    assert not max(felt, default=0.0)
+    assert window.transport.stop.text() == "Re-arm"
+    window.session.rearm()
+    feel(window)
+
+
+@pytest.mark.realtime
 def test_a_study_does_not_begin_during_a_stop(stopped):
     with pytest.raises(UsageError, match="re-arm"):
         stopped._release_devices()

@@ -137,6 +137,28 @@ def test_escape_stops_the_clip_and_the_trial_begins_again(make_study, sit, wait_
     assert [first for first, *_ in reasons] == ["escape", "space"]
 
 
+def test_a_participant_reads_why_the_pause_does_not_end(
+    make_study, sit, wait_for, monkeypatch
+):
+    session = sit(make_study())
+    person = Person(session, wait_for)
+    person.begin_trial()
+    QTest.keyClick(session.participant.windowHandle(), Qt.Key.Key_Escape)
+    person.wait_page(PageKind.PAUSED)
+    output = session.player._outputs.leading
+    monkeypatch.setattr(output, "is_near_middle", lambda: False)
+    person.key(Qt.Key.Key_Enter)
+    assert person.runner.page.kind is PageKind.PAUSED
+    assert session.player.snapshot().is_stopped
+    assert person.page.problem.isVisible()
+    assert "centre" in person.page.problem.text()
+    assert "centre" in session.control.messages.text()
+    monkeypatch.undo()
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.READY, "trial-01")
+    assert not session.player.snapshot().is_stopped
+
+
 def test_somebody_may_leave_and_keeps_what_was_given(make_study, sit, wait_for):
     session = sit(make_study())
     person = Person(session, wait_for)

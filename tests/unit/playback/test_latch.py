@@ -213,3 +213,31 @@ def test_demonstrations_and_tests_are_refused_in_a_stop():
         ForcePlayer(SystemClock(), "simulated", track, latch)
     with pytest.raises(UsageError, match="re-arm"):
         DeviceTest(SystemClock(), "simulated", latch=latch)
+
+
+def test_a_grip_button_just_before_a_change_of_outputs_counts(player, clock):
+    pass_time(player, clock)
+    newest().show(Mode.TRIPPED, Cause.GRIP_BUTTON)
+    player.set_outputs([SECOND])
+    assert newest().said == ["stop"]
+    assert player.snapshot().is_stopped
+
+
+def test_a_grip_button_just_before_a_device_is_lent_counts(player, clock):
+    pass_time(player, clock)
+    newest().show(Mode.TRIPPED, Cause.GRIP_BUTTON)
+    player.lend_outputs()
+    player.take_back_outputs()
+    assert newest().said == ["stop"]
+
+
+def test_no_dialog_rearms_while_a_grip_is_at_the_edge(player, clock):
+    player.stop_force()
+    newest().show(Mode.TRIPPED, Cause.STOPPED, (0.039, 0.0, 0.0))
+    pass_time(player, clock)
+    with pytest.raises(UsageError, match="centre"):
+        player.latch.rearm(clock.now_s())
+    assert player.latch.is_set
+    player.close()
+    player.latch.rearm(clock.now_s())
+    assert not player.latch.is_set
