@@ -11,10 +11,13 @@ TESTS = Path(__file__).parent
 OF_AN_EXTRA = re.compile(r"(?:hapticplayer|app|tests\.unit|tests\.app)\.extras\.(\w+)")
 
 
-def needs(name: str) -> pytest.MarkDecorator:
-    """A mark for what names an extra's format, device or command."""
-    place = Path(__file__).parents[1] / "hapticplayer" / "extras" / name
-    return pytest.mark.skipif(not place.is_dir(), reason=f"needs the extra {name}")
+def needs(*names: str) -> pytest.MarkDecorator:
+    """A mark for what names formats, devices or commands of extras."""
+    extras = Path(__file__).parents[1] / "hapticplayer" / "extras"
+    absent = [name for name in names if not (extras / name).is_dir()]
+    return pytest.mark.skipif(
+        bool(absent), reason=f"needs the extra {', '.join(absent)}"
+    )
 
 
 class NeededExtras(MetaPathFinder):

@@ -113,13 +113,6 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             window,
             _no_reach,
         ),
-        "set-up-shaker": lambda: SetupPage(
-            window.clock,
-            "shaker:a card with a name that goes on and on,channels=1+2+3+4",
-            PluggedFalcons(list, window),
-            window.settings,
-            window,
-        ),
         "licence": lambda: Question(window, "Firmware", setup_texts.licence(), "OK"),
         "unknown-image": lambda: Question(
             window, "Firmware", setup_texts.unknown_image(), "OK"
@@ -151,7 +144,7 @@ def _dialogs_of_extras(window: PlayerWindow) -> dict[str, Callable[[], QWidget]]
 def _outputs_in_test(window: PlayerWindow) -> OutputsPage:
     """Return the page as it is while an output is tested."""
     page = OutputsPage(window.clock, window.session, window)
-    page._tested = "wheel:event5,axis=x,sign=-"
+    page._tested = "falcon:0123456789ABCDEF0123456789ABCDEF"
     page.panel.set_device(page._tested)
     page._show_panel(is_wanted=True)
     page.panel.state.setText("an answer that did not come, and what to do about it")

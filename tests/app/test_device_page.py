@@ -12,6 +12,7 @@ from hapticplayer.devices import installed_devices
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.processes import Health
 from hapticplayer.rendering.demonstration import LEAD_S, DemonstrationStep
+from tests.needed_extras import needs
 
 
 @pytest.fixture
@@ -79,6 +80,7 @@ def test_a_device_that_is_not_there_is_said_on_the_page(application, qtbot, wait
     assert "Falcon" in page.text.text()
 
 
+@needs("faults")
 def test_a_falcon_that_is_not_homed_leads_to_the_homing_page(
     application, qtbot, wait_for, monkeypatch
 ):
@@ -95,6 +97,7 @@ def test_a_falcon_that_is_not_homed_leads_to_the_homing_page(
     assert wanted == [False]
 
 
+@needs("wheels")
 def test_every_step_has_words():
     names = ["right", "left", "up", "down", "towards you", "away from you", "vibration"]
     steps = [DemonstrationStep(0.0, 1.0, name, 2.25) for name in names]

@@ -18,6 +18,7 @@ from hapticplayer.devices import installed_devices
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model.device import ChannelLevel
+from tests.needed_extras import needs
 
 RECORDS = {name: one.capabilities for name, one in installed_devices().items()}
 
@@ -37,6 +38,7 @@ def pixels(picture):
     return bytes(image.constBits())
 
 
+@needs("inverse3", "rigs", "wheels", "shakers", "toys")
 def test_the_picture_follows_from_the_record(application, qtbot):
     kinds = {
         "falcon": GripPicture,
@@ -56,7 +58,15 @@ def test_the_picture_follows_from_the_record(application, qtbot):
     assert type(seat) is GripPicture
 
 
-@pytest.mark.parametrize("name", ["falcon", "rig", "wheel", "rumble"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "falcon",
+        pytest.param("rig", marks=needs("rigs")),
+        pytest.param("wheel", marks=needs("wheels")),
+        pytest.param("rumble", marks=needs("wheels")),
+    ],
+)
 def test_a_device_picture_moves_with_its_force_and_comes_to_rest(
     application, qtbot, name
 ):
@@ -70,6 +80,7 @@ def test_a_device_picture_moves_with_its_force_and_comes_to_rest(
     assert pixels(picture) == at_rest
 
 
+@needs("wheels")
 def test_a_wheel_turns_by_its_own_axis_to_the_side_of_the_force(application, qtbot):
     wheel = picture_of(replace(RECORDS["wheel"], first_axis=1))
     qtbot.addWidget(wheel)
@@ -82,6 +93,7 @@ def test_a_wheel_turns_by_its_own_axis_to_the_side_of_the_force(application, qtb
     assert wheel.share == 0.0
 
 
+@needs("shakers")
 def test_bars_show_the_strength_or_the_level_of_each_channel(application, qtbot):
     bars = picture_of(RECORDS["shaker"])
     qtbot.addWidget(bars)
@@ -97,6 +109,7 @@ def test_bars_show_the_strength_or_the_level_of_each_channel(application, qtbot)
     assert [bar.share for bar in bars.bars] == [pytest.approx(1.0), pytest.approx(0.5)]
 
 
+@needs("rigs")
 def test_a_platform_does_what_the_packet_says(application, qtbot):
     rig = picture_of(RECORDS["rig"])
     qtbot.addWidget(rig)

@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtWidgets import QMenu
 
 from hapticplayer.study.creation import create_study
+from tests.needed_extras import needs
 
 ROOT = Path(__file__).resolve().parents[2]
 GUIDES = {path.name: path for path in [ROOT / "README.md", *ROOT.glob("docs/*.md")]}
@@ -45,6 +46,7 @@ def test_words_in_italics_in_a_guide_are_in_the_program(words, name):
     assert [text for text in named if plain(text) not in words] == []
 
 
+@needs("faults")
 def test_every_menu_path_of_the_guides_exists(window):
     paths = {
         tuple(text.split(" > "))

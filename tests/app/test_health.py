@@ -10,6 +10,7 @@ from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import Measurements, OutputSnapshot, Snapshot
+from tests.needed_extras import needs
 
 GOOD = Snapshot(
     phase=Phase.PLAYING,
@@ -119,6 +120,7 @@ def test_all_is_well():
         ({"health": Health.GONE}, 2, Level.NEUTRAL, "\u2013"),
     ],
 )
+@needs("shakers")
 def test_an_unhealthy_entry_says_why(changes, entry, level, words):
     found_level, text = shown(**changes)[entry]
     assert found_level is level

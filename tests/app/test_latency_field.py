@@ -5,6 +5,7 @@ import pytest
 from app.bridge.settings import DEVICE, Settings, keep_latency, latencies_of
 from app.player.latency_field import LatencyField
 from app.player.setup_page import SetupPage
+from tests.needed_extras import needs
 
 
 @pytest.fixture
@@ -26,6 +27,7 @@ def enter(field, value_ms):
     field.number.editingFinished.emit()
 
 
+@needs("wheels")
 def test_an_entered_latency_is_kept_and_announced_at_once(field, tmp_path):
     field.follow("rumble")
     assert shown(field) == (15.0, "assumed, as is typical")
@@ -40,6 +42,7 @@ def test_an_entered_latency_is_kept_and_announced_at_once(field, tmp_path):
     assert shown(field) == (0.0, "entered")
 
 
+@needs("wheels")
 def test_an_entered_value_takes_the_place_of_a_measured_one(field, settings):
     keep_latency(settings, DEVICE, "rumble", 40.0)
     field.follow("rumble")
@@ -60,6 +63,7 @@ def test_a_test_measures_what_nobody_has_entered(field):
     assert shown(field) == (5.0, "entered")
 
 
+@needs("rigs")
 def test_a_latency_of_the_settings_is_not_changed_here(field):
     field.follow("rig:outsim,latency_ms=40")
     assert shown(field) == (40.0, "entered in its settings")
@@ -69,6 +73,7 @@ def test_a_latency_of_the_settings_is_not_changed_here(field):
     assert field.number.isEnabled()
 
 
+@needs("wheels")
 def test_a_latency_entered_on_the_page_is_compensated(make_window, wait_for):
     window = make_window("none")
     window.player.set_outputs(["rumble"])

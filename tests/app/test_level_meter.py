@@ -9,6 +9,7 @@ from app.widgets import theme
 from app.widgets.level_meter import LEAST_DB, LevelMeter, levels_text
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model.device import ChannelLevel
+from tests.needed_extras import needs
 
 LEVELS = (ChannelLevel(3, 10 ** (-12 / 20), False), ChannelLevel(4, 0.95, True))
 
@@ -45,6 +46,7 @@ def test_its_words_change_only_with_what_is_heard(application):
     assert levels_text(LEVELS[:1]) == "channel 3 \u221212 dB"
 
 
+@needs("rigs")
 def test_an_output_with_channels_has_a_meter(make_window, wait_for, qtbot):
     """From the block that the loop writes to the bars."""
     window = make_window()

@@ -14,6 +14,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
 from hapticplayer.sequence.force_formats import force_formats, read_force
+from tests.needed_extras import needs
 
 
 @pytest.fixture
@@ -166,6 +167,7 @@ def test_an_empty_list_says_why_and_nothing_about_quality(page, library):
     assert "Import a recording" in page.nothing.text()
 
 
+@needs("formats")
 def test_a_track_is_exported_and_its_cost_is_told(page, library, wait_for, tmp_path):
     page.list.setCurrentRow(0)
     page.details.tracks.selectRow(0)

@@ -31,6 +31,7 @@ from hapticplayer.playback.latency import LatencySource
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import OutputSnapshot
 from hapticplayer.rendering.rig import RigStep
+from tests.needed_extras import needs
 
 
 @pytest.fixture
@@ -72,6 +73,7 @@ def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, receiver, wa
     assert page.states == {}
 
 
+@needs("rigs", "shakers")
 def test_an_unreachable_or_forbidden_address_is_named(window, page):
     page.kind.setCurrentIndex(page.kind.findData("rig:beamng"))
     page.address.setText("here")
@@ -164,6 +166,7 @@ def test_escape_stops_a_test_and_everything_else(window, page, wait_for):
     wait_for(lambda: playing_on(window)[name].mode is Mode.IDLE)
 
 
+@needs("rigs")
 def test_names_and_states_are_words():
     assert output_text("rig:outsim,gain=0.5") == "Motion rig: outsim, gain=0.5"
     assert output_text("simulated") == "Simulated"
@@ -181,6 +184,7 @@ def choose(page, kind, text=""):
     page.address.setText(text)
 
 
+@needs("shakers", "toys")
 def test_any_kind_takes_the_settings_that_it_has(window, page):
     choose(page, "simulated")
     assert not page.address.isEnabled()
@@ -199,6 +203,7 @@ def test_any_kind_takes_the_settings_that_it_has(window, page):
     assert page.problem.text() == "Settings may contain letters, digits and punctuation"
 
 
+@needs("wheels")
 def test_the_problem_of_an_output_is_read_whole(dressed, make_window, wait_for, qtbot):
     dressed(language="de")
     window = make_window()
@@ -260,6 +265,7 @@ def test_chosen_and_muted_outputs_are_kept(window, page, receiver, settings, tmp
     assert Settings(tmp_path / "window.json").table(OUTPUTS) == {}
 
 
+@needs("toys")
 def test_the_first_output_leads_and_the_order_is_kept(window, page, settings):
     names = ["simulated", "tcode:127.0.0.1:1"]
     choose(page, "simulated")
@@ -275,6 +281,7 @@ def test_the_first_output_leads_and_the_order_is_kept(window, page, settings):
     assert outputs_of(settings) == {"simulated": False}
 
 
+@needs("rigs", "wheels")
 def test_only_what_this_version_knows_is_taken_from_settings(settings):
     kept = {"rig:outsim": True, "teleporter": False, "rig:x": False, "wheel": 1}
     settings.keep(OUTPUTS, {**kept, "falcon:\0": False, "rumble": "yes"})
@@ -323,6 +330,7 @@ def test_the_window_begins_with_what_was_chosen(
     assert [(one.name, one.is_muted) for one in seen] == [("simulated", True)]
 
 
+@needs("rigs")
 def test_kept_outputs_that_clash_are_said_and_the_window_opens(window, settings):
     alike = {"rig:outsim": False, "rig:outsim,gain=0.5": False}
     settings.keep(OUTPUTS, alike)

@@ -28,6 +28,7 @@ from tests.e2e.command import (
     report_of,
     started,
 )
+from tests.needed_extras import needs
 
 # --- what works -------------------------------------------------------------
 
@@ -46,7 +47,7 @@ def test_help_and_version_import_nothing_heavy():
         check=True,
     )
     assert done.stdout.splitlines()[-1] == "[]"
-    for command in ("play", "import", "process", "simulate", "device", "doctor"):
+    for command in ("play", "import", "process", "study", "device", "doctor"):
         assert command in done.stdout
 
 
@@ -401,6 +402,7 @@ def test_a_ride_without_a_clip_is_a_log_with_its_truth(tmp_path):
     assert "already exists" in refused(again)
 
 
+@needs("faults")
 def test_a_device_that_is_not_there_is_refused(clip):
     play = ("play", clip, "--headless", "--device")
     # nobody has a Falcon of that number

@@ -7,6 +7,7 @@ import pytest
 
 from hapticplayer.clock import SystemClock
 from tests.e2e.command import hapticplayer, report_of, started
+from tests.needed_extras import needs
 
 FALCON = ("--device", "falcon-simulated")
 
@@ -28,6 +29,7 @@ def test_the_list_says_what_can_be_chosen_and_what_is_plugged_in(device):
     assert isinstance(report["falcons"], list)
 
 
+@needs("faults")
 def test_info_looks_and_loads_nothing(device):
     report = report_of(device("info", *FALCON, "--json"))
     assert report["firmware"] == "not loaded"
@@ -48,6 +50,7 @@ def test_homing_guides_out_then_in_and_ends_homed(device):
     assert device("home", "--device", "simulated", status=2)
 
 
+@needs("faults")
 def test_homing_that_nobody_does_ends(device):
     done = device("home", *FALCON, "--timeout", "0.3", status=1)
     assert "not homed within" in done.stderr

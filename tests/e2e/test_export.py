@@ -26,6 +26,7 @@ from tests.e2e.command import (
     report_of,
     started,
 )
+from tests.needed_extras import needs
 
 HEADER = {
     "device": "simulated",
@@ -134,6 +135,7 @@ def test_lost_ticks_are_a_gap_in_the_numbers(tmp_path):
     assert numbers == [0, 1, 2, 10, 11, 12]
 
 
+@needs("formats")
 def test_an_unknown_format_is_a_usage_error_with_choices(record, tmp_path):
     done = hapticplayer("export", record, "-o", tmp_path / "x", "--format", "hjif")
     assert done.returncode == 2

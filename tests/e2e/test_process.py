@@ -15,6 +15,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.sequence.store import read_recorded
 from tests.e2e.command import command_line, hapticplayer, refused, report_of, started
+from tests.needed_extras import needs
 
 
 @pytest.fixture(scope="module")
@@ -259,6 +260,7 @@ def test_options_that_do_not_fit_the_recording_are_refused(log, arguments, words
     assert words in refused(hapticplayer("process", log, *arguments))
 
 
+@needs("frames")
 def test_a_file_without_motion_is_refused(clip, tmp_path):
     assert "holds no motion telemetry" in refused(hapticplayer("process", clip))
     assert "no such file" in refused(hapticplayer("process", tmp_path / "none.csv"))

@@ -17,6 +17,7 @@ from tests.e2e.command import (
     refused,
     started,
 )
+from tests.needed_extras import needs
 
 
 @pytest.fixture(scope="module")
@@ -67,6 +68,7 @@ def test_a_port_out_of_range_is_wrong_usage(packed):
     assert "--port must be a whole number between 0 and 65535" in refused(done, 2)
 
 
+@needs("serve")
 def test_a_video_without_force_is_refused(clip):
     assert "holds no force" in refused(hapticplayer("serve", clip))
 

@@ -15,6 +15,7 @@ from hapticplayer.devices.guides import Guide
 from hapticplayer.errors import Message
 from hapticplayer.haptics.processes import Health
 from tests.app.setting_up.conftest import choose
+from tests.needed_extras import needs
 
 
 @pytest.fixture
@@ -101,6 +102,7 @@ def test_settings_of_the_device_in_use_are_shown(make_page):
     assert page.chosen == "wheel:event5,axis=y"
 
 
+@needs("wheels")
 def test_a_device_of_another_package_has_a_page(others, make_page, wait_for):
     page = make_page("seat")
     wait_for(lambda: page.title.text() == "Not ready yet")
@@ -110,6 +112,7 @@ def test_a_device_of_another_package_has_a_page(others, make_page, wait_for):
     assert page.text.text() == "Connect it as its maker says."
 
 
+@needs("rigs")
 def test_a_rig_may_take_the_place_of_the_leading_device(make_window, wait_for):
     window = make_window("simulated")
     window.commands.set_up_device.trigger()
@@ -122,6 +125,7 @@ def test_a_rig_may_take_the_place_of_the_leading_device(make_window, wait_for):
     wait_for(lambda: window.player.snapshot().leading.health is Health.READY)
 
 
+@needs("wheels")
 def test_the_outputs_lead_here_and_back(make_window, wait_for):
     window = make_window("simulated", "rumble")
     window.commands.outputs.trigger()
