@@ -21,8 +21,8 @@ from hapticplayer.motion import METHODS
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.rendering.condition import Parameter
 from hapticplayer.rendering.effects import EFFECTS
-from hapticplayer.rendering.events import DETECTORS
 from hapticplayer.sequence import force_formats as forces
+from hapticplayer.sequence.events import event_detectors
 from hapticplayer.sequence.presets import PRESETS
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.study_export import study_exporters
@@ -111,7 +111,8 @@ def effects() -> str:
 
 
 def events() -> str:
-    return table("kind | found where", ((_code(d.name), d.text) for d in DETECTORS))
+    rows = ((_code(one.name), one.text) for one in event_detectors().values())
+    return table("kind | found where", rows)
 
 
 def presets() -> str:

@@ -25,7 +25,7 @@ from app.widgets.texts import local
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import NO_EFFECTS, Effect, EffectList, kind_of
 from hapticplayer.rendering.event import Event
-from hapticplayer.rendering.events import DETECTORS
+from hapticplayer.sequence.events import event_detectors
 from hapticplayer.sequence.time_line import TimeLine
 
 LEAST_PX = QSize(320, 140)
@@ -44,8 +44,6 @@ _MARKS = {
     "artefact": "WARN",
 }
 """Names of colours; the kind is written beside."""
-
-_EVENT_TITLES = {one.name: one.title for one in DETECTORS}
 
 
 class Lanes(QWidget):
@@ -313,7 +311,8 @@ class Lanes(QWidget):
 
 
 def event_title(event: Event) -> str:
-    return translated(_EVENT_TITLES.get(event.kind, event.kind))
+    row = event_detectors().get(event.kind)
+    return translated(row.title if row else event.kind)
 
 
 def effect_title(effect: Effect) -> str:

@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 
 from benchmarks.common import Report, on_one_thread
+from hapticplayer.extras.events.detectors import DETECTORS, find_events
+from hapticplayer.extras.events.inputs import LowSound, low_sound
 from hapticplayer.extras.rides.catalogue import RIDES, SCENES
 from hapticplayer.extras.rides.motion_scenes import MOTION_SCENES, simulate_motion
 from hapticplayer.extras.rides.recording import simulate
@@ -23,8 +25,6 @@ from hapticplayer.extras.rides.sensors import CAMERA, SensorErrors
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering.event import Event
-from hapticplayer.rendering.events import DETECTORS, find_events
-from hapticplayer.rendering.low_sound import LowSound, low_sound
 from hapticplayer.sequence.store import in_media_time
 from tests.material.known_events import (
     KnownEvent,
@@ -52,7 +52,7 @@ class Case:
     sound: LowSound | None
     known: list[KnownEvent]
     duration_s: float
-    kinds: tuple[str, ...] = tuple(one.name for one in DETECTORS)
+    kinds: tuple[str, ...] = tuple(DETECTORS)
 
 
 def options(parser: argparse.ArgumentParser) -> None:

@@ -20,6 +20,13 @@ from scipy.ndimage import uniform_filter1d
 from scipy.signal import butter, sosfiltfilt
 
 from benchmarks.common import Report, on_one_thread
+from hapticplayer.extras.events.inputs import LOW_HZ, EventInputs, LowSound, low_sound
+from hapticplayer.extras.events.shocks import (
+    KNOCK_DECAY_S,
+    KNOCK_HZ,
+    Shock,
+    find_shocks,
+)
 from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.extras.rides.recording import simulate
 from hapticplayer.extras.rides.trajectory import Trajectory
@@ -27,9 +34,6 @@ from hapticplayer.model import MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering import render_force
-from hapticplayer.rendering.event import EventInputs
-from hapticplayer.rendering.low_sound import LOW_HZ, LowSound, low_sound
-from hapticplayer.rendering.shocks import KNOCK_DECAY_S, KNOCK_HZ, Shock, find_shocks
 from hapticplayer.sequence.store import in_media_time
 from tests.material.contact_sound import COVERS, contact_sound, covered
 

@@ -66,7 +66,6 @@ COMMANDS = (
         "render", "give a sequence another mapping from motion to force", ".render"
     ),
     Command("effects", "show and change the effects on the time line", ".effects"),
-    Command("events", "list what happens in a sequence, such as impacts", ".events"),
     Command("sync", "synchronise a motion log with a clip", ".sync"),
     Command(
         "process",

@@ -11,9 +11,9 @@ from collections.abc import Callable
 import numpy as np
 from scipy.signal import butter, iirpeak, lfilter, sosfilt
 
+from hapticplayer.extras.events.inputs import LOW_HZ, LowSound, low_sound
 from hapticplayer.extras.rides.trajectory import Trajectory
 from hapticplayer.model.arrays import Floats
-from hapticplayer.rendering.low_sound import LOW_HZ, LowSound, low_sound
 from tests.material.sync_clips import AUDIO_RATE_HZ, speech, wind
 
 COVERS: dict[str, Callable[[np.random.Generator, int], Floats]] = {

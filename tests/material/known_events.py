@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from scipy.ndimage import uniform_filter1d
 from scipy.signal import butter, sosfiltfilt
 
+from hapticplayer.extras.events.detectors import BRAKING_MPS2, TURN_MPS2
 from hapticplayer.extras.rides.scenes import Scene
 from hapticplayer.extras.rides.trajectory import Trajectory
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
 from hapticplayer.rendering.event import Event
-from hapticplayer.rendering.events import BRAKING_MPS2, TURN_MPS2
 
 _RATE_HZ = 200.0
 _BELOW_HZ = 2.0

@@ -13,16 +13,17 @@ from typing import NamedTuple
 import numpy as np
 
 from hapticplayer.errors import Message
-from hapticplayer.model import STANDARD_GRAVITY_MPS2
-from hapticplayer.model.arrays import Floats
-from hapticplayer.rendering.event import (
+from hapticplayer.extras.events.inputs import (
     GRID_HZ,
-    Event,
+    LOW_HZ,
     EventInputs,
     Flags,
+    LowSound,
     effect_on,
 )
-from hapticplayer.rendering.low_sound import LOW_HZ, LowSound
+from hapticplayer.model import STANDARD_GRAVITY_MPS2
+from hapticplayer.model.arrays import Floats
+from hapticplayer.rendering.event import Event
 
 HIGH_PASS_HZ = 4.0
 """A brake that is applied within 0.35 s stays below it, a landing does not."""
@@ -86,7 +87,7 @@ def impacts(inputs: EventInputs) -> list[Event]:
 
 
 def find_shocks(inputs: EventInputs) -> list[Shock]:
-    """Return the impacts of a recording, by their start."""
+    """The impacts of a recording, by their start."""
     size = shock_size(inputs.acceleration_mps2)
     heard = _heard(inputs.sound, inputs.grid_s)
     needed = np.where(heard, STANDS_OUT_IF_HEARD, STANDS_OUT)
@@ -118,7 +119,7 @@ def _parts(share: Floats, first: int, last: int) -> Iterator[slice]:
 
 
 def shock_size(acceleration_mps2: Floats) -> Floats:
-    """Return the RMS over 40 ms of the motion above 4 Hz, (N,)."""
+    """The RMS over 40 ms of the motion above 4 Hz, (N,)."""
     from scipy.ndimage import uniform_filter1d
     from scipy.signal import butter, sosfiltfilt
 
@@ -131,7 +132,7 @@ def shock_size(acceleration_mps2: Floats) -> Floats:
 
 
 def landings(upward_mps2: Floats) -> Floats:
-    """Return how much of its threshold a landing reaches, (N,); 0 without a fall."""
+    """How much of its threshold a landing reaches, (N,); 0 without a fall."""
     before = _mean_of_last(upward_mps2, FALL_S)
     after = _mean_of_last(upward_mps2[::-1], LANDING_S)[::-1]
     swing = np.maximum(after - before, 0.0)
@@ -141,7 +142,7 @@ def landings(upward_mps2: Floats) -> Floats:
 
 
 def _is_released(upward_mps2: Floats) -> Flags:
-    """Return (N,) where a fall begins: felt, but nothing has been hit."""
+    """(N,) where a fall begins: felt, but nothing has been hit."""
     count = round(FALL_S * GRID_HZ)
     is_fall = _mean_of_last(upward_mps2, FALL_S) < -FALL_MPS2
     return np.asarray(np.concatenate([is_fall, np.zeros(count, np.bool_)])[count:])
@@ -168,7 +169,7 @@ def background(size: Floats) -> Floats:
 
 
 def _merged(mask: Flags) -> list[tuple[int, int]]:
-    """Return first and one past last of runs, those closer than 0.1 s as one."""
+    """First and one past last of runs, those closer than 0.1 s as one."""
     from hapticplayer.motion.conditioning.timing import runs
 
     merged: list[tuple[int, int]] = []
@@ -181,7 +182,7 @@ def _merged(mask: Flags) -> list[tuple[int, int]]:
 
 
 def _heard(sound: LowSound | None, grid_s: Floats) -> Flags:
-    """Return (N,) whether a blow is heard about each time."""
+    """(N,) whether a blow is heard about each time."""
     if sound is None or not len(sound.samples):
         return np.zeros(len(grid_s), np.bool_)
     from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d

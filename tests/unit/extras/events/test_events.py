@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 
 from hapticplayer.errors import InputError, UsageError
+from hapticplayer.extras.events.detectors import DETECTORS, find_events
+from hapticplayer.extras.events.inputs import EventInputs, LowSound, low_sound, over
+from hapticplayer.extras.events.shocks import find_shocks
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model import quaternions as quat
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.rendering.effects.values import MAX_EFFECT_S
-from hapticplayer.rendering.event import EventInputs, over
-from hapticplayer.rendering.events import DETECTORS, find_events
-from hapticplayer.rendering.low_sound import LowSound, low_sound
-from hapticplayer.rendering.shocks import find_shocks
 from hapticplayer.sequence.effects_file import effects_in, written
+from hapticplayer.sequence.events import events_of
 from tests.material.known_events import known_events, score
 
 RATE_HZ, LENGTH_S = 200.0, 20.0
@@ -259,7 +259,7 @@ def test_an_effect_that_would_begin_after_the_clip_ends_in_it():
 def test_unknown_kinds_and_empty_motions_are_refused():
     motion = motion_of(along(0, np.zeros(len(TIME_S))))
     with pytest.raises(UsageError, match="kind of event 'crash' not found"):
-        find_events(motion, kinds=["crash"])
+        events_of("nowhere", kinds=["crash"])
     with pytest.raises(InputError, match="no motion"):
         find_events(motion.part(slice(0, 1)))
 
@@ -287,7 +287,7 @@ def test_known_rides_have_their_events(ride, sensor):
     made = simulate_motion(ride, 3, duration_s=60.0, sensor=sensor)
     known = known_events(made.trajectory, 60.0)
     events = find_events(remove_gravity(made.imu), made.imu)
-    scores = [score(one.name, events, known) for one in DETECTORS]
+    scores = [score(one, events, known) for one in DETECTORS]
     assert sum(one.known for one in scores) >= 8
     assert sum(one.hit for one in scores) >= 0.9 * sum(one.known for one in scores)
     assert sum(one.right for one in scores) >= 0.9 * sum(one.found for one in scores)

@@ -5,22 +5,21 @@ import json
 
 from hapticplayer.cli.common import interruptible, say
 from hapticplayer.rendering.event import Event
-from hapticplayer.rendering.events import DETECTORS
 from hapticplayer.sequence.effects_file import described_effect
-from hapticplayer.sequence.events import events_of
-
-_LISTED = "; ".join(f"{one.name}: {one.text.lower()}" for one in DETECTORS)
+from hapticplayer.sequence.events import event_detectors, events_of
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
+    known = event_detectors()
+    listed = "; ".join(f"{one.name}: {one.text.lower()}" for one in known.values())
     command.set_defaults(run=run)
     command.add_argument("sequence", metavar="SEQUENCE", help="nothing in it changes")
     command.add_argument(
         "--kind",
         action="append",
-        choices=[detector.name for detector in DETECTORS],
-        help=f"one kind, or several by repeating it (default: all). {_LISTED}",
+        choices=list(known),
+        help=f"one kind, or several by repeating it (default: all). {listed}",
     )
     command.add_argument(
         "--sound",

@@ -1,28 +1,28 @@
 """Events of a recording: found and offered, never applied.
 
-Detectors are a registry; command line, editor and benchmark read it. Precision and recall
-on simulated rides: `python -m benchmarks.haptics events`.
+Precision and recall on simulated rides: `python -m benchmarks.haptics events`.
 """
 
 from collections.abc import Callable, Collection, Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
-from hapticplayer.errors import InputError, Message, entry_named
+from hapticplayer.capture.sync.result import ClipSound
+from hapticplayer.errors import InputError, Message
+from hapticplayer.extras.events.inputs import (
+    GRID_HZ,
+    EventInputs,
+    Flags,
+    LowSound,
+    effect_on,
+    low_sound,
+    over,
+)
+from hapticplayer.extras.events.shocks import impacts
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.rendering.effects import Effect
-from hapticplayer.rendering.event import (
-    GRID_HZ,
-    Event,
-    EventInputs,
-    Flags,
-    effect_on,
-    over,
-)
-from hapticplayer.rendering.low_sound import LowSound
-from hapticplayer.rendering.shocks import impacts
+from hapticplayer.rendering.event import Event
 
 BELOW_HZ = 1.0
 BRAKING_MPS2 = 0.3 * STANDARD_GRAVITY_MPS2
@@ -44,7 +44,7 @@ EMPHASIS = 1.3
 
 
 def hard_braking(inputs: EventInputs) -> list[Event]:
-    """Return where a recording loses speed at 0.3 g or more."""
+    """Where a recording loses speed at 0.3 g or more."""
     slow = _below(inputs.level[:, 0])
     found = []
     for span in _pushed_spans(-slow, BRAKING_MPS2):
@@ -60,7 +60,7 @@ def hard_braking(inputs: EventInputs) -> list[Event]:
 
 
 def turns(inputs: EventInputs) -> list[Event]:
-    """Return where a recording turns with 0.15 g or more sideways."""
+    """Where a recording turns with 0.15 g or more sideways."""
     left, yaw = _below(inputs.level[:, 1]), _below(inputs.level[:, 2])
     found = []
     for side in (1.0, -1.0):
@@ -84,7 +84,7 @@ def turns(inputs: EventInputs) -> list[Event]:
 
 
 def _travels(change_mps: float, yaw_radps: float, length_s: float) -> bool:
-    """Return whether the heading follows the turn as that of what travels does."""
+    """Whether the heading follows the turn as that of what travels does."""
     if yaw_radps < LEAST_YAW_RADPS:
         return False
     return LEAST_SPEED_MPS <= change_mps / (yaw_radps * length_s) <= LARGEST_SPEED_MPS
@@ -99,7 +99,7 @@ def _event(
 
 
 def _below(values: Floats) -> Floats:
-    """Return values (N,) without what is faster than 1 Hz."""
+    """Values (N,) without what is faster than 1 Hz."""
     from scipy.signal import butter, sosfiltfilt
 
     sections = butter(2, BELOW_HZ, fs=GRID_HZ, output="sos")
@@ -120,12 +120,12 @@ def _pushed_spans(level: Floats, limit_mps2: float) -> Iterator[slice]:
 
 
 def _described(level: Floats) -> tuple[float, float]:
-    """Return the largest level, and the change of velocity."""
+    """The largest level, and the change of velocity."""
     return float(level.max()), float(level.sum()) / GRID_HZ
 
 
 def _confidence(ratio: float) -> float:
-    """Return 0.5 at the threshold, 0.75 at twice of it."""
+    """0.5 at the threshold, 0.75 at twice of it."""
     return 1.0 - 0.5 / max(ratio, 1.0)
 
 
@@ -144,7 +144,7 @@ FADE_S, SHORT_FADE_S, SMOOTH_BELOW_HZ = 0.2, 0.05, 8.0
 
 
 def stillness(inputs: EventInputs) -> list[Event]:
-    """Return spans of a second or more without motion, see `motion.stillness`.
+    """Spans of a second or more without motion, see `motion.stillness`.
 
     A sensor that is pushed evenly reads as little change as one at rest; the motion tells.
     """
@@ -169,7 +169,7 @@ def stillness(inputs: EventInputs) -> list[Event]:
 
 
 def saturation(inputs: EventInputs) -> list[Event]:
-    """Return where a sensor was at the end of its range, see `motion.saturation`."""
+    """Where a sensor was at the end of its range, see `motion.saturation`."""
     from hapticplayer.motion.flaws import find_flaws
 
     if not inputs.is_log_given:
@@ -186,7 +186,7 @@ def saturation(inputs: EventInputs) -> list[Event]:
 
 
 def artefacts(inputs: EventInputs) -> list[Event]:
-    """Return gaps, samples that had to be filled in, and isolated spikes."""
+    """gaps, samples that had to be filled in, and isolated spikes."""
     imu = inputs.imu
     return [
         Event("artefact", *span_s, confidence, text, over("mute", span_s, SHORT_FADE_S))
@@ -219,58 +219,15 @@ def _spans(
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Detector:
-    """Finds one kind of events.
-
-    Attributes:
-        name: of the kind.
-        title: for people, a word.
-        text: for people, what is found.
-        find: returns the events in the order of time.
-    """
-
-    name: str
-    title: Message
-    text: Message
-    find: Callable[[EventInputs], list[Event]]
-
-
-DETECTORS: tuple[Detector, ...] = (
-    Detector(
-        "impact",
-        Message("Impact"),
-        Message("Shocks that stand out of what surrounds them"),
-        impacts,
-    ),
-    Detector(
-        "braking",
-        Message("Braking"),
-        Message("Speed is lost at 0.3 g or more"),
-        hard_braking,
-    ),
-    Detector(
-        "turn", Message("Turn"), Message("Bends with 0.15 g or more sideways"), turns
-    ),
-    Detector(
-        "stillness",
-        Message("Stillness"),
-        Message("A second or more without motion"),
-        stillness,
-    ),
-    Detector(
-        "saturation",
-        Message("Saturation"),
-        Message("A sensor at the end of its range"),
-        saturation,
-    ),
-    Detector(
-        "artefact",
-        Message("Artefact"),
-        Message("Missing samples and isolated spikes"),
-        artefacts,
-    ),
-)
+DETECTORS: dict[str, Callable[[EventInputs], list[Event]]] = {
+    "impact": impacts,
+    "braking": hard_braking,
+    "turn": turns,
+    "stillness": stillness,
+    "saturation": saturation,
+    "artefact": artefacts,
+}
+"""Each gives its events in the order of time; rows for people are in `extension`."""
 
 
 def find_events(
@@ -280,7 +237,7 @@ def find_events(
     *,
     kinds: Collection[str] | None = None,
 ) -> tuple[Event, ...]:
-    """Return the events of a recording, by their start.
+    """The events of a recording, by their start.
 
     Args:
         motion: in media time.
@@ -288,16 +245,24 @@ def find_events(
         sound: of the clip; confirms impacts.
         kinds: names of detectors; all if None.
     """
-    known = {detector.name: detector for detector in DETECTORS}
-    for kind in kinds or ():
-        entry_named(known, kind, Message("kind of event"))
     if len(motion) < 2 or (imu is not None and len(imu) < 2):
         raise InputError("there is no motion to find events in")
     inputs = EventInputs(motion, imu, sound)
     found = [
         event
-        for detector in DETECTORS
-        if kinds is None or detector.name in kinds
-        for event in detector.find(inputs)
+        for kind, find in DETECTORS.items()
+        if kinds is None or kind in kinds
+        for event in find(inputs)
     ]
     return tuple(sorted(found, key=lambda one: (one.start_s, one.end_s)))
+
+
+def events_heard(
+    motion: MotionTrack,
+    imu: ImuLog | None,
+    sound: ClipSound | None,
+    kinds: Collection[str],
+) -> tuple[Event, ...]:
+    """As `find_events`, with the whole sound of a clip."""
+    low = low_sound(sound.samples, sound.rate_hz) if sound else None
+    return find_events(motion, imu, low, kinds=kinds)

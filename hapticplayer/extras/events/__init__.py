@@ -1,0 +1,1 @@
+"""What happens in a recording, such as impacts: detectors and the command `events`."""
