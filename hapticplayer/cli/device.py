@@ -136,8 +136,9 @@ def list_devices(options: argparse.Namespace) -> int:
     if options.json:
         say(json.dumps({"devices": entries, "falcons": falcons}))
         return 0
+    width = max(len(entry["name"]) for entry in entries) + 2
     for entry in entries:
-        say(f"{entry['name']:<18}{entry['title']}")
+        say(f"{entry['name']:<{width}}{entry['title']}")
     say("Falcons plugged in: " + ("none" if not falcons else ""))
     for found in falcons:
         serial = found["serial"] or "(permission denied for its number)"
