@@ -164,7 +164,7 @@ class EffectPanel(QWidget):
         texts = {
             "fade_in_s": (self.tr("Fade in"), True),
             "fade_out_s": (self.tr("Fade out"), True),
-            "start_s": (self.tr("Begin"), False),
+            "start_s": (self.tr("Start"), False),
             "end_s": (self.tr("End"), False),
         }
         for name, (text, has_slider) in texts.items():
@@ -204,7 +204,7 @@ class EffectPanel(QWidget):
     def _add_curve(self, column: QVBoxLayout, name: str) -> None:
         self.curve = edit = QLineEdit()
         self.curve.setPlaceholderText("0 1; 0.5 2; 1 1")
-        text = self.tr("Control &points: s after the begin, value")
+        text = self.tr("Control &points: s after the start, value")
         self.curve.setAccessibleName(text.replace("&", ""))
         self.curve.setToolTip(
             self.tr("Such as 0 1; 0.5 2; 1 1 \u2013 empty for one value")

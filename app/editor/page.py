@@ -227,7 +227,7 @@ class EditorPage(QDialog):
         box = QMessageBox(
             QMessageBox.Icon.Question,
             self.tr("Edit effects"),
-            self.tr("Save the changes of the effects?"),
+            self.tr("Save your changes to the effects?"),
             buttons.Save | buttons.Discard | buttons.Cancel,
             self,
         )

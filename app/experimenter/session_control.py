@@ -73,7 +73,9 @@ class Mirror(QWidget):
                 painter.drawImage(QRectF(*box), image)
             else:
                 painter.setPen(QColor(theme.THEMES[theme.DARK]["DIM"]))
-                text = QCoreApplication.translate("Mirror", "Showing a page")
+                text = QCoreApplication.translate(
+                    "Mirror", "The participant sees a page"
+                )
                 painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             painter.setPen(QColor(theme.BORDER))  # black has no edge on black
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))

@@ -60,7 +60,7 @@ class DeviceTestPanel(QWidget):
         self.picture, self.progress = DevicePicture(), QProgressBar()
         self.state = paragraph("", theme.DIM, lines=2)
         self.test_button = text_button(
-            self.tr("Test\u2026"), self.tr("Move it gently, after a question")
+            self.tr("Test\u2026"), self.tr("Moves it gently; asks first")
         )
         self.stop_button = text_button(
             self.tr("STOP"), self.tr("Stop the force immediately (Esc)"), "stop"

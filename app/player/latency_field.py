@@ -26,7 +26,7 @@ def source_text(source: LatencySource) -> str:
         LatencySource.ENTERED: translate("LatencyField", "entered"),
         LatencySource.SETTINGS: translate("LatencyField", "entered in its settings"),
         LatencySource.KEPT: translate("LatencyField", "kept by the device's clock"),
-        LatencySource.ASSUMED: translate("LatencyField", "assumed, as is typical"),
+        LatencySource.ASSUMED: translate("LatencyField", "typical value, not measured"),
     }[source]
 
 

@@ -330,7 +330,7 @@ class OutputsPage(QDialog):
         self.figures[name] = figures = QLabel()
         self.mutes[name] = mute = QCheckBox(self.tr("Mute"))
         test = text_button(
-            self.tr("Test\u2026"), self.tr("Move it gently, after a question")
+            self.tr("Test\u2026"), self.tr("Moves it gently; asks first")
         )
         set_up = text_button(
             self.tr("Set up\u2026"), self.tr("What it needs, and how it is connected")

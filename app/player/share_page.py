@@ -60,7 +60,7 @@ class SharePage(JobDialog):
         self._contents: Contents | None = None
         self.one_file = QRadioButton(self.tr("&One file (MKV)"))
         self.two_files = QRadioButton(self.tr("M&P4, with a second file for the force"))
-        self.with_motion = QCheckBox(self.tr("&Motion and recorded samples, too"))
+        self.with_motion = QCheckBox(self.tr("Include &motion and recorded samples"))
         self.table = plain_table(
             self.tr("What is shared"),
             [self.tr("Content"), self.tr("File"), self.tr("Size")],
@@ -145,7 +145,7 @@ class SharePage(JobDialog):
             for part in parts
         ]
         whole = sum(part.size_bytes for part in parts)
-        rows.append((self.tr("Together"), "", whole))
+        rows.append((self.tr("Total"), "", whole))
         self.table.setRowCount(len(rows))
         for row, (text, name, size_bytes) in enumerate(rows):
             for column, shown in enumerate((text, name, size_text(size_bytes))):
@@ -199,7 +199,7 @@ class SharePage(JobDialog):
     def _on_written(self, target: Path) -> None:
         names = ", ".join(path.name for path in outputs_of(target))
         size_bytes = sum(path.stat().st_size for path in outputs_of(target))
-        text = self.tr("Written: {names}, {size}").format(
+        text = self.tr("Saved: {names}, {size}").format(
             names=names, size=size_text(size_bytes)
         )
         self.status.show_text(text, theme.GOOD)

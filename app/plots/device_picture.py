@@ -123,7 +123,7 @@ class RigPicture(RigView):
         super().paintEvent(event)
         painter = QPainter(self)
         painter.setPen(QColor(theme.DIM))
-        text = translate("DevicePicture", "Motion enlarged {factor} times")
+        text = translate("DevicePicture", "Motion shown {factor}\u00d7 larger")
         place = self.rect().adjusted(8, 6, -8, -6)
         painter.drawText(
             place,

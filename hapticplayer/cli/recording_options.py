@@ -232,7 +232,7 @@ def sync_text(found: Mapping[str, Any]) -> str:
     for count, pat in enumerate(found["pats"], start=1):
         lines.append(
             f"  pat {count}: heard at {pat['heard_s']:.3f} s, felt at "
-            f"{pat['felt_s']:.3f} s of the log; events so strong are "
+            f"{pat['felt_s']:.3f} s of the log; events this strong: "
             f"{rarity_text(pat['heard_rarity_hz'])} in the sound, "
             f"{rarity_text(pat['felt_rarity_hz'])} in the log"
         )

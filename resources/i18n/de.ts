@@ -528,7 +528,7 @@
         <translation>Plattform des Bewegungssitzes</translation>
     </message>
     <message>
-        <source>Motion enlarged {factor} times</source>
+        <source>Motion shown {factor}× larger</source>
         <translation>Bewegung {factor}-fach vergrößert</translation>
     </message>
     <message>
@@ -547,8 +547,8 @@
         <translation>Testen…</translation>
     </message>
     <message>
-        <source>Move it gently, after a question</source>
-        <translation>Sanft bewegen, nach einer Rückfrage</translation>
+        <source>Moves it gently; asks first</source>
+        <translation>Bewegt es sanft; fragt vorher</translation>
     </message>
     <message>
         <source>STOP</source>
@@ -766,8 +766,8 @@
         <translation>Effekte bearbeiten</translation>
     </message>
     <message>
-        <source>Save the changes of the effects?</source>
-        <translation>Die Änderungen der Effekte speichern?</translation>
+        <source>Save your changes to the effects?</source>
+        <translation>Ihre Änderungen an den Effekten speichern?</translation>
     </message>
     <message>
         <source>Rendering the force</source>
@@ -829,15 +829,15 @@
         <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Anfang</translation>
-    </message>
-    <message>
         <source>End</source>
         <translation>Ende</translation>
     </message>
     <message>
-        <source>Control &amp;points: s after the begin, value</source>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Control &amp;points: s after the start, value</source>
         <translation>Stütz&amp;punkte: s nach dem Anfang, Wert</translation>
     </message>
     <message>
@@ -1936,8 +1936,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>von der Uhr des Geräts eingehalten</translation>
     </message>
     <message>
-        <source>assumed, as is typical</source>
-        <translation>angenommen, wie üblich</translation>
+        <source>typical value, not measured</source>
+        <translation>üblicher Wert, nicht gemessen</translation>
     </message>
     <message>
         <source>Latency</source>
@@ -2313,8 +2313,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ansicht der teilnehmenden Person</translation>
     </message>
     <message>
-        <source>Showing a page</source>
-        <translation>Eine Seite wird gezeigt</translation>
+        <source>The participant sees a page</source>
+        <translation>Die teilnehmende Person sieht eine Seite</translation>
     </message>
 </context>
 <context>
@@ -2483,8 +2483,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Testen…</translation>
     </message>
     <message>
-        <source>Move it gently, after a question</source>
-        <translation>Sanft bewegen, nach einer Rückfrage</translation>
+        <source>Moves it gently; asks first</source>
+        <translation>Bewegt es sanft; fragt vorher</translation>
     </message>
     <message>
         <source>Set up…</source>
@@ -3139,8 +3139,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Hört nicht</translation>
     </message>
     <message>
-        <source>Nothing has come yet</source>
-        <translation>Noch nichts empfangen</translation>
+        <source>No data received yet</source>
+        <translation>Noch keine Daten empfangen</translation>
     </message>
     <message>
         <source>{format}: out of reach, {share:.0%} of it is done</source>
@@ -3629,10 +3629,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>M&amp;P4, mit einer zweiten Datei für die Kraft</translation>
     </message>
     <message>
-        <source>&amp;Motion and recorded samples, too</source>
-        <translation>Auch &amp;Bewegung und aufgezeichnete Messwerte</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lesen</translation>
     </message>
@@ -3649,6 +3645,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
+        <source>Include &amp;motion and recorded samples</source>
+        <translation>&amp;Bewegung und aufgezeichnete Messwerte mitgeben</translation>
+    </message>
+    <message>
         <source>Cancel; nothing is kept</source>
         <translation>Abbrechen; nichts bleibt zurück</translation>
     </message>
@@ -3659,6 +3659,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Choose a name, and write it</source>
         <translation>Einen Namen wählen und die Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Zusammen</translation>
+    </message>
+    <message>
+        <source>Saved: {names}, {size}</source>
+        <translation>Gespeichert: {names}, {size}</translation>
     </message>
     <message>
         <source>Content</source>
@@ -3681,10 +3689,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie, hapticplayer spielt auch die Kraft.</translation>
     </message>
     <message>
-        <source>Together</source>
-        <translation>Zusammen</translation>
-    </message>
-    <message>
         <source>Matroska video (*.mkv)</source>
         <translation>Matroska-Video (*.mkv)</translation>
     </message>
@@ -3699,10 +3703,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Sharing</source>
         <translation>Teilen</translation>
-    </message>
-    <message>
-        <source>Written: {names}, {size}</source>
-        <translation>Geschrieben: {names}, {size}</translation>
     </message>
     <message>
         <source>{number} MB</source>
@@ -5988,10 +5988,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Schließen Sie es an; ist es angeschlossen, fehlt sein Treiber oder er kann dieses Force-Feedback nicht.</translation>
     </message>
     <message>
-        <source>Connect its USB cable and its power supply. axis=y chooses another axis, sign=- turns its direction round.</source>
-        <translation>Schließen Sie USB-Kabel und Netzteil an. axis=y wählt eine andere Achse, sign=- kehrt die Richtung um.</translation>
-    </message>
-    <message>
         <source>Connect its USB cable and power supply; it is detected automatically.</source>
         <translation>Schließen Sie USB-Kabel und Netzteil an; er wird automatisch erkannt.</translation>
     </message>
@@ -8126,6 +8122,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>(default)</source>
         <translation>(Standard)</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and its power supply. axis=y chooses another axis, sign=- reverses the direction.</source>
+        <translation>Schließen Sie USB-Kabel und Netzteil an. axis=y wählt eine andere Achse, sign=- kehrt die Richtung um.</translation>
     </message>
     <message>
         <source>Delay</source>

@@ -528,7 +528,7 @@
         <translation>Plateforme du siège</translation>
     </message>
     <message>
-        <source>Motion enlarged {factor} times</source>
+        <source>Motion shown {factor}× larger</source>
         <translation>Mouvement agrandi {factor} fois</translation>
     </message>
     <message>
@@ -547,8 +547,8 @@
         <translation>Tester…</translation>
     </message>
     <message>
-        <source>Move it gently, after a question</source>
-        <translation>Le faire bouger doucement, après une question</translation>
+        <source>Moves it gently; asks first</source>
+        <translation>Le fait bouger doucement&#xa0;; demande d’abord</translation>
     </message>
     <message>
         <source>STOP</source>
@@ -766,8 +766,8 @@
         <translation>Modifier les effets</translation>
     </message>
     <message>
-        <source>Save the changes of the effects?</source>
-        <translation>Enregistrer les modifications des effets&#xa0;?</translation>
+        <source>Save your changes to the effects?</source>
+        <translation>Enregistrer vos modifications des effets&#xa0;?</translation>
     </message>
     <message>
         <source>Rendering the force</source>
@@ -829,15 +829,15 @@
         <translation>Fondu de sortie</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Début</translation>
-    </message>
-    <message>
         <source>End</source>
         <translation>Fin</translation>
     </message>
     <message>
-        <source>Control &amp;points: s after the begin, value</source>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>Control &amp;points: s after the start, value</source>
         <translation>&amp;Points de contrôle&#xa0;: s après le début, valeur</translation>
     </message>
     <message>
@@ -1936,8 +1936,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>tenue par l&apos;horloge de l&apos;appareil</translation>
     </message>
     <message>
-        <source>assumed, as is typical</source>
-        <translation>supposée, valeur courante</translation>
+        <source>typical value, not measured</source>
+        <translation>valeur courante, non mesurée</translation>
     </message>
     <message>
         <source>Latency</source>
@@ -2313,8 +2313,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Vue du participant</translation>
     </message>
     <message>
-        <source>Showing a page</source>
-        <translation>Une page est affichée</translation>
+        <source>The participant sees a page</source>
+        <translation>Le participant voit une page</translation>
     </message>
 </context>
 <context>
@@ -2483,8 +2483,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Tester…</translation>
     </message>
     <message>
-        <source>Move it gently, after a question</source>
-        <translation>Le faire bouger doucement, après une question</translation>
+        <source>Moves it gently; asks first</source>
+        <translation>Le fait bouger doucement&#xa0;; demande d’abord</translation>
     </message>
     <message>
         <source>Set up…</source>
@@ -3139,8 +3139,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Pas à l&apos;écoute</translation>
     </message>
     <message>
-        <source>Nothing has come yet</source>
-        <translation>Rien n&apos;est encore arrivé</translation>
+        <source>No data received yet</source>
+        <translation>Aucune donnée reçue pour l’instant</translation>
     </message>
     <message>
         <source>{format}: out of reach, {share:.0%} of it is done</source>
@@ -3629,10 +3629,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>M&amp;P4, avec un second fichier pour la force</translation>
     </message>
     <message>
-        <source>&amp;Motion and recorded samples, too</source>
-        <translation>Aussi le &amp;mouvement et les échantillons enregistrés</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lecture</translation>
     </message>
@@ -3649,6 +3645,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Annuler</translation>
     </message>
     <message>
+        <source>Include &amp;motion and recorded samples</source>
+        <translation>Inclure le &amp;mouvement et les échantillons enregistrés</translation>
+    </message>
+    <message>
         <source>Cancel; nothing is kept</source>
         <translation>Annuler&#xa0;; rien n’est conservé</translation>
     </message>
@@ -3659,6 +3659,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Choose a name, and write it</source>
         <translation>Choisir un nom et écrire le fichier</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Saved: {names}, {size}</source>
+        <translation>Enregistré&#xa0;: {names}, {size}</translation>
     </message>
     <message>
         <source>Content</source>
@@ -3681,10 +3689,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs l’affichent, hapticplayer joue aussi la force.</translation>
     </message>
     <message>
-        <source>Together</source>
-        <translation>Total</translation>
-    </message>
-    <message>
         <source>Matroska video (*.mkv)</source>
         <translation>Vidéo Matroska (*.mkv)</translation>
     </message>
@@ -3699,10 +3703,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Sharing</source>
         <translation>Partage</translation>
-    </message>
-    <message>
-        <source>Written: {names}, {size}</source>
-        <translation>Écrit&#xa0;: {names}, {size}</translation>
     </message>
     <message>
         <source>{number} MB</source>
@@ -5988,10 +5988,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Branchez-le&#xa0;; s&apos;il est branché, son pilote manque ou n&apos;a pas ce retour de force.</translation>
     </message>
     <message>
-        <source>Connect its USB cable and its power supply. axis=y chooses another axis, sign=- turns its direction round.</source>
-        <translation>Branchez le câble USB et l&apos;alimentation. axis=y choisit un autre axe, sign=- inverse le sens.</translation>
-    </message>
-    <message>
         <source>Connect its USB cable and power supply; it is detected automatically.</source>
         <translation>Branchez le câble USB et l’alimentation&#xa0;; il est détecté automatiquement.</translation>
     </message>
@@ -8126,6 +8122,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>(default)</source>
         <translation>(par défaut)</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and its power supply. axis=y chooses another axis, sign=- reverses the direction.</source>
+        <translation>Branchez le câble USB et l’alimentation. axis=y choisit un autre axe, sign=- inverse le sens.</translation>
     </message>
     <message>
         <source>Delay</source>

@@ -30,7 +30,7 @@ def enter(field, value_ms):
 @needs("wheels")
 def test_an_entered_latency_is_kept_and_announced_at_once(field, tmp_path):
     field.follow("rumble")
-    assert shown(field) == (15.0, "assumed, as is typical")
+    assert shown(field) == (15.0, "typical value, not measured")
     field.number.editingFinished.emit()  # nothing was entered
     assert field.changes == []
     enter(field, 25.0)

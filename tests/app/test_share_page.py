@@ -54,7 +54,7 @@ def test_the_share_page_writes_and_says_so(page, tmp_path, qtbot, is_mp4):
         page.write(target)
     assert shared.args == [target]
     assert read_packed(target).sequence.motion is None
-    assert page.status.text().startswith(f"Written: {target.name}")
+    assert page.status.text().startswith(f"Saved: {target.name}")
     assert ("ride.haptics.mkv" in page.status.text()) is is_mp4
 
 

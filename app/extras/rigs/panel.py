@@ -77,7 +77,7 @@ class RigPanel(QDialog):
             self.view.show_pose(pose, is_clamped=share < 1.0)
             self.state.setText(self._words(name, share))
         elif not self._followers:
-            self.state.setText(self.tr("Nothing has come yet"))
+            self.state.setText(self.tr("No data received yet"))
 
     def done(self, result: int) -> None:
         """Close the ports."""

@@ -44,7 +44,7 @@ WHEEL = Guide(
     ),
     Message(
         "Connect its USB cable and its power supply. axis=y chooses another axis, sign=- "
-        "turns its direction round."
+        "reverses the direction."
     ),
     hold=Message("Hold it with both hands."),
     checks=_wheel,

@@ -28,7 +28,7 @@ class WheelOptions(DeviceOptions):
         address: name under /dev/input; "" for the first that fits.
         axis: 0, 1, 2 for x, y, z of frame D: which part of the force it exerts.
         full_n: force of the track at which the wheel does all it can.
-        sign: -1 turns its direction round.
+        sign: -1 reverses the direction.
     """
 
     capabilities: DeviceCapabilities = WHEEL

@@ -193,7 +193,7 @@ def test_closing_asks_about_changes(page, folder, answer, monkeypatch, wait_for)
     page.document.select(1)
     page.panel.delete.click()
     page.close()
-    assert asked == ["Save the changes of the effects?"]
+    assert asked == ["Save your changes to the effects?"]
     if answer == "Cancel":
         assert page.isVisible()
     else:

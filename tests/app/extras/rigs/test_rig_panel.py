@@ -28,7 +28,7 @@ def send(panel, **values):
 
 
 def test_a_packet_moves_the_platform(panel, wait_for):
-    assert panel.state.text() == "Nothing has come yet"
+    assert panel.state.text() == "No data received yet"
     send(panel, pitch_rad=0.1)
     wait_for(lambda: panel.view.pose.pitch_rad == pytest.approx(0.1))
     assert not panel.view.is_clamped
