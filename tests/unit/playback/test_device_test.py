@@ -11,6 +11,7 @@ from hapticplayer.model import RigTrack
 from hapticplayer.playback.device_test import HOMING_S, DeviceTest, parts_of
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.meters import Loudest
+from tests.needed_extras import needs
 
 
 class Player:
@@ -84,6 +85,7 @@ def test_every_device_is_tested_gently_and_for_a_bounded_time():
         assert rise_npms < 0.01, name  # slow enough to let go
 
 
+@needs("wheels", "rigs", "shakers")
 def test_the_test_of_a_device_follows_from_its_capabilities():
     directions = {
         name: [step.direction for step in parts_of(name)[0].steps]
@@ -102,6 +104,7 @@ def test_the_test_of_a_device_follows_from_its_capabilities():
         parts_of("teleporter")
 
 
+@needs("shakers")
 def test_channels_are_tested_one_after_the_other(begin):
     test = begin("shaker:pulse,channels=3+4")
     steps = finish(test)
@@ -114,6 +117,7 @@ def test_channels_are_tested_one_after_the_other(begin):
     assert test.problem == ""
 
 
+@needs("shakers")
 def test_a_stop_ends_all_parts_at_once(begin):
     test = begin("shaker:pulse,channels=3+4")
     test.poll()
@@ -126,6 +130,7 @@ def test_a_stop_ends_all_parts_at_once(begin):
     assert len(test.poll()) == 0
 
 
+@needs("shakers")
 def test_a_stop_between_two_parts_begins_no_other(begin):
     test = begin("shaker:pulse,channels=3+4")
     Player.made[0].media_s = Player.made[0].end_s
@@ -140,6 +145,7 @@ def test_a_stop_between_two_parts_begins_no_other(begin):
     assert len(Player.made) == 1
 
 
+@needs("shakers")
 def test_a_trip_or_a_problem_ends_it(begin):
     test = begin("shaker:pulse,channels=3+4")
     Player.made[0].mode, Player.made[0].cause = Mode.TRIPPED, Cause.GRIP_BUTTON
@@ -164,6 +170,7 @@ def test_a_device_that_is_never_ready_is_given_up(begin, manual_clock):
     assert Player.made[0].done[-1] == "close"
 
 
+@needs("inverse3")
 def test_the_latency_is_half_the_age_of_answers(begin):
     test = begin("inverse3")
     assert test.latency_s is None

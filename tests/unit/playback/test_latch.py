@@ -14,6 +14,7 @@ from hapticplayer.playback.device_test import DeviceTest
 from hapticplayer.playback.forces import ForcePlayer
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.player import Player
+from tests.needed_extras import needs
 from tests.unit.playback.conftest import source_of
 
 RIG, SECOND = "rig:outsim", "falcon-simulated"
@@ -112,6 +113,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("change", CHANGES)
+@needs("rigs")
 def test_whatever_is_opened_during_a_stop_is_stopped(player, clock, change):
     player.stop_force()
     before = len(Noted.made)
@@ -142,6 +144,7 @@ def test_a_grip_button_holds_the_next_device_too(player, clock):
     assert newest().said == ["stop"]
 
 
+@needs("rigs")
 def test_a_trip_of_one_output_stops_all_of_them(player, clock):
     player.set_outputs(["simulated", SECOND])
     leading, second = made()
@@ -151,6 +154,7 @@ def test_a_trip_of_one_output_stops_all_of_them(player, clock):
     assert player.snapshot().is_stopped
 
 
+@needs("rigs")
 def test_an_output_that_is_lost_leaves_the_others_alone(player, clock):
     player.set_outputs(["simulated", RIG])
     leading, rig = made()
@@ -215,6 +219,7 @@ def test_demonstrations_and_tests_are_refused_in_a_stop():
         DeviceTest(SystemClock(), "simulated", latch=latch)
 
 
+@needs("faults")
 def test_a_grip_button_just_before_a_change_of_outputs_counts(player, clock):
     pass_time(player, clock)
     newest().show(Mode.TRIPPED, Cause.GRIP_BUTTON)

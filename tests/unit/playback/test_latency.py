@@ -12,6 +12,7 @@ from hapticplayer.playback.latency import MOST_S, Latencies, Latency, is_wireles
 from hapticplayer.playback.log import PlaybackLog
 from hapticplayer.playback.sound_ring import AudioRing
 from tests.material.sound_output import SilentOutput
+from tests.needed_extras import needs
 
 STEP_S = 0.004  # of the virtual time
 OUTPUT, DEVICE = SilentOutput.name, "none"
@@ -207,6 +208,7 @@ def test_the_log_has_the_latencies_and_perceived_times(theatre, tmp_path):
     assert notes.offset_s(heard)[1] == pytest.approx(notes.offset_s(at_dac)[1] - 0.1)
 
 
+@needs("toys")
 def test_the_best_that_is_known_of_a_device_is_compensated():
     def known(name, **more):
         latency_s, source = Latencies(**more).of_device(name)

@@ -18,6 +18,7 @@ from hapticplayer.playback.log import Reporter
 from hapticplayer.playback.output import LENT, NO_MOTION, OutputContext
 from hapticplayer.playback.outputs import Outputs
 from hapticplayer.playback.player import Player
+from tests.needed_extras import needs
 
 RIG, OTHER = "rig:outsim,gain=0.5,latency_ms=40", "rig:beamng"
 TRACKS = {
@@ -33,6 +34,8 @@ MOTION = MotionTrack(
     np.ones(3, bool),
 )
 CLOCK = PlaybackClock(1, 1000.0, 0.0, 1.0, 1000.15)
+
+pytestmark = needs("rigs", "shakers", "toys")
 
 
 class Processes:
