@@ -301,7 +301,7 @@ def take_part(folder: Path, code: str) -> None:
     application = make_application()
     study = open_study(folder)
     sources = load_study_sources(study)
-    session = StudySession(study, sources, "none", SystemClock(), audio=None)
+    session = StudySession(study, sources, (), SystemClock(), audio=None)
     session.show(windowed=True)
     say("begin")
     session.begin_session(code, "en")

@@ -63,7 +63,7 @@ def _longer(study: Study, language: str) -> Study:
 @contextmanager
 def _session(stage: Stage, study: Study) -> Iterator[StudySession]:
     sources = load_study_sources(study)
-    session = StudySession(study, sources, "simulated", SystemClock(), audio=None)
+    session = StudySession(study, sources, ["simulated"], SystemClock(), audio=None)
     try:
         session.show(windowed=True)
         room = session.participant.screen().geometry()
