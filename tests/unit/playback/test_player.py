@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.haptics.processes import Health
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.frames import FrameConverter
@@ -187,6 +188,8 @@ def test_an_edited_track_is_taken_while_the_clip_plays(theatre):
 class GivenTracks:
     """Processes that note the tracks they are given, newest last."""
 
+    health = Health.NONE
+
     def __init__(self, _clock, device, **_options):
         self.device, self.given = device, []
 
@@ -195,6 +198,9 @@ class GivenTracks:
 
     def replace(self, name, track):
         self.given.append((name, track))
+
+    def poll(self):
+        return self.health
 
     def close(self):
         pass
