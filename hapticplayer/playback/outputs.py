@@ -57,6 +57,8 @@ class Outputs:
         for a record, and where faults are to be injected or no longer. Waits for what
         is released only where hardware is opened.
         """
+        if isinstance(names, str):  # a sequence of names, too: its letters
+            raise TypeError(f"outputs are a list of names, not {names!r}")
         names = [name for name in names if name != NO_DEVICE]
         _refuse_alike(names)
         first = self._all.get(names[0]) if names else None

@@ -246,3 +246,9 @@ def test_no_dialog_rearms_while_a_grip_is_at_the_edge(player, clock):
     player.close()
     player.latch.rearm(clock.now_s())
     assert not player.latch.is_set
+
+
+def test_a_text_is_not_taken_for_a_list_of_outputs(player):
+    with pytest.raises(TypeError, match="not 'none'"):
+        player.set_outputs(NO_DEVICE)
+    assert [one.name for one in player.snapshot().outputs] == ["simulated"]
