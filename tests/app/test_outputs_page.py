@@ -197,7 +197,7 @@ def test_any_kind_takes_the_settings_that_it_has(window, page):
     assert list(playing_on(window)) == ["tcode:127.0.0.1:1"]
     figures = page.figures["tcode:127.0.0.1:1"]
     assert figures.text() == "\u2248\u200930\u00a0ms, \u00d7\u20091.00"
-    assert "assumed" in figures.toolTip()
+    assert "typical value" in figures.toolTip()
     choose(page, "falcon", "1\u200b2")
     page.add()
     assert page.problem.text() == "Settings may contain letters, digits and punctuation"
