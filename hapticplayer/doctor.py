@@ -14,6 +14,7 @@ import json
 import os
 import platform
 import re
+import shlex
 import shutil
 import socket
 import sys
@@ -238,7 +239,7 @@ def _check_opencv() -> MachineCheck:
         detail=f"{OPENCV} {version}"
         if version
         else "synchronising by frames is coarse, no motion is suggested from the picture",
-        remedy=f"{python} -m pip install {OPENCV} (150 MB)",
+        remedy=f"{shlex.join([str(python), '-m', 'pip', 'install', OPENCV])} (150 MB)",
     )
 
 

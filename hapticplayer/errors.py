@@ -6,6 +6,7 @@ command line prints it on stderr, the window shows it in the person's language.
 
 import numbers
 import re
+import shlex
 import string
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Self, TypeVar
@@ -51,6 +52,11 @@ def joined(separator: str, parts: Iterable[str]) -> Message:
     values = {f"part{number}": part for number, part in enumerate(parts)}
     template = "{separator}".join(f"{{{name}}}" for name in values)
     return Message(template, separator=separator, **values)
+
+
+def shell_line(*words: object) -> str:
+    """A command to paste into a shell, whatever blanks and quotes the words hold."""
+    return shlex.join(map(str, words))
 
 
 def message_of(problem: BaseException) -> Message:

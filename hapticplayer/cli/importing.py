@@ -27,7 +27,13 @@ from hapticplayer.cli.recording_options import (
     mounting_text,
     sync_text,
 )
-from hapticplayer.errors import Cancelled, HapticPlayerError, Progress, UsageError
+from hapticplayer.errors import (
+    Cancelled,
+    HapticPlayerError,
+    Progress,
+    UsageError,
+    shell_line,
+)
 from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import ranges
 from hapticplayer.sequence import Sequence, open_sequence
@@ -171,7 +177,7 @@ def _say_imported(folder: Path, sequence: Sequence) -> None:
     for note in (*made_of["conditioning"], *made_of["notes"]):
         if note not in synchronised:
             say(f"note: {note}")
-    say(f"play it with: hapticplayer play {folder}")
+    say(f"play it with: {shell_line('hapticplayer', 'play', folder)}")
 
 
 def _say_estimated(folder: Path, sequence: Sequence) -> None:
@@ -186,7 +192,7 @@ def _say_estimated(folder: Path, sequence: Sequence) -> None:
     )
     for note in made_of["notes"]:
         say(f"note: {note}")
-    say(f"play it with: hapticplayer play {folder}")
+    say(f"play it with: {shell_line('hapticplayer', 'play', folder)}")
 
 
 LOG_ENDINGS = (".csv", ".txt", ".zip", ".gcsv")

@@ -119,3 +119,29 @@ def test_every_file_that_a_document_links_to_exists():
 @pytest.mark.parametrize("folder", ["hapticplayer", "app", "tools", "benchmarks"])
 def test_docstrings_name_the_thing_that_is_returned(folder):
     assert not list(found(folder, RETURN_WHAT))
+
+
+PASTED = re.compile(
+    r"\bhapticplayer (?:[a-z-]+|\{\}) [^`'\";\n]*\{|\} -m \w|\b(?:sudo|pip install) [^`\n]*\{"
+)
+"""A command for the shell with a value in it."""
+
+
+def texts(tree):
+    """Yield the texts of a module, with {} for the values of f-strings."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr):
+            parts = (getattr(part, "value", "{}") for part in node.values)
+            yield "".join(p if isinstance(p, str) else "{}" for p in parts)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value
+
+
+@pytest.mark.parametrize("folder", ["hapticplayer", "app"])
+def test_commands_with_values_are_printed_by_shell_line(folder):
+    assert not [
+        f"{path.relative_to(ROOT)}: {text}"
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        for text in texts(ast.parse(path.read_text(encoding="utf-8")))
+        if PASTED.search(text)
+    ]

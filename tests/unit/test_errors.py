@@ -3,6 +3,7 @@
 import copy
 import json
 import pickle  # noqa: TID251 - as processes of one program do
+import shlex
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from hapticplayer.errors import (
     from_json,
     joined,
     message_of,
+    shell_line,
     to_json,
 )
 
@@ -86,3 +88,8 @@ def test_messages_survive_processes_and_files():
 def test_stored_message_of_a_stranger_is_refused(value):
     with pytest.raises(ValueError, match=r"message|field|format|expected"):
         from_json(value)
+
+
+def test_printed_command_is_pasted_with_any_name():
+    words = ["hapticplayer", "play", 'the rider\'s "best" $HOME ride', ""]
+    assert shlex.split(shell_line(*words)) == words

@@ -6,7 +6,7 @@ from pathlib import Path
 from hapticplayer import storage
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import UsageError, shell_line
 from hapticplayer.extras.rides.catalogue import RIDES, SCENES
 from hapticplayer.extras.rides.motion_scenes import MOTION_SCENES, simulate_motion
 from hapticplayer.extras.rides.recordings import (
@@ -60,7 +60,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         folder = write_simulated_sequence(
             options.scenario, Path(options.output), seed=seed, progress=progress
         )
-    say(f"{folder}: play it with: hapticplayer play {folder}")
+    say(f"{folder}: play it with: {shell_line('hapticplayer', 'play', folder)}")
     return 0
 
 
@@ -74,10 +74,9 @@ def _simulate_ride(options: argparse.Namespace, seed: int) -> int:
             with_gopro=options.gopro,
             progress=progress,
         )
-    say(
-        f"{folder}: import it with: hapticplayer import {folder / CLIP} --imu "
-        f"{folder / LOG} --read-as {READ_AS} -o SEQUENCE"
-    )
+    words = ("import", folder / CLIP, "--imu", folder / LOG, "--read-as", READ_AS)
+    line = shell_line("hapticplayer", *words, "-o", "SEQUENCE")
+    say(f"{folder}: import it with: {line}")
     return 0
 
 

@@ -31,7 +31,7 @@ from hapticplayer.cli.common import (
     say_aside,
     shown_progress,
 )
-from hapticplayer.errors import InputError, NetworkError, UsageError
+from hapticplayer.errors import InputError, NetworkError, UsageError, shell_line
 from hapticplayer.media.remux import video_payload
 from hapticplayer.model import ranges
 from hapticplayer.sequence.pack import pack
@@ -139,7 +139,8 @@ def _announce(server: "FileServer", title: str, options: argparse.Namespace) -> 
         say(json.dumps({"title": title, "url": server.url}))
     else:
         say(f"{title} is served until Ctrl-C; to play it:")
-        say(f"  hapticplayer play --allow-network {server.url}")
+        words = ("hapticplayer", "play", "--allow-network", server.url)
+        say(f"  {shell_line(*words)}")
     sys.stdout.flush()  # it may be a pipe, and nothing follows
 
 

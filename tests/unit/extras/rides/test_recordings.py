@@ -1,10 +1,12 @@
 import dataclasses
 import json
+import shlex
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from hapticplayer import cli
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import parse_choices
 from hapticplayer.errors import Cancelled, UsageError
@@ -72,3 +74,20 @@ def test_cancelled_recording_leaves_nothing(tmp_path: Path) -> None:
 def test_other_scenes_are_refused(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="ride 'demo' not found; choose one of bike"):
         write_simulated_recording("demo", tmp_path / "x", seed=1)
+
+
+@pytest.mark.usefixtures("small")
+def test_printed_command_imports_the_recording_it_names(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, target = tmp_path / 'the rider\'s "fall"', tmp_path / "made here"
+    assert cli.main(["simulate", "free-fall", "-o", str(folder)]) == 0
+    line = capsys.readouterr().out.partition(" with: ")[2]
+    words = shlex.split(line)[1:-1]
+    clock = json.loads((folder / "recording.json").read_text())["clock"]
+    offset = (
+        f"--offset={clock['offset_s']}"  # stamps have too few pixels to be followed
+    )
+    assert cli.main([*words, str(target), offset]) == 0
+    play = capsys.readouterr().out.rpartition(" with: ")[2]
+    assert shlex.split(play) == ["hapticplayer", "play", str(target)]
