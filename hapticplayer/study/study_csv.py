@@ -1,8 +1,10 @@
 """A study as tidy CSV tables, with a data dictionary."""
 
+import codecs
 import csv
 import io
 import json
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -29,6 +31,9 @@ class DataTable(NamedTuple):
     columns: Sequence[DataColumn]
     rows: Sequence[Sequence[Any]]
 
+
+_FORMULA = re.compile("'*[=+\\-@\t\r\n\uff1d\uff0b\uff0d\uff20]")
+"""Beginnings of a text that spreadsheets take for a formula, also in full width."""
 
 _WHO = DataColumn("participant", "code of the participant")
 _WHERE = (
@@ -106,6 +111,17 @@ def write_csv(data: StudyData, folder: Path) -> None:
 
     Texts that have not been reviewed are left out.
     """
+    for name, content in _files(data):
+        storage.write_private(folder / name, content)
+
+
+def write_csv_for_excel(data: StudyData, folder: Path) -> None:
+    """Write the same with the mark by which Excel knows UTF-8."""
+    for name, content in _files(data):
+        storage.write_private(folder / name, codecs.BOM_UTF8 + content)
+
+
+def _files(data: StudyData) -> Iterator[tuple[str, bytes]]:
     answers = data.answers
     made = [
         participants(answers),
@@ -116,7 +132,8 @@ def write_csv(data: StudyData, folder: Path) -> None:
     ]
     tables = [table for table in made if table.rows]
     for table in [*tables, _dictionary(tables, answers.conduct.feedbacks)]:
-        storage.write_private(folder / table.name, separated(table))
+        rows = [[guarded(value) for value in row] for row in table.rows]
+        yield table.name, separated(table._replace(rows=rows))
 
 
 def participants(answers: Answers) -> DataTable:
@@ -178,7 +195,11 @@ def _texts(answers: Answers) -> DataTable:
         _WHO,
         DataColumn("question", "key in the definition"),
         DataColumn("feedback", "subject of the question; empty for all"),
-        DataColumn("text", "as written; reviewed by a person"),
+        DataColumn(
+            "text",
+            "as written, reviewed by a person; an apostrophe is put before = + - @ at "
+            "the beginning, which spreadsheets would take for a formula",
+        ),
     )
     rows = [
         (a.participant, a.question, a.feedback, a.text)
@@ -229,6 +250,17 @@ def _dictionary(tables: Iterable[DataTable], feedbacks: Mapping[str, str]) -> Da
         for c in t.columns
     ]
     return DataTable("data_dictionary.csv", columns, rows)
+
+
+def guarded(value: Any) -> Any:
+    """Return a cell that no spreadsheet takes for a formula.
+
+    Line breaks become the one that `csv` puts into quotation marks.
+    """
+    if not isinstance(value, str):
+        return value
+    text = value.replace("\r\n", "\n").replace("\r", "\n").replace("\0", "\ufffd")
+    return f"'{text}" if _FORMULA.match(value) else text
 
 
 def separated(table: DataTable, mark: str = ",", missing: str = "") -> bytes:

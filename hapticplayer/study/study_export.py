@@ -12,7 +12,7 @@ from typing import Any
 from hapticplayer import extension, storage
 from hapticplayer.errors import Message, Progress, StudyError, entry_named
 from hapticplayer.study.answers import collect_answers
-from hapticplayer.study.study_csv import write_csv
+from hapticplayer.study.study_csv import write_csv, write_csv_for_excel
 from hapticplayer.study.study_data import StudyData
 from hapticplayer.study.study_folder import Study
 
@@ -32,7 +32,14 @@ class Exporter:
     write: Callable[[StudyData, Path], None]
 
 
-EXPORTERS = (Exporter("csv", Message("tidy CSV with a data dictionary"), write_csv),)
+EXPORTERS = (
+    Exporter("csv", Message("tidy CSV with a data dictionary"), write_csv),
+    Exporter(
+        "excel",
+        Message("CSV for Excel (UTF-8 with a byte order mark)"),
+        write_csv_for_excel,
+    ),
+)
 """Those of the core."""
 
 

@@ -6,6 +6,7 @@ a stream are XML.
 """
 
 import struct
+import uuid
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -18,7 +19,6 @@ from hapticplayer import storage
 from hapticplayer.errors import Message
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.study_data import (
-    Marker,
     StudyData,
     markers_of,
 )
@@ -35,10 +35,12 @@ class XdfWriter:
 
     Args:
         out: opened for writing in binary.
+        name: of the file; the identifiers of its streams follow from it.
+        created_s: when the recording began.
     """
 
-    def __init__(self, out: BinaryIO) -> None:
-        self._out = out
+    def __init__(self, out: BinaryIO, name: str, created_s: float) -> None:
+        self._out, self._name, self._created_s = out, name, created_s
         out.write(b"XDF:")
         header = "<?xml version='1.0'?><info><version>1.0</version></info>"
         self._chunk(_FILE_HEADER, header.encode())
@@ -75,9 +77,22 @@ class XdfWriter:
             f"<nominal_srate>{rate_hz:g}</nominal_srate>"
             f"<channel_format>{form}</channel_format>"
             f"<source_id>hapticplayer-{escape(name)}</source_id>"
+            f"{self._origin(stream)}"
             f"<desc><channels>{listed}</channels></desc></info>"
         )
         self._chunk(_STREAM_HEADER, struct.pack("<I", stream) + xml.encode())
+
+    def _origin(self, stream: int) -> str:
+        """The elements that LSL adds; readers expect them. No host is named."""
+        uid = uuid.uuid5(uuid.NAMESPACE_OID, f"{self._name}/{stream}")
+        texts = {
+            "version": "1.1",
+            "created_at": f"{self._created_s!r}",
+            "uid": f"{uid}",
+            "session_id": "default",
+            "hostname": "n/a",
+        }
+        return "".join(f"<{name}>{text}</{name}>" for name, text in texts.items())
 
     def numbers(
         self, stream: int, time_s: NDArray[np.float64], values: NDArray[np.float64]
@@ -135,14 +150,22 @@ def write_xdf(data: StudyData, folder: Path) -> None:
 def _write_session(session: StoredSession, folder: Path, data: StudyData) -> None:
     """Write the files of a session, device and markers on the same clock."""
     markers = markers_of(session)
+    created_s = session.records.intact[0].monotonic_s
+
+    def writer_of(out: BinaryIO, target: Path) -> XdfWriter:
+        return XdfWriter(out, f"{session.plan.study}/{target.name}", created_s)
+
     if not tick_files(session):
         what = Message("{code}: no record of a device, markers only", code=session.code)
         data.notices.append(what)
-        _write_markers_alone(folder / f"{session.code}_markers.xdf", markers)
+        target = folder / f"{session.code}_markers.xdf"
+        with storage.private_writer(target) as out:
+            samples = [(marker.monotonic_s, marker.text) for marker in markers]
+            _write_markers(writer_of(out, target), samples)
     for number, path in enumerate(tick_files(session), 1):
         target = folder / f"{session.code}_run-{number}.xdf"
         with storage.private_writer(target) as out:
-            writer = XdfWriter(out)
+            writer = writer_of(out, target)
             span_s = _write_device(writer, data.ticks(session, path))
             if span_s is not None:
                 inside = [
@@ -153,12 +176,6 @@ def _write_session(session: StoredSession, folder: Path, data: StudyData) -> Non
                 _write_markers(writer, inside)
         if span_s is None:
             target.unlink()
-
-
-def _write_markers_alone(target: Path, markers: list[Marker]) -> None:
-    with storage.private_writer(target) as out:
-        samples = [(marker.monotonic_s, marker.text) for marker in markers]
-        _write_markers(XdfWriter(out), samples)
 
 
 def _write_device(

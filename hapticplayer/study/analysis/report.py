@@ -24,6 +24,7 @@ from hapticplayer.study.analysis.statistic import number, p_value, rounded
 from hapticplayer.study.analysis.typesetting import page
 from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.definition import TrialKind
+from hapticplayer.study.study_csv import guarded
 
 
 def analyse_study(
@@ -111,7 +112,8 @@ def write_report(
         storage.write_json(aside / "numbers.json", parts.numbers)
         for name, rows in parts.tables.items():
             out = io.StringIO()
-            csv.writer(out, lineterminator="\n").writerows(map(rounded, rows))
+            cells = ([guarded(one) for one in rounded(row)] for row in rows)
+            csv.writer(out, lineterminator="\n").writerows(cells)
             _write_text(aside / name, out.getvalue())
         for path in aside.iterdir():  # contains the answers of participants
             path.chmod(storage.PRIVATE_FILE)

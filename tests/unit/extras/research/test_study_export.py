@@ -1,5 +1,6 @@
 """Exports read by other programs, and what must not be in them."""
 
+import codecs
 import csv
 import getpass
 import io
@@ -12,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import pyxdf
+from pyxdf.cli import print_metadata
 
 from hapticplayer import cli
 from hapticplayer.errors import InputError, StudyError, UsageError
@@ -89,6 +91,39 @@ def test_tidy_tables_hold_every_rating_and_explain_each_column(study, tmp_path):
     assert len(table(tmp_path / "out" / "trials.csv")) == 24
 
 
+FORMULAS = ["=1+1", "+49 30", "-", "@home", "\tx", "'=1", "\uff1d1", "\r=1", "\n=1"]
+TEXTS = [*FORMULAS, "sehr m\u00fcde", "a = b", "'so'"]
+
+
+def said(study, clock, words: str) -> None:
+    """Let a participant answer an open question, and approve it."""
+    code = write_scripted_session(
+        study, SHEET, lambda _c: VALUES, clock, origin={"scripted": True}
+    )
+    folder = study.session_folder(code)
+    journal = Journal(folder / "answers.jsonl", clock)
+    journal.append("answers", step="post-test", values={"tiring": words})
+    journal.close()
+    save_reviewed(folder, [text_digest(code, "tiring", words)])
+
+
+@pytest.mark.parametrize("form", ["csv", "excel"])
+def test_no_spreadsheet_takes_an_answer_for_a_formula(tmp_path, manual_clock, form):
+    study = create_study(tmp_path / "study")
+    for words in TEXTS:
+        said(study, manual_clock, words)
+    export_study(study, tmp_path / "out", form)
+    for path in (tmp_path / "out").iterdir():
+        content = path.read_bytes()
+        assert content.startswith(codecs.BOM_UTF8) is (form == "excel"), path
+        cells = [*csv.reader(io.StringIO(content.decode("utf-8-sig"), newline=""))]
+        assert not [one for row in cells for one in row if one[:1] in tuple("=+-@\t\r")]
+    text = (tmp_path / "out" / "texts.csv").read_bytes().decode("utf-8-sig")
+    written = {row["text"] for row in csv.DictReader(io.StringIO(text, newline=""))}
+    expected = {f"'{one}" if one in FORMULAS else one for one in TEXTS}
+    assert written == {one.replace("\r", "\n") for one in expected}
+
+
 def test_texts_without_a_review_are_not_exported(study, tmp_path):
     for form in ("csv", "bids", "xdf"):
         report = export_study(study, tmp_path / form, form)
@@ -130,6 +165,19 @@ def test_xdf_is_what_pyxdf_reads(study, tmp_path):
     assert channel["unit"] == ["newton"]
 
 
+def test_pyxdf_prints_the_metadata_of_every_xdf_file(study, tmp_path, capsys):
+    export_study(study, tmp_path / "out", "xdf")
+    files = sorted((tmp_path / "out").glob("*.xdf"))
+    assert len(files) == 2
+    for file in files:
+        print_metadata.main(str(file))
+        assert capsys.readouterr().out.endswith("Done.\n")
+        for stream in pyxdf.resolve_streams(str(file)):
+            assert all(value is not None for value in stream.values()), stream
+    streams, _ = pyxdf.load_xdf(str(files[0]))
+    assert len({one["info"]["uid"][0] for one in streams}) == len(streams)
+
+
 def test_a_session_without_a_device_has_its_markers_in_xdf(study, tmp_path):
     report = export_study(study, tmp_path / "out", "xdf")
     code = study.codes()[1]
@@ -143,7 +191,7 @@ def test_texts_of_any_language_survive_xdf(tmp_path):
     path = tmp_path / "a.xdf"
     samples = [(1.0, "d\u00e9but"), (1.5, "<&> \u2603"), (9.0, "x" * 300)]
     with path.open("wb") as out:
-        writer = XdfWriter(out)
+        writer = XdfWriter(out, "a", 0.0)
         writer.begin_stream(1, "a<b", "Markers", [("m", "M", "n/a")], 0.0, is_text=True)
         writer.texts(1, samples)
         writer.end_stream(1, 1.0, 9.0, 3)
