@@ -8,8 +8,8 @@ from app.widgets.layout import ElidedLabel
 from app.widgets.texts import local
 from hapticplayer.errors import Progress
 from hapticplayer.model import ForceTrack
+from hapticplayer.sequence.events import figures_of
 from hapticplayer.sequence.figures import ForceFigures
-from hapticplayer.sequence.time_line import figures_of
 
 translate = QCoreApplication.translate
 

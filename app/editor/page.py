@@ -40,8 +40,8 @@ from hapticplayer.playback.source import Source, open_source
 from hapticplayer.rendering.effects import EffectList
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.editing import rendering_of, set_effects
+from hapticplayer.sequence.events import TimeLine, time_line_of
 from hapticplayer.sequence.presets import Rendering
-from hapticplayer.sequence.time_line import TimeLine, time_line_of
 
 WIDTH_PX, HEIGHT_PX = 1180, 860
 POLL_MS = 20  # an edit is felt within 200 ms

@@ -18,8 +18,11 @@ from benchmarks.common import Report, interleaved, medians, ratio, rms
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import find_device
 from hapticplayer.devices.falcon.driver import Options
-from hapticplayer.devices.falcon.geometry import FALCON_GEOMETRY
-from hapticplayer.devices.falcon.kinematics import Kinematics, motor_words
+from hapticplayer.devices.falcon.kinematics import (
+    FALCON_GEOMETRY,
+    Kinematics,
+    motor_words,
+)
 from hapticplayer.devices.falcon.protocol import (
     Reply,
     ReplyParser,

@@ -290,7 +290,7 @@ def _play_under_load(load: str, seen: str, seconds: str, *arguments: str) -> int
     from hapticplayer.haptics.contract import Cause, Mode
     from hapticplayer.haptics.processes import HapticsProcesses
     from hapticplayer.playback import player as player_module
-    from hapticplayer.simulation.falcon.record_reader import read_record
+    from tests.material.plant_record import read_record
 
     withheld: list[int] = []
     ages_s: list[Any] = []

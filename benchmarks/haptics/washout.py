@@ -34,8 +34,7 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 from hapticplayer.motion import remove_gravity
 from hapticplayer.rendering import render_force
-from hapticplayer.rendering.washout import Washout, washed_out
-from hapticplayer.rendering.weighting import weighted
+from hapticplayer.rendering.washout import Washout, washed_out, weighted
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import PRESETS, washout_of
 

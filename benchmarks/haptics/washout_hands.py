@@ -18,7 +18,7 @@ from hapticplayer.haptics.centring import centring_of
 from hapticplayer.haptics.limiter import cap_when_warm, limits_of
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.rendering.weighting import magnitude_rms_n, weighted
+from hapticplayer.rendering.washout import magnitude_rms_n, weighted
 from hapticplayer.sequence.excursion import RATE_HZ, Grip
 from hapticplayer.sequence.presets import YIELDING
 

@@ -30,8 +30,8 @@ from benchmarks.common import ROOT, Report
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.media.encode import write_clip
-from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
+from tests.material.plant_record import read_record
 from tools.witness import Witness, machine_witness
 
 FORCE_N, READY_FORCE_N, TURN_RADPS, CLIP_S = 4.0, 3.9, 2.0, 600

@@ -32,7 +32,7 @@ from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.simulation.falcon.record_reader import read_record
+from tests.material.plant_record import read_record
 from tools.witness import machine_witness
 
 Floats = NDArray[np.float64]

@@ -31,7 +31,7 @@ from benchmarks.common import ROOT, Report
 from benchmarks.stage import Usage, need, screen, sound_server
 from benchmarks.sync import staging
 from benchmarks.sync.staging import flashes, onsets, watcher
-from hapticplayer.simulation.falcon.record_reader import read_record
+from tests.material.plant_record import read_record
 from tools.sound_server import SoundServer
 from tools.witness import machine_witness
 

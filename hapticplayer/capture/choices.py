@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.capture.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
+from hapticplayer.model.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.model.ranges import SAMPLE_RATE_HZ, UNIT_FACTOR
 from hapticplayer.storage import FILE, file_written_aside, json_text, refuse_existing
 from hapticplayer.untrusted import parse_json, read_regular

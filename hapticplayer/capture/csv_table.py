@@ -14,10 +14,10 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.capture.limits import MAX_CSV_ROWS, MAX_DAMAGED_SHARE, MAX_LINE_BYTES
 from hapticplayer.capture.source import LogSource
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_CSV_ROWS, MAX_DAMAGED_SHARE, MAX_LINE_BYTES
 
 TIME = "time_s"
 LOG_COLUMNS = (TIME, "ax", "ay", "az", "gx", "gy", "gz")

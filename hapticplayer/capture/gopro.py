@@ -32,7 +32,6 @@ from hapticplayer.capture.gopro_streams import (
 )
 from hapticplayer.capture.gopro_timing import SampleTimes, TimeReference, sample_times
 from hapticplayer.capture.gpmf import GpmfEntry, text_of
-from hapticplayer.capture.limits import MAX_RAW_GPMF_BYTES
 from hapticplayer.capture.log_checks import norm_at_rest
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import LogSource
@@ -49,6 +48,7 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import (
     MAX_ACCELERATION_MPS2,
     MAX_ANGULAR_RATE_RADPS,
+    MAX_RAW_GPMF_BYTES,
     MAX_REACH_S,
     REST_MPS2,
 )

@@ -18,11 +18,10 @@ from hapticplayer.capture.gpmf import (
     parse,
     text_of,
 )
-from hapticplayer.capture.limits import MAX_PAYLOADS
 from hapticplayer.errors import Message, TelemetryError
 from hapticplayer.media.telemetry import TelemetryPacket
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.limits import MAX_SAMPLES
+from hapticplayer.model.limits import MAX_PAYLOADS, MAX_SAMPLES
 
 RAW_MAGIC = b"DEVC"
 

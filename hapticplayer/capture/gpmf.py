@@ -15,9 +15,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hapticplayer.capture.limits import MAX_NESTING
 from hapticplayer.errors import TelemetryError
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_NESTING
 
 NESTED = "\0"
 COMPLEX = "?"

@@ -17,12 +17,12 @@ from contextlib import AbstractContextManager
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO, NamedTuple, cast
 
-from hapticplayer.capture.limits import (
+from hapticplayer.errors import InputError
+from hapticplayer.model.limits import (
     MAX_CSV_BYTES,
     MAX_FOLDER_DEPTH,
     MAX_MEMBERS,
 )
-from hapticplayer.errors import InputError
 from hapticplayer.untrusted import FileState, open_regular, resolve_regular
 
 LogPath = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]

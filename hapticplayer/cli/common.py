@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+import dataclasses
 import signal
 import sys
 import threading
@@ -13,6 +14,7 @@ from typing import Any
 from hapticplayer.devices import NO_DEVICE, device_names, find_device, takes_motion
 from hapticplayer.errors import DeviceError, UsageError
 from hapticplayer.model.ranges import Range
+from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.untrusted import without_controls
 
 
@@ -211,3 +213,27 @@ def peak_text(channel: Mapping[str, Any]) -> str:
     """Return how loud a sound channel was at most; see `Loudest.described`."""
     limited = ", limited" * channel["is_limited"]
     return f"peak {channel['peak_db']:.1f} dB{limited}"
+
+
+def say_figures(before: ForceFigures, after: ForceFigures) -> None:
+    """Print both, one below the other."""
+    for name, figures in (("before", before), ("after", after)):
+        say(f"{name:6}  {_text(figures)}")
+
+
+def described_figures(before: ForceFigures, after: ForceFigures) -> dict[str, Any]:
+    """The report as JSON."""
+    return {
+        "before": dataclasses.asdict(before),
+        "after": dataclasses.asdict(after),
+    }
+
+
+def _text(figures: ForceFigures) -> str:
+    reaches = ", ".join(f"{hand} {r:.0%}" for hand, r in figures.reaches.items())
+    text = (
+        f"RMS {figures.rms_n:.2f} N, peak {figures.peak_n:.2f} N, at the limit "
+        f"{figures.saturated_share:.1%} of the time; workspace used: {reaches}"
+    )
+    trips = ", ".join(figures.trips)
+    return f"{text}; a {trips} hand trips the device" if trips else text

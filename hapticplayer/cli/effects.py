@@ -7,8 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from hapticplayer import storage
-from hapticplayer.cli.common import interruptible, say, shown_progress
-from hapticplayer.cli.figures import say_figures
+from hapticplayer.cli.common import interruptible, say, say_figures, shown_progress
 from hapticplayer.errors import UsageError
 from hapticplayer.rendering.condition import Value
 from hapticplayer.rendering.effects import (

@@ -20,16 +20,16 @@ from hapticplayer.cli.common import (
     say_aside,
     shown_progress,
 )
-from hapticplayer.clock import SystemClock
+from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.records import is_record
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import ranges
-from hapticplayer.playback import headless
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.latency import saved_latencies
 from hapticplayer.playback.log import PlaybackLog, is_log
+from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, open_source
@@ -170,7 +170,7 @@ def play(options: argparse.Namespace) -> int:
             if options.speed != 1.0:
                 player.set_speed(options.speed)
             advise_of_video(source)
-            headless.run(
+            _play_headless(
                 player,
                 clock,
                 start_s=options.start,
@@ -343,3 +343,23 @@ def _output_text(name: str, report: dict[str, Any]) -> str:
         line += f", minus video: median {stats['p50']:+.2f} ms, "
         line += f"5 to 95 %: {stats['p05']:+.2f} to {stats['p95']:+.2f} ms"
     return line
+
+
+def _play_headless(
+    player: Player, clock: Clock, *, start_s: float, until_s: float
+) -> None:
+    """Play from `start_s` to `until_s` of media time, or to the end of the clip.
+
+    Raises:
+        KeyboardInterrupt: from the user; the caller closes the player.
+    """
+    player.set_end(min(until_s, player.snapshot().end_s))
+    if start_s > 0.0:
+        player.seek(start_s)
+    player.play()
+    while player.snapshot().phase is not Phase.ENDED:
+        clock.sleep_until(player.poll())
+    # a little longer, so that the record shows the force at rest
+    deadline_s = clock.now_s() + 0.1
+    while clock.now_s() < deadline_s:
+        clock.sleep_until(player.poll())

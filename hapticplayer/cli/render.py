@@ -5,8 +5,13 @@ import json
 from functools import partial
 from pathlib import Path
 
-from hapticplayer.cli.common import interruptible, say, shown_progress
-from hapticplayer.cli.figures import described_figures, say_figures
+from hapticplayer.cli.common import (
+    described_figures,
+    interruptible,
+    say,
+    say_figures,
+    shown_progress,
+)
 from hapticplayer.cli.mapping_options import (
     FIT,
     add_mapping,

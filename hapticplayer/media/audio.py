@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_bytes import AnyClip
 from hapticplayer.media.demux import ClipDecoder, PacketReader
-from hapticplayer.media.limits import MAX_AUDIO_CHANNELS, MAX_AUDIO_RATE_HZ
 from hapticplayer.media.opening import context_of, media_errors, origin_s, read_only
+from hapticplayer.model.limits import MAX_AUDIO_CHANNELS, MAX_AUDIO_RATE_HZ
 
 _PREROLL_S = 0.15
 """AAC needs the frame before, Opus 80 ms, MP3 its bit reservoir."""

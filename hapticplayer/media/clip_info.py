@@ -12,7 +12,6 @@ from av.video.stream import VideoStream
 from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_bytes import AnyClip, ClipBytes
 from hapticplayer.media.frames import rotation_of
-from hapticplayer.media.limits import MAX_DURATION_S
 from hapticplayer.media.opening import (
     CONVERT,
     context_of,
@@ -23,6 +22,7 @@ from hapticplayer.media.opening import (
     read_only,
 )
 from hapticplayer.media.telemetry import find_telemetry
+from hapticplayer.model.limits import MAX_DURATION_S
 from hapticplayer.untrusted import COPY_AGAIN
 
 _MAX_PACKETS_TO_FIRST_FRAME = 1000

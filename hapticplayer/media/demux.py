@@ -13,7 +13,6 @@ from av.video.frame import VideoFrame
 
 from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_bytes import AnyClip
-from hapticplayer.media.limits import MAX_DAMAGED_IN_A_ROW
 from hapticplayer.media.opening import media_errors, open_media
 from hapticplayer.media.packets import (
     MARKED,
@@ -22,6 +21,7 @@ from hapticplayer.media.packets import (
     Continuity,
     Lookahead,
 )
+from hapticplayer.model.limits import MAX_DAMAGED_IN_A_ROW
 from hapticplayer.untrusted import COPY_AGAIN
 
 FrameT = TypeVar("FrameT")

@@ -12,7 +12,7 @@ from av.video.reformatter import Colorspace, Interpolation, VideoReformatter
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media.limits import MAX_PIXELS
+from hapticplayer.model.limits import MAX_PIXELS
 
 HD_HEIGHT_PX = 720
 """From here on untagged video is BT.709, as players agree."""

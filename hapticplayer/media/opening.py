@@ -28,7 +28,7 @@ from hapticplayer.media.clip_bytes import (
     open_clip,
     size_of,
 )
-from hapticplayer.media.limits import (
+from hapticplayer.model.limits import (
     INDEX_TAIL,
     MAX_PIXELS,
     MAX_REMOTE_SAMPLES,

@@ -10,7 +10,7 @@ from av.packet import Packet
 from av.stream import Stream
 from av.video.frame import VideoFrame
 
-from hapticplayer.media.limits import MAX_AHEAD_BYTES, MAX_AHEAD_PACKETS
+from hapticplayer.model.limits import MAX_AHEAD_BYTES, MAX_AHEAD_PACKETS
 
 ONE_TO_ONE = frozenset({"h264", "hevc"})
 """Every packet becomes one frame with its time; VP8 and VP9 have hidden frames."""

@@ -12,12 +12,12 @@ from av.packet import Packet
 from av.stream import DataStream, Stream
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.limits import (
+from hapticplayer.media.opening import media_errors, open_media, origin_s, read_only
+from hapticplayer.model.limits import (
     MAX_TELEMETRY_BYTES,
     MAX_TELEMETRY_PACKET_BYTES,
     MAX_TELEMETRY_PACKETS,
 )
-from hapticplayer.media.opening import media_errors, open_media, origin_s, read_only
 from hapticplayer.untrusted import COPY_AGAIN
 
 _TICKS_PER_S = 1000

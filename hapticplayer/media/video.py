@@ -12,8 +12,8 @@ from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_info import frame_rate_hz, require_video, shown_size
 from hapticplayer.media.demux import ClipDecoder, PacketReader
 from hapticplayer.media.frames import DecodedFrame, check_convertible, rotation_of
-from hapticplayer.media.limits import MAX_PIXELS
 from hapticplayer.media.opening import media_errors, origin_s, read_only
+from hapticplayer.model.limits import MAX_PIXELS
 from hapticplayer.untrusted import COPY_AGAIN
 
 _FALLBACK_RATE_HZ = 30.0

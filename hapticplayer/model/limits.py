@@ -1,6 +1,7 @@
-"""Plausible numbers in recordings and forces, each once, with where it comes from.
+"""Plausible numbers and sizes of recordings, clips and forces, each once, with its source.
 
-They are those of a sensor in a hand or on a vehicle; others are in another unit or damaged.
+Numbers are those of a sensor in a hand or on a vehicle; others are in another unit or damaged.
+Larger files are damaged or made to do harm, and are refused before memory is spent on them.
 """
 
 import numpy as np
@@ -126,3 +127,84 @@ def refuse_large_force(
             remedy=remedy or Message("give the forces in newton"),
             largest_n=largest_n,
         )
+
+
+# --- sizes of recordings: far above what recorders write ----------------------------
+
+MAX_NESTING = 8
+"""Depth of GPMF; cameras nest two deep (DEVC, STRM)."""
+
+MAX_RAW_GPMF_BYTES = 1024**3
+"""A raw telemetry dump; 48 h of a GoPro are about 0.8 GB."""
+
+MAX_PAYLOADS = 1_000_000
+"""GPMF payloads of one recording; a camera writes one a second."""
+
+MAX_CSV_BYTES = 2 * 1024**3
+"""A log as text; 10 h at 100 Hz with 10 columns are about 0.4 GB."""
+
+MAX_CSV_ROWS = 50_000_000
+"""Rows of a text log: 14 h at 1 kHz."""
+
+MAX_LINE_BYTES = 4096
+"""One line of a text log."""
+
+MAX_DAMAGED_SHARE = 0.05
+"""A log with a larger share of damaged lines is rejected."""
+
+MAX_MEMBERS = 2000
+"""Files of one recording in a folder or a zip; apps write about twenty."""
+
+MAX_FOLDER_DEPTH = 4
+"""Levels of folders: mav0/imu0/data.csv is three deep."""
+
+MAX_TEMPLATE_BYTES = 65_536
+"""Answers about a log, as JSON."""
+
+MAX_VIDEO_BYTES = 16 << 30
+MAX_ANSWER_BYTES = 1 << 30
+MEMORY_BYTES = 2 << 30
+TIME_LIMIT_S = 60.0
+"""Of telemetry-parser: its input, its output, its process."""
+
+
+# --- what a media file may ask: far above what cameras write -------------------------
+
+MAX_PIXELS = 8192 * 4320
+"""Largest frame area, px: 8K video. An 8192 x 8192 bomb of 199 kB took 696 MB."""
+
+MAX_SIDE_PX = 16_384
+"""Longest side of a frame, px."""
+
+MAX_STREAMS = 64
+"""Streams in one container; cameras write up to seven."""
+
+MAX_DURATION_S = 48 * 3600.0
+"""Longest clip, s."""
+
+MAX_AUDIO_RATE_HZ = 768_000
+"""Fastest sound that is decoded, Hz."""
+
+MAX_AUDIO_CHANNELS = 64
+"""Most channels of sound that are mixed down."""
+
+MAX_TELEMETRY_PACKETS = 1_000_000
+"""Telemetry payloads of one file; GoPro writes one a second."""
+
+MAX_TELEMETRY_PACKET_BYTES = 8 * 1024**2
+"""Largest telemetry payload; the largest seen is 26 kB."""
+
+MAX_TELEMETRY_BYTES = 1024**3
+"""All telemetry of one file; 48 h of a GoPro are about 0.8 GB."""
+
+MAX_REMOTE_SAMPLES = 20_000_000
+"""In the index of a clip whose size a server states; FFmpeg keeps 480 MB for them."""
+
+INDEX_TAIL = 4096
+"""Last entries of each stream's index that are held against the file's size."""
+
+MAX_DAMAGED_IN_A_ROW = 500
+"""Damaged packets after one another after which a stream is given up."""
+
+MAX_AHEAD_BYTES, MAX_AHEAD_PACKETS = 64 * 1024**2, 4096
+"""Read ahead of a seek; one second of 4K from a camera is 12 MB."""

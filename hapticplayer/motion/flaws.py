@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import are_gaps
-from hapticplayer.motion.medians import median
 from hapticplayer.motion.saturation import (
     ACCELEROMETER,
     GYROSCOPE,
@@ -100,7 +99,7 @@ class Flaws:
 def find_flaws(imu: ImuLog) -> Flaws:
     """Return the flaws of a log of at least two samples."""
     steps = imu.time_s[1:] - imu.time_s[:-1]
-    interval_s = median(steps)
+    interval_s = float(np.median(steps))
     gap_s = np.zeros(len(imu))
     wide = are_gaps(steps, interval_s)
     gap_s[1:][wide] = steps[wide] - interval_s

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
-from hapticplayer.motion.medians import median
 
 WINDOW_S = 1.0
 # A tripod or a table stays below these, hands and rolling wheels do not
@@ -186,7 +185,7 @@ def estimate_accelerometer_gain(
     if not still.bins.any() or still.still_s < WINDOW_S - still.bin_s:
         return AccelerometerGain(1.0, 0.0, "assumed: the recording has no still span")
     force = still.force_mps2[:, still.bins]
-    gain = STANDARD_GRAVITY_MPS2 / median(np.sqrt(rot.squared_norm(force)))
+    gain = STANDARD_GRAVITY_MPS2 / float(np.median(np.sqrt(rot.squared_norm(force))))
     if not PLAUSIBLE_GAIN_RANGE[0] <= gain <= PLAUSIBLE_GAIN_RANGE[1]:
         reason = f"assumed: still spans would give {gain:.3f}, which is not plausible"
         return AccelerometerGain(1.0, 0.0, reason)

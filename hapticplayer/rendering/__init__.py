@@ -10,9 +10,12 @@ from hapticplayer.rendering.condition import (
     Parameter,
     ParameterKind,
 )
-from hapticplayer.rendering.coverage import coverage_notice, refuse_late
 from hapticplayer.rendering.demonstration import demonstration
-from hapticplayer.rendering.derived import shifted_and_scaled
+from hapticplayer.rendering.derived import (
+    coverage_notice,
+    refuse_late,
+    shifted_and_scaled,
+)
 from hapticplayer.rendering.feedback import (
     FEEDBACKS,
     chosen_feedback,

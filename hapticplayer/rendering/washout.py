@@ -9,7 +9,12 @@ Over a piece of the track, three axes together,
         X_h = 1 / (m s^2 + b s + k (1 - Y)),  Y = (1/t_y) / (s + 1/t_y + 1/t_r)
 
 X_h is the way of grip and hand under a force, Y the rest point of a hand that gives way,
-W the weight of an error by its frequency, see `weighting`.
+W the weight of an error by its frequency,
+
+    |W(f)|^2 = (w^2 + (f/f_1)^2) / (1 + (f/f_1)^2) / (1 + (f/f_2)^4):
+
+a constant error counts w, one of 0.5 to 10 Hz counts 1; above 15 Hz a grip does not move.
+
 W and X_h do not change with time, so the alternating direction method of multipliers
 (Boyd et al. 2011, section 3; over-relaxation 3.4.3; a varying penalty for u and another
 for the excursions) solves for u with one division per frequency; its other steps clip and
@@ -31,10 +36,14 @@ from hapticplayer.errors import InputError
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
-from hapticplayer.rendering.weighting import CONSTANT_WEIGHT, weight
 
 Spectra = NDArray[np.complexfloating[Any, Any]]
 Singles = NDArray[np.float32]
+
+CORNERS_HZ = 0.5, 15.0
+CONSTANT_WEIGHT = 0.3
+"""Of the weight of an error. Nobody has measured the constant's for forces on a hand; 0.03
+to 1 change an optimised washout little."""
 
 SOLVE_HZ = 50.0
 PIECE_S, BLEND_S = 30.0, 2.0
@@ -388,3 +397,24 @@ def _corrected(
     is_changed = np.any(more != 0.0, axis=1)
     total = _shortened((force + more).T, washout.force_limit_n).T
     return np.where(is_changed[:, None], total, force)
+
+
+def weight(frequency_hz: Floats, constant_weight: float = CONSTANT_WEIGHT) -> Floats:
+    """Return |W|, (M,), at frequencies (M,)."""
+    low, high = (np.square(frequency_hz / corner) for corner in CORNERS_HZ)
+    square = (constant_weight**2 + low) / (1.0 + low) / (1.0 + high * high)
+    return np.asarray(np.sqrt(square))
+
+
+def weighted(force_n: Floats, rate_hz: float) -> Floats:
+    """Return W applied to forces (..., N) in N, as if they repeated without end."""
+    from scipy import fft  # playing does not need it
+
+    count = force_n.shape[-1]
+    by_frequency = weight(fft.rfftfreq(count, 1.0 / rate_hz))
+    return np.asarray(fft.irfft(by_frequency * fft.rfft(force_n), count))
+
+
+def magnitude_rms_n(force_n: Floats) -> float:
+    """Return the RMS of the magnitude of forces (3, N), N."""
+    return float(np.sqrt(np.square(force_n).sum(axis=0).mean()))

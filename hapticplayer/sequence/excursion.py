@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.devices.dynamics import FIRM, NORMAL, RELAXED, Hand, Mechanism
-from hapticplayer.devices.falcon.geometry import FALCON_GEOMETRY
-from hapticplayer.devices.falcon.kinematics import Kinematics
+from hapticplayer.devices.falcon.kinematics import FALCON_GEOMETRY, Kinematics
 from hapticplayer.errors import Message
 from hapticplayer.haptics.centring import Centring, centring_of, kept_inside
 from hapticplayer.haptics.contract import is_pushed_outside

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import Limits, cap_when_warm
 from hapticplayer.model.arrays import Floats
-from hapticplayer.rendering.weighting import magnitude_rms_n, weighted
+from hapticplayer.rendering.washout import magnitude_rms_n, weighted
 
 MOST_ERROR = 0.15
 LEAST_FORCE_N = 0.04

@@ -23,18 +23,18 @@ import numpy as np
 from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import OPTION, LogChoices, LogQuestion
 from hapticplayer.capture.formats import Confidence
-from hapticplayer.capture.limits import (
-    MAX_ANSWER_BYTES,
-    MAX_VIDEO_BYTES,
-    MEMORY_BYTES,
-    TIME_LIMIT_S,
-)
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.extras.cameras.telemetry_child import COLUMNS
 from hapticplayer.media.telemetry import data_track_names
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import (
+    MAX_ANSWER_BYTES,
+    MAX_VIDEO_BYTES,
+    MEMORY_BYTES,
+    TIME_LIMIT_S,
+)
 from hapticplayer.untrusted import open_regular
 
 _COMMAND = (sys.executable, "-P", "-m", "hapticplayer.extras.cameras.telemetry_child")

@@ -9,7 +9,6 @@ from scipy.signal import savgol_filter
 
 from hapticplayer.errors import Message
 from hapticplayer.model.arrays import Floats
-from hapticplayer.motion.medians import median
 
 # A step of so many intervals parts two pieces: a dropout or a gap stays as it is.
 MAX_STEP_INTERVALS = 1.6
@@ -43,7 +42,7 @@ def even_clock(
     if len(time_s) < MIN_PIECE_SAMPLES:
         return None
     steps = time_s[1:] - time_s[:-1]
-    interval_s = median(steps)
+    interval_s = float(np.median(steps))
     least_s = MIN_JITTER_RMS_INTERVALS * interval_s
     # most logs end here, on a machine's own clock at the range of their steps
     if (

@@ -12,7 +12,6 @@ import numpy as np
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.motion import rotations as rot
-from hapticplayer.motion.medians import median
 from hapticplayer.motion.rotations import Pair
 from hapticplayer.motion.smoother import nodes as nd
 from hapticplayer.motion.smoother import stationary, strapdown
@@ -179,7 +178,7 @@ def prepare(
     applied[GYRO_BIAS] = bias_radps
     integration = integrate(block, applied, is_fine=is_fine)
     nodes = integration.nodes
-    usual_radps = median(nodes.turned_rad / nodes.duration_s)
+    usual_radps = float(np.median(nodes.turned_rad / nodes.duration_s))
     block = replace(block, p=_with_turn_loss(p, usual_radps * step_s))
     vertical = nd.rough_vertical(nodes, p.vertical_half_width_s)
     bound_mps = np.full(vertical.shape[1], p.first_bound_mps)

@@ -14,17 +14,19 @@ Source: Danieau et al. 2012, discussion: "artificial modulation of some parts of
 interest to underline specific haptic events".
 """
 
-from hapticplayer.rendering.effects.apply import (
-    applied_to_force,
-    applied_to_motion,
-    faded_share,
+from hapticplayer.rendering.effects.kinds import (
+    EFFECTS,
+    EffectKind,
+    kind_of,
 )
-from hapticplayer.rendering.effects.kinds import EFFECTS, EffectKind, kind_of
 from hapticplayer.rendering.effects.values import (
     NO_EFFECTS,
     Effect,
     EffectList,
     Target,
+    applied_to_force,
+    applied_to_motion,
+    faded_share,
 )
 
 __all__ = [

@@ -11,8 +11,8 @@ import pytest
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import HapticsProcesses, Health
-from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
+from tests.material.plant_record import read_record
 from tests.rigs import PATIENCE_S, FeedingPlayer
 
 pytestmark = pytest.mark.realtime

@@ -11,7 +11,7 @@ import pytest
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.falcon.measuring import PUSH_N
-from hapticplayer.simulation.falcon.record_reader import read_record
+from tests.material.plant_record import read_record
 
 pytestmark = pytest.mark.realtime
 

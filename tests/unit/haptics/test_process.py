@@ -18,7 +18,7 @@ from hapticplayer.haptics.processes import GUARD_LATE_S, HapticsProcesses, Healt
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import SharedBlock
 from hapticplayer.model import ForceTrack, PlaybackClock
-from hapticplayer.simulation.falcon.record_reader import read_record
+from tests.material.plant_record import read_record
 
 pytestmark = pytest.mark.realtime
 

@@ -9,8 +9,8 @@ import pytest
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_info import probe
-from hapticplayer.media.limits import MAX_PIXELS, MAX_SIDE_PX
 from hapticplayer.media.opening import declared_bytes, open_media
+from hapticplayer.model.limits import MAX_PIXELS, MAX_SIDE_PX
 
 
 def missing(path: Path, clip: Path) -> Path:

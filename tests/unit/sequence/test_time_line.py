@@ -8,8 +8,7 @@ from hapticplayer.media.encode import write_clip
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence, store
 from hapticplayer.sequence.editing import set_effects
-from hapticplayer.sequence.events import events_of
-from hapticplayer.sequence.time_line import time_line_of
+from hapticplayer.sequence.events import events_of, time_line_of
 from tests.material.shaken import write_shaken_sequence
 
 

@@ -6,7 +6,7 @@ from scipy import integrate
 
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import Limits
-from hapticplayer.rendering.weighting import weight
+from hapticplayer.rendering.washout import weight
 from hapticplayer.study.analysis.trial_force_report import (
     trial_force_blocks,
     trial_force_summary,

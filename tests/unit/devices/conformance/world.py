@@ -11,9 +11,9 @@ import sys
 
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices import installed_devices
-from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls
 from tests.doubles import DirectWriter
+from tests.material.plant_record import read_record
 
 ZERO = (0.0, 0.0, 0.0)
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from hapticplayer.devices.falcon import kinematics, matrix3
-from hapticplayer.devices.falcon.geometry import FALCON_GEOMETRY
 from hapticplayer.devices.falcon.kinematics import (
+    FALCON_GEOMETRY,
     WORD_LIMIT,
     Kinematics,
     OutOfReachError,

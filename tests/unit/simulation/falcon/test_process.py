@@ -11,8 +11,8 @@ import pytest
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import DeviceError
-from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls, RemoteFalcon, silence
+from tests.material.plant_record import read_record
 
 pytestmark = pytest.mark.realtime
 

@@ -11,10 +11,10 @@ from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.falcon.packets import ForceCommand, command_bytes
 from hapticplayer.simulation.falcon.parameters import Electronics
 from hapticplayer.simulation.falcon.record import RING_RECORDS, PlantRecorder
-from hapticplayer.simulation.falcon.record_reader import read_record
 from hapticplayer.simulation.falcon.remote import Controls, RemoteFalcon, silence
 from hapticplayer.simulation.falcon.server import COMMAND_AGE_S, Server
 from hapticplayer.simulation.falcon.simulation import Simulation
+from tests.material.plant_record import read_record
 
 ZERO = (0.0, 0.0, 0.0)
 PUSH = (2.0, 0.0, 0.0)
