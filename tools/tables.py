@@ -10,6 +10,7 @@ import argparse
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator
+from itertools import groupby
 from pathlib import Path
 
 from app.player.commands import COMMANDS as WINDOW_COMMANDS
@@ -17,6 +18,7 @@ from hapticplayer import cli
 from hapticplayer.capture import formats
 from hapticplayer.capture.sync import methods
 from hapticplayer.devices import installed_devices
+from hapticplayer.extension import load
 from hapticplayer.motion import METHODS
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.rendering.condition import Parameter
@@ -181,6 +183,17 @@ def devices() -> str:
     )
 
 
+def rig_signs() -> str:
+    """Which way the numbers of packets for rigs are positive."""
+    rows: list[Row] = []
+    if "rig" in installed_devices():
+        for kind in load("hapticplayer.extras.rigs.packets:FORMATS").values():
+            for source, signs in groupby(kind.signs, lambda one: one.source):
+                said = ", ".join(f"{one.field} {one.positive}" for one in signs)
+                rows.append((_code(kind.name), said, source))
+    return table("format | positive | source", rows)
+
+
 def window_commands() -> str:
     """Commands of the window with their first keys."""
     return table(
@@ -260,6 +273,7 @@ TABLES: dict[str, Callable[[], str]] = {
         study_exports,
         force_formats,
         devices,
+        rig_signs,
         window_commands,
         command_line,
     )

@@ -63,8 +63,8 @@ def _outsim(packet: bytes) -> DecodedPacket:
 def _beamng(packet: bytes) -> DecodedPacket:
     velocity = struct.unpack_from("<3f", packet, 16)
     acceleration = struct.unpack_from("<3f", packet, 28)
-    roll, pitch, heading = struct.unpack_from("<3f", packet, 52)
-    return DecodedPacket("beamng", None, acceleration, pitch, roll, heading, velocity)
+    roll, pitch, yaw = struct.unpack_from("<3f", packet, 52)
+    return DecodedPacket("beamng", None, acceleration, pitch, roll, -yaw, velocity)
 
 
 def _codemasters(packet: bytes) -> DecodedPacket:
@@ -72,14 +72,14 @@ def _codemasters(packet: bytes) -> DecodedPacket:
     vx, vy, vz = struct.unpack_from("<3f", packet, 32)
     _, right_up, _ = struct.unpack_from("<3f", packet, 44)
     fx, fy, fz = struct.unpack_from("<3f", packet, 56)
-    right_g, front_g = struct.unpack_from("<2f", packet, 136)
+    left_g, front_g = struct.unpack_from("<2f", packet, 136)
     g = STANDARD_GRAVITY_MPS2
     return DecodedPacket(
         "codemasters",
         time_s,
-        (g * right_g, g * front_g, 0.0),
+        (-g * left_g, g * front_g, 0.0),
         math.asin(min(max(fy, -1.0), 1.0)),
         -math.asin(min(max(right_up / max(math.hypot(fx, fz), 1e-6), -1.0), 1.0)),
-        math.atan2(-fx, fz),
-        (vx, vz, vy),
+        math.atan2(fx, fz),
+        (-vx, vz, vy),
     )

@@ -36,8 +36,6 @@ AXES: dict[str, tuple[str, ...]] = {
 }
 """The words of rig software, and what of a `RigMotion` belongs to each."""
 
-_ORDERS = {"right-forward": False, "forward-right": True}
-
 
 @dataclass(frozen=True, slots=True)
 class RigSettings(DeviceOptions):
@@ -50,7 +48,6 @@ class RigSettings(DeviceOptions):
         id: OutSim's ID; 0 leaves it out.
         latency_s: from a packet to the motion of the seat, compensated.
         invert: names of `AXES` with the other sign; vendors differ.
-        forward_first: of Codemasters' two unit vectors the forward one comes first.
     """
 
     capabilities: DeviceCapabilities = RIG
@@ -58,7 +55,6 @@ class RigSettings(DeviceOptions):
     rate_hz: float = RIG.rate_hz
     id: int = 0
     invert: frozenset[str] = frozenset()
-    forward_first: bool = False
 
     @property
     def sole_use(self) -> str:
@@ -91,15 +87,10 @@ def _axes(_name: str, value: str) -> frozenset[str]:
     return frozenset(one_of(axis, AXES) for axis in value.split("+"))
 
 
-def _order(_name: str, value: str) -> bool:
-    return _ORDERS[one_of(value, _ORDERS)]
-
-
 _OPTIONS: dict[str, tuple[str, Parse]] = {
     "rate": ("rate_hz", RATE_HZ.parse),
     "id": ("id", IDENTITY.parse),
     "gain": ("gain", GAIN.parse),
     "latency_ms": ("latency_s", milliseconds(LATENCY_MS)),
     "invert": ("invert", _axes),
-    "vectors": ("forward_first", _order),
 }

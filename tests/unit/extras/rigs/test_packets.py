@@ -1,4 +1,4 @@
-"""The three packets against golden bytes, and OutSim against a decoder of others."""
+"""The three packets against golden bytes and signs, and OutSim by a decoder of others."""
 
 import math
 import struct
@@ -44,25 +44,23 @@ def test_outsim_with_an_id_has_68_bytes():
 
 def test_beamng_is_these_88_bytes():
     golden = b"BNG1".hex() + 12 * "00" + "000040400000000000008040"
-    golden += "0000803f000000c00000003f00000000000000000000803f" + 12 * "00"
-    golden += "000000be0000803e000080400000804100000041000000c2"
+    golden += "0000803f000000c00000003f00000000000000000000803f"
+    golden += 8 * "00" + "00000080"
+    golden += "000000be0000803e000080c00000804100000041" + "00000042"
     assert packet("beamng").hex() == golden
     assert len(packet("beamng")) == 88
 
 
 def test_codemasters_is_these_264_bytes():
     g = 9.80665
-    golden = {0: 1.5, 1: 1.5, 7: 5.0, 8: 3.0, 9: 4.0, 11: 1.0, 16: 1.0}
-    golden |= {34: 1.0 / g, 35: -2.0 / g}
+    golden = {0: 1.5, 1: 1.5, 7: 5.0, 8: -3.0, 9: 4.0, 11: -1.0, 16: 1.0}
+    golden |= {34: -1.0 / g, 35: -2.0 / g}
     data = packet("codemasters")
     assert len(data) == 264
     values = np.frombuffer(data, "<f4")
     expected = np.zeros(66, "<f4")
     expected[list(golden)] = list(golden.values())
-    assert values.tobytes() == expected.tobytes()
-    swapped = np.frombuffer(packet("codemasters", forward_first=True), "<f4")
-    assert swapped[11:14].tolist() == values[14:17].tolist()
-    assert swapped[14:17].tolist() == values[11:14].tolist()
+    assert values.tolist() == expected.tolist()
 
 
 def test_neutral_has_no_motion_but_a_time():
@@ -96,11 +94,14 @@ def test_the_two_others_agree_with_outsim(motion):
     beamng = np.frombuffer(packet("beamng", motion)[4:], "<f4")
     codemasters = np.frombuffer(packet("codemasters", motion), "<f4")
     np.testing.assert_allclose(beamng[3:6], outsim[9:12], atol=1e-4)
-    np.testing.assert_allclose(codemasters[8:11], outsim[[9, 11, 10]], atol=1e-4)
+    unmirrored = codemasters[[8, 10, 9]] * (-1, 1, 1)
+    np.testing.assert_allclose(unmirrored, outsim[9:12], atol=1e-4)
     np.testing.assert_allclose(beamng[6:9], motion[0:3], rtol=1e-6)
-    np.testing.assert_allclose(9.80665 * codemasters[34:36], motion[0:2], atol=1e-4)
+    left_front = 9.80665 * codemasters[34:36] * (-1, 1)
+    np.testing.assert_allclose(left_front, motion[0:2], atol=1e-4)
     # forward and right are at right angles, and up is across both
     right, forward = codemasters[[11, 13, 12]], codemasters[[14, 16, 15]]
+    right, forward = right * (-1, 1, 1), forward * (-1, 1, 1)
     np.testing.assert_allclose(np.cross(right, forward), beamng[9:12], atol=1e-5)
 
 
@@ -127,6 +128,87 @@ def test_angles_turn_the_way_that_lfs_says():
 
 def replace_motion(**values):
     return NEUTRAL._replace(**values)
+
+
+# What a game says of a moment of a drive, by the names of its own format and from its own
+# documentation; everything else is 0.
+CURVE = {"right_mps2": -5.0, "yaw_radps": 0.5, "front_mps": 10.0}  # to the left
+DRIVES = {
+    "left curve": CURVE,
+    "right curve": {**CURVE, "right_mps2": 5.0, "yaw_radps": -0.5},
+    "braking": {"front_mps2": -6.0, "pitch_rad": -0.1, "front_mps": 10.0},
+    "bump": {"up_mps2": 8.0, "up_mps": 0.4, "front_mps": 10.0},
+}
+DOWN, FLAT = math.sin(0.1), math.cos(0.1)
+"""Of a nose that dips by 0.1 rad."""
+SAID = {
+    "outsim": {
+        "left curve": {"AngVel z": 0.5, "Accel x": -5.0, "Vel y": 10.0},
+        "right curve": {"AngVel z": -0.5, "Accel x": 5.0, "Vel y": 10.0},
+        # in the world: the front of the car points down
+        "braking": {"Pitch": -0.1, "Accel y": -6.0 * FLAT, "Accel z": 6.0 * DOWN}
+        | {"Vel y": 10.0 * FLAT, "Vel z": -10.0 * DOWN},
+        "bump": {"Accel z": 8.0, "Vel y": 10.0, "Vel z": 0.4},
+    },
+    "beamng": {
+        "left curve": {"velY": 10.0, "accX": -5.0, "upZ": 1.0, "yawRate": -0.5},
+        "right curve": {"velY": 10.0, "accX": 5.0, "upZ": 1.0, "yawRate": 0.5},
+        "braking": {"velY": 10.0 * FLAT, "velZ": -10.0 * DOWN, "accY": -6.0}
+        | {"upY": DOWN, "upZ": FLAT, "pitchPos": -0.1},
+        "bump": {"velY": 10.0, "velZ": 0.4, "accZ": 8.0, "upZ": 1.0},
+    },
+    "codemasters": {
+        "left curve": {"speed": 10.0, "vz": 10.0, "rx": -1.0, "fz": 1.0}
+        | {"g_lat": 5.0 / 9.80665},
+        "right curve": {"speed": 10.0, "vz": 10.0, "rx": -1.0, "fz": 1.0}
+        | {"g_lat": -5.0 / 9.80665},
+        "braking": {"speed": 10.0, "vy": -10.0 * DOWN, "vz": 10.0 * FLAT, "rx": -1.0}
+        | {"fy": -DOWN, "fz": FLAT, "g_lon": -6.0 / 9.80665},
+        "bump": {"speed": math.hypot(10.0, 0.4), "vy": 0.4, "vz": 10.0, "rx": -1.0}
+        | {"fz": 1.0},
+    },
+}
+FIELDS = {
+    "outsim": ["AngVel x", "AngVel y", "AngVel z", "Heading", "Pitch", "Roll"]
+    + [f"{name} {axis}" for name in ("Accel", "Vel") for axis in "xyz"],
+    "beamng": [
+        f"{name}{axis}" for name in ("pos", "vel", "acc", "up") for axis in "XYZ"
+    ]
+    + [
+        f"{axis}{n}"
+        for n in ("Pos", "Rate", "Acc")
+        for axis in ("roll", "pitch", "yaw")
+    ],
+    "codemasters": [
+        *"abcd",
+        *("x", "y", "z", "speed", "vx", "vy", "vz", "rx", "ry", "rz", "fx", "fy", "fz"),
+        *map(str, range(17, 34)),
+        *("g_lat", "g_lon"),
+    ],
+}
+FIRST = {"outsim": 4, "beamng": 4, "codemasters": 0}
+
+
+@pytest.mark.parametrize("drive", DRIVES)
+@pytest.mark.parametrize("name", SAID)
+def test_a_drive_is_told_as_the_game_tells_it(name, drive):
+    motion = NEUTRAL._replace(**DRIVES[drive])
+    said = np.frombuffer(packet(name, motion, 0.0)[FIRST[name] :], "<f4")
+    found = dict(zip(FIELDS[name], said.tolist(), strict=False))
+    expected = dict.fromkeys(FIELDS[name], 0.0) | SAID[name][drive]
+    assert found == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize("kind", FORMATS.values(), ids=lambda kind: kind.name)
+def test_each_number_is_positive_as_its_row_says(kind):
+    for sign in kind.signs:
+        for share in (0.1, -0.1):
+            motion = RigMotion(*(share * value for value in sign.motion))
+            (found,) = struct.unpack_from(
+                "<f", packet(kind.name, motion, 0.0), sign.offset
+            )
+            assert found * share > 0.0, sign.field
+        assert sign.source
 
 
 def test_the_time_of_outsim_starts_again_after_49_days():

@@ -23,13 +23,12 @@ def test_each_format_has_its_port_and_stays_here(name, port):
 def test_everything_can_be_said():
     settings = rig_settings(
         "codemasters,192.168.1.7:30500,rate=500,id=7,gain=0.5,latency_ms=40,"
-        "invert=sway+yaw,vectors=forward-right"
+        "invert=sway+yaw"
     )
     assert settings.address == "192.168.1.7:30500"
     assert (settings.rate_hz, settings.id, settings.gain) == (500.0, 7, 0.5)
     assert settings.latency_s == pytest.approx(0.040)
     assert settings.invert == {"sway", "yaw"}
-    assert settings.forward_first
 
 
 def test_an_address_of_version_6_is_in_brackets():
@@ -49,8 +48,7 @@ def test_an_address_of_version_6_is_in_brackets():
         ("outsim,rate=nan", "between 50 and 500 Hz"),
         ("outsim,gain=-1", "between 0 and 4"),
         ("outsim,invert=up", "surge, sway, heave, roll, pitch, yaw"),
-        ("outsim,vectors=left", "right-forward, forward-right"),
-        ("outsim,speed=3", "rate, id, gain, latency_ms, invert, vectors"),
+        ("outsim,speed=3", "rate, id, gain, latency_ms, invert"),
         ("outsim,rate=90,rate=80", "say it once"),
     ],
 )
