@@ -177,19 +177,30 @@ def resolve_regular(path: PathLike, error: type[InputError] = MediaError) -> Pat
 
 
 class FileState(NamedTuple):
-    """What tells one state of a file from another."""
+    """What tells one state of a file from another.
+
+    Its mtime can be put back after a change; `changed_ns`, its ctime, cannot.
+    """
 
     path: Path
     device: int
     inode: int
     modified_ns: int
+    changed_ns: int
     size_bytes: int
 
     @classmethod
     def of(cls, path: Path, status: os.stat_result | None = None) -> Self:
         """Return the state of now, or that of a status; raises OSError."""
         found = status or path.stat()
-        return cls(path, found.st_dev, found.st_ino, found.st_mtime_ns, found.st_size)
+        return cls(
+            path,
+            found.st_dev,
+            found.st_ino,
+            found.st_mtime_ns,
+            found.st_ctime_ns,
+            found.st_size,
+        )
 
     def refuse_changed(self, error: type[InputError] = InputError) -> None:
         """Raise the error if the name stands for another file or content now."""

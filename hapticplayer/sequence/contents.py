@@ -13,8 +13,8 @@ from hapticplayer.media.matroska import Attachment
 from hapticplayer.model import Feedback
 from hapticplayer.sequence import store
 from hapticplayer.sequence.description import written
-from hapticplayer.sequence.packed import MANIFEST, Packed
-from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular
+from hapticplayer.sequence.packed import MANIFEST, Packed, refuse_twins
+from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular, without_controls
 
 MOTION_FILES = (store.MOTION, store.IMU, "truth.npz", "estimate.npz")
 """What is shared only where that is asked for."""
@@ -97,6 +97,7 @@ def files_to_pack(
     listed = {k: one for k, one in description.files.items() if k in kept}
     text = storage.json_text(written(structs.replace(description, files=listed)))
     made = (attachment_of(store.DESCRIPTION, text), *small, *extras)
+    refuse_twins([MANIFEST, *(one.name for one in made)], sequence.folder)
     if sum(len(one.content) for one in made) > MAX_ATTACHED_BYTES:
         raise SequenceError(
             "has more than {most_mb} MB of force and motion, which is too much for one "
@@ -127,7 +128,7 @@ def _contents(
     }
     parts = tuple(
         Part(
-            one.name,
+            without_controls(one.name),
             _text_of(one.name, added.get(one.name)),
             one.media_type,
             len(one.content),

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import Message, Progress, UsageError, entry_named, no_progress
+from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.editing import add_track
@@ -90,7 +91,7 @@ def export_force(
     feedback = feedback or rendered_feedback(sequence.tracks)
     track = entry_named(sequence.tracks, feedback, Message("force track"))
     progress(0.0, Message("writing {name}", name=target.name))
-    duration_s = sequence.duration_s
+    duration_s = probe(sequence.clip).duration_s
     motion = motion_of(sequence) if asked.with_motion else None
     asked = replace(asked, duration_s=duration_s, motion=motion)
     cost = export_track(track, target, format_of(target, form), asked)

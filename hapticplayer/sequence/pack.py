@@ -20,6 +20,7 @@ from hapticplayer.media.clip_info import POINTER
 from hapticplayer.media.matroska import EBML, Attachment
 from hapticplayer.sequence import store
 from hapticplayer.sequence.contents import attachment_of, files_to_pack
+from hapticplayer.sequence.editing import MAX_TITLE
 from hapticplayer.sequence.packed import (
     MANIFEST,
     SCHEMA,
@@ -83,7 +84,9 @@ def pack(
     )
     manifest = _manifest(sequence, payload, attached)
     attached = (manifest, *attached)
-    metadata = {"title": sequence.title, POINTER: _pointer(payload, manifest)}
+    # of a title from a file name that is not UTF-8, some is not text
+    title = sequence.title.encode(errors="replace").decode()[:MAX_TITLE]
+    metadata = {"title": title, POINTER: _pointer(payload, manifest)}
     with _written(target, kind, is_ours) as (part, side_part):
         if side_part is None:
             additions = remux.Additions(attached, metadata)

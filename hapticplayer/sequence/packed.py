@@ -7,7 +7,7 @@ the force belongs to it; `playback` takes it while it prepares to play.
 
 import hashlib
 import io
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -21,13 +21,20 @@ from hapticplayer.media.matroska import Attachment, read_attachments
 from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import store
 from hapticplayer.sequence.arrays import arrays_in
-from hapticplayer.sequence.description import FileEntry, checked_description
+from hapticplayer.sequence.description import (
+    Description,
+    FileEntry,
+    checked_description,
+)
 from hapticplayer.structures import check_schema, convert, decode
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES
 
 MANIFEST = "hapticplayer.json"
 SCHEMA, VERSION = "hapticplayer.pack", 1
 SIDE_CAR = ".haptics.mkv"
+CLIP = "clip."
+"""Begins the name of the video that is unpacked."""
+
 _ASK_AGAIN = Message("ask for the file again")
 _REFUSAL = SequenceError, _ASK_AGAIN
 
@@ -59,6 +66,8 @@ class _Video(Struct):
 
 
 class _Manifest(Struct):
+    """The file that lists all others."""
+
     files: dict[str, FileEntry]
     video: _Video
 
@@ -149,20 +158,44 @@ def _by_name(carrier: Path, attached: list[Attachment]) -> dict[str, Attachment]
 def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Packed:
     small = _AttachedFiles(str(carrier), attached)
     where = f"{carrier}: {MANIFEST}"
-    manifest = decode(attached[MANIFEST].content, dict[str, Any], where, *_REFUSAL)
-    other = Message("is not a manifest of hapticplayer"), _ASK_AGAIN
-    check_schema(manifest, (SCHEMA, VERSION), where, other, SequenceError)
-    given = convert(manifest, _Manifest, where, SequenceError, _ASK_AGAIN)
+    given = _manifest(attached[MANIFEST].content, where)
+    for name in given.files:
+        small.content(name, given.files)
     payload = VideoDigest(*structs.astuple(given.video))
     content = small.content(store.DESCRIPTION, given.files)
     place = f"{carrier}: {store.DESCRIPTION}"
     found = decode(content, dict[str, Any], place, *_REFUSAL)
     description = checked_description(found, place)
     sequence = store.sequence_of(description, small, video.parent, video)
-    clip, listed = description.clip.file, description.files
-    own = {
-        store.inside(carrier, name).name: small.content(name, listed)
-        for name in listed
-        if name != clip
-    }
-    return Packed(carrier, sequence, payload, attached, own)
+    return Packed(carrier, sequence, payload, attached, _own(description, small))
+
+
+def _manifest(content: bytes, where: str) -> _Manifest:
+    manifest = decode(content, dict[str, Any], where, *_REFUSAL)
+    other = Message("is not a manifest of hapticplayer"), _ASK_AGAIN
+    check_schema(manifest, (SCHEMA, VERSION), where, other, SequenceError)
+    return convert(manifest, _Manifest, where, SequenceError, _ASK_AGAIN)
+
+
+def _own(description: Description, small: _AttachedFiles) -> dict[str, bytes]:
+    """The files of the sequence beside its clip."""
+    listed = description.files
+    names = [name for name in listed if name != description.clip.file]
+    refuse_twins([MANIFEST, store.DESCRIPTION, *names], Path(small.where))
+    return {name: small.content(name, listed) for name in names}
+
+
+def refuse_twins(names: Iterable[str], carrier: Path) -> None:
+    """Raise for names that are no file's, or another's: also where case does not count."""
+    taken: set[str] = set()
+    for name in names:
+        store.inside(carrier, name)
+        folded = name.casefold()
+        if folded in taken or folded.startswith(CLIP):
+            raise SequenceError(
+                "holds a file that is named like another part of it, {name!r}",
+                where=str(carrier),
+                remedy=_ASK_AGAIN,
+                name=name[:60],
+            )
+        taken.add(folded)

@@ -1,5 +1,6 @@
 """Opens, checks and describes a sequence."""
 
+import os
 from collections.abc import Iterator
 from collections.abc import Mapping as Dict
 from contextlib import contextmanager
@@ -56,6 +57,7 @@ EFFECTS = "effects"
 """Begins the names of lists of effects; in a description, the name of the one used."""
 
 OPTIONAL_IMU_FIELDS = ("magnetic_field_ut", "valid")
+_MAX_NAME_BYTES = 255
 _COPY_AGAIN = Message("copy the sequence again or import it again")
 
 
@@ -332,14 +334,23 @@ def describe_mapping(mapping: Mapping) -> MappingEntry:
 
 def inside(folder: Path, name: str) -> Path:
     """Return the path of a file directly in the folder."""
-    if Path(name).name != name or name in ("", ".", ".."):
+    if not _is_plain(name):
         raise SequenceError(
             "{name!r} is not a plain file name",
             where=str(folder / DESCRIPTION),
             remedy="import it again",
-            name=name,
+            name=name[:60],
         )
     return folder / name
+
+
+def _is_plain(name: str) -> bool:
+    try:
+        size_bytes = len(os.fsencode(name))
+    except UnicodeEncodeError:  # a half of a pair of surrogates
+        return False
+    is_whole = Path(name).name == name and name not in ("", ".", "..")
+    return is_whole and "\0" not in name and size_bytes <= _MAX_NAME_BYTES
 
 
 def _check_file(

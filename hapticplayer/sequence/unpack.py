@@ -7,10 +7,11 @@ from msgspec import structs
 from hapticplayer import storage
 from hapticplayer.errors import Message, Progress, SequenceError, no_progress
 from hapticplayer.media import remux
+from hapticplayer.media.clip_info import probe
 from hapticplayer.sequence import store
 from hapticplayer.sequence.description import FileEntry, written
 from hapticplayer.sequence.pack import CONTAINERS
-from hapticplayer.sequence.packed import Packed, read_packed
+from hapticplayer.sequence.packed import CLIP, Packed, read_packed
 from hapticplayer.storage import FOLDER, refuse_existing
 
 
@@ -44,7 +45,7 @@ def unpack(
     refuse_existing(target, FOLDER)
     packed = require_packed(video)
     kind = CONTAINERS.get(video.suffix.lower(), remux.MATROSKA)
-    name = f"clip{video.suffix.lower() if kind == remux.MP4 else '.mkv'}"
+    name = CLIP + ("mp4" if kind == remux.MP4 else "mkv")
     described = packed.sequence.description
     with storage.folder_written_aside(target) as folder:
         payload = remux.remux(
@@ -54,18 +55,22 @@ def unpack(
             remux.Additions(with_motion=True),
             lambda f: progress(0.8 * f, Message("copying the clip")),
         )
-        if payload != packed.payload and not accepts_changed:
+        if not accepts_changed and not (
+            payload == packed.payload == remux.video_payload(folder / name)
+        ):
             raise _another_video(video)
         listed = {k: v for k, v in described.files.items() if k != described.clip.file}
         for one, content in packed.small.items():
-            (folder / one).write_bytes(content)
+            with (folder / one).open("xb") as writer:
+                writer.write(content)
         digest = storage.sha256_of(
             folder / name, lambda f: progress(0.8 + 0.2 * f, Message("writing"))
         )
         listed[name] = FileEntry((folder / name).stat().st_size, digest)
-        made = structs.replace(
-            described, clip=structs.replace(described.clip, file=name), files=listed
+        clip = structs.replace(
+            described.clip, file=name, duration_s=probe(folder / name).duration_s
         )
+        made = structs.replace(described, clip=clip, files=listed)
         storage.write_json(folder / store.DESCRIPTION, written(made))
         progress(1.0, Message("done"))
 

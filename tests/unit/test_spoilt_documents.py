@@ -1,6 +1,7 @@
 """Spoilt documents are refused in one sentence that names the file, by every reader."""
 
 import copy
+import itertools
 import json
 import random
 import zlib
@@ -9,6 +10,8 @@ import pytest
 
 from hapticplayer.capture.choices import LogChoices, read_template, write_template
 from hapticplayer.errors import InputError
+from hapticplayer.media.matroska import read_attachments
+from hapticplayer.media.remux import write_attachments
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.playback.latency import latencies_in, read_settings
 from hapticplayer.playback.replay import read_force_log
@@ -22,6 +25,8 @@ from hapticplayer.sequence.calibration import (
 from hapticplayer.sequence.editing import set_effects
 from hapticplayer.sequence.figures import sequence_figures
 from hapticplayer.sequence.library import read_entry
+from hapticplayer.sequence.pack import pack
+from hapticplayer.sequence.packed import MANIFEST, read_packed
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.answers import read_answers, read_reviewed
@@ -111,6 +116,27 @@ def use(folder):
 def test_a_spoilt_description_of_a_sequence_is_refused(sequence_folder):
     path = sequence_folder / "sequence.json"
     check(path, json.loads(path.read_text()), lambda: use(sequence_folder))
+
+
+def test_a_spoilt_manifest_of_a_packed_video_is_refused(sequence_folder, tmp_path):
+    """The checksum of the manifest is nobody's: another one can be attached."""
+    target = tmp_path / "ride.mkv"
+    pack(sequence_folder, target)
+    attached = read_attachments(target, MANIFEST)
+    at = next(k for k, one in enumerate(attached) if one.name == MANIFEST)
+    made = tmp_path / "made.haptics.mkv"
+    (tmp_path / "made.mp4").write_bytes((sequence_folder / "clip.mp4").read_bytes())
+    refused = 0
+    for what, text in itertools.islice(spoilt(json.loads(attached[at].content)), 150):
+        attached[at] = attached[at]._replace(content=text)
+        made.unlink(missing_ok=True)
+        write_attachments(made, attached)
+        if said := refusal(lambda: read_packed(tmp_path / "made.mp4"), what):
+            refused += 1
+            assert "made.haptics.mkv" in said, what
+            assert "\n" not in said, what
+            assert len(said) < 1000, what
+    assert refused
 
 
 def test_a_sequence_of_a_spoilt_description_is_left_as_it_was(sequence_folder):

@@ -15,6 +15,7 @@ import numpy as np
 from hapticplayer import __version__
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.extras.formats.thinning import Polyline, thinned
+from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.limits import refuse_large_force
 from hapticplayer.sequence import Sequence
@@ -123,7 +124,7 @@ def _channel(
 def attached(sequence: Sequence) -> tuple[str, bytes]:
     """Name and content of the rendered force of a sequence that is shared."""
     track, out = sequence.rendered, io.BytesIO()
-    duration_s = sequence.duration_s
+    duration_s = probe(sequence.clip).duration_s
     write(track, out, WriteChoices(duration_s=duration_s))
     what = "estimated" if track.is_estimated else "realistic"
     return f"force_{what}.hjif", out.getvalue()

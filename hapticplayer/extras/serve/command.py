@@ -233,8 +233,8 @@ class _Handler(BaseHTTPRequestHandler):
     disable_nagle_algorithm = True
 
     def do_GET(self) -> None:
-        has_body = self.headers.get("Content-Length", "0") != "0"
-        if has_body or "Transfer-Encoding" in self.headers:
+        lengths = self.headers.get_all("Content-Length", ["0"])
+        if lengths != ["0"] or "Transfer-Encoding" in self.headers:
             # it would be taken for the next request
             self._refuse(HTTPStatus.BAD_REQUEST)
             return
@@ -263,7 +263,8 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _send(self, reader: BinaryIO, media_type: str) -> None:
         found = os.fstat(reader.fileno())
-        size, tag = found.st_size, f'"{found.st_mtime_ns:x}-{found.st_size:x}"'
+        size = found.st_size
+        tag = f'"{found.st_mtime_ns:x}-{found.st_ctime_ns:x}-{size:x}"'
         headers = {
             "Content-Type": media_type or "application/octet-stream",
             "Accept-Ranges": "bytes",

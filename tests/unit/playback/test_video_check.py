@@ -1,6 +1,7 @@
 """Without the video that it was made for, a force waits for a person."""
 
 import json
+import os
 import threading
 
 import numpy as np
@@ -77,6 +78,19 @@ def test_a_file_is_read_once_until_it_changes(packed_file, monkeypatch):
     assert len(calls) == 2
     other = payload._replace(sha256="0" * 64)
     assert VideoCheck(packed_file, other).wait() is Verdict.ANOTHER
+
+
+def test_a_change_whose_time_was_put_back_is_noticed(packed_file):
+    payload = video_payload(packed_file)
+    assert VideoCheck(packed_file, payload).wait() is Verdict.SAME
+    before = packed_file.stat()
+    content = bytearray(packed_file.read_bytes())
+    content[content.index(b"\x1f\x43\xb6\x75") + 900] ^= 1
+    with packed_file.open("r+b") as writer:
+        writer.write(content)
+    os.utime(packed_file, ns=(before.st_atime_ns, before.st_mtime_ns))
+    assert packed_file.stat().st_size == before.st_size
+    assert VideoCheck(packed_file, payload).wait() is Verdict.ANOTHER
 
 
 def test_a_video_that_cannot_be_read_is_another_one(tmp_path):

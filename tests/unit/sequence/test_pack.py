@@ -18,6 +18,7 @@ from hapticplayer.media.remux import MATROSKA, Additions, remux, video_payload
 from hapticplayer.model import ForceTrack, Mapping
 from hapticplayer.sequence import editing, open_sequence, verify_sequence
 from hapticplayer.sequence.contents import contents, contents_of
+from hapticplayer.sequence.force_import import export_force
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
 from hapticplayer.sequence.unpack import unpack
@@ -261,6 +262,108 @@ def test_two_attachments_of_one_name_are_refused(sequence_folder, tmp_path):
     )
     with pytest.raises(InputError, match="two attachments of one name"):
         read_packed(twice)
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("clip.mkv", "named like another part"),
+        ("CLIP.MKV", "named like another part"),
+        ("Sequence.JSON", "named like another part"),
+        ("hapticplayer.json", "two attachments of one name|like another part"),
+        ("FORCE_random.npz", "named like another part"),
+        ("a\0b", "not a plain file name"),
+        ("a" * 300, "not a plain file name"),
+        ("..", "not a plain file name"),
+    ],
+)
+def test_a_file_in_place_of_another_part_is_refused(
+    sequence_folder, tmp_path, name, says
+):
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    made = read_attachments(tmp_path / "ride.mkv", MANIFEST)
+    evil = made[-1]._replace(name=name)
+    entry = {
+        "size_bytes": len(evil.content),
+        "sha256": hashlib.sha256(evil.content).hexdigest(),
+    }
+    made = [
+        edited(a, lambda c: c["files"].update({name: entry}))
+        if a.name == "sequence.json"
+        else a
+        for a in made
+    ]
+    made = [*signed(made), *([evil] if "\0" not in name else [])]
+    target = with_attached(sequence_folder / "clip.mp4", made, tmp_path)
+    with pytest.raises(InputError, match=says):
+        unpack(target, tmp_path / "again")
+    assert not (tmp_path / "again").exists()
+
+
+def test_a_name_with_a_zero_is_listed_and_refused(sequence_folder, tmp_path, capsys):
+    """FFmpeg cannot write such a name, but any other program can."""
+    target = tmp_path / "ride.mkv"
+    note = Attachment("note.bin", "a/b", b"x")
+    pack(sequence_folder, target, extras=[note])
+    content = target.read_bytes()
+    target.write_bytes(content.replace(b"\x88note.bin", b"\x88no\0e.bin"))
+    assert cli.main(["unpack", str(target), "--dry-run"]) == 1
+    assert "note.bin: is missing" in capsys.readouterr().err
+    pack(sequence_folder, tmp_path / "whole.mkv")
+    made = [*read_attachments(tmp_path / "whole.mkv", MANIFEST), note]
+    target = with_attached(sequence_folder / "clip.mp4", made, tmp_path)
+    content = target.read_bytes()
+    target.write_bytes(content.replace(b"note.bin", b"no\0e\x1bbin"))
+    assert cli.main(["unpack", str(target), "--dry-run"]) == 0
+    assert "no?e?bin" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", ["force_realistic.npz", "note.bin"])
+def test_the_manifest_is_compared_with_each_file(sequence_folder, tmp_path, name):
+    pack(
+        sequence_folder,
+        tmp_path / "ride.mkv",
+        extras=[Attachment("note.bin", "a/b", b"x")],
+    )
+    for change in (
+        lambda c: c["files"][name].update(sha256="0" * 64),
+        lambda c: c["files"][name].update(size_bytes=7),
+    ):
+        made = [
+            edited(a, change) if a.name == MANIFEST else a
+            for a in read_attachments(tmp_path / "ride.mkv", MANIFEST)
+        ]
+        target = with_attached(sequence_folder / "clip.mp4", made, tmp_path)
+        with pytest.raises(InputError, match=f"{name}: has changed"):
+            read_packed(target)
+        target.unlink()
+
+
+def test_a_wrong_duration_is_not_passed_on(sequence_folder, tmp_path):
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    made = [
+        edited(a, lambda c: c["clip"].update(duration_s=0.25))
+        if a.name == "sequence.json"
+        else a
+        for a in read_attachments(tmp_path / "ride.mkv", MANIFEST)
+    ]
+    target = with_attached(sequence_folder / "clip.mp4", signed(made), tmp_path)
+    duration_s = probe(target).duration_s
+    cost = export_force(target, None, tmp_path / "ride.csv", "csv")
+    assert cost["duration_s"] == pytest.approx(duration_s, abs=0.05)
+    unpack(target, tmp_path / "again")
+    assert open_sequence(tmp_path / "again").duration_s == duration_s
+
+
+@pytest.mark.parametrize("title", ["ride \udce9\udcff", "\ud800 half", "a\0b"])
+def test_a_title_that_is_not_text_is_packed(sequence_folder, tmp_path, title):
+    path = sequence_folder / "sequence.json"
+    path.write_text(json.dumps({**json.loads(path.read_text()), "title": title}))
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    packed = read_packed(tmp_path / "ride.mkv")
+    assert packed.sequence.title == title.replace("\0", "?")
+    unpack(tmp_path / "ride.mkv", tmp_path / "again")
+    assert open_sequence(tmp_path / "again").title == packed.sequence.title
 
 
 def test_damage_anywhere_gives_a_sequence_or_a_sentence(sequence_folder, tmp_path, rng):

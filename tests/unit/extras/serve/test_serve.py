@@ -79,6 +79,7 @@ def test_a_part_of_another_state_is_the_whole_file(ask, file):
     same = [first.getheader("ETag"), first.getheader("Last-Modified")]
     for tag, status in [*((one, 206) for one in same), ('"another"', 200)]:
         assert ask(Range="bytes=0-9", If_Range=tag)[0].status == status
+    assert ask(Range="bytes=0-9", If_Range=f"W/{same[0]}")[0].status == 200
     os.utime(file, (0, 0))
     assert ask(Range="bytes=0-9", If_Range=same[0])[0].status == 200
     assert ask()[0].getheader("ETag") != same[0]
@@ -134,7 +135,16 @@ def test_only_reading_is_possible(ask, file):
     assert ask(method="PUT")[0].status == 501
 
 
-@pytest.mark.parametrize("length", ["Content-Length: 40", "Transfer-Encoding: chunked"])
+@pytest.mark.parametrize(
+    "length",
+    [
+        "Content-Length: 40",
+        "Content-Length: 0\r\nContent-Length: 40",
+        "Content-Length: +40",
+        "content-length: 0, 40",
+        "Transfer-Encoding: chunked",
+    ],
+)
 def test_a_body_is_not_taken_for_the_next_request(server, length):
     path = f"/{server.token}/a%20ride.mkv"
     body = f"GET {path} HTTP/1.1\r\nHost: a\r\nA: b\r\n\r\n"
