@@ -60,6 +60,7 @@ def read(source: LogSource, choices: LogChoices) -> RawLog:
             "{file}: is not a table of numbers; choose another log", file=where
         )
     columns = _columns(choices, list(layouts.values()), where)
+    choices.take("columns")
     _ask_units(choices, {name for names in columns for name in names}, where)
     streams: dict[str, SensorStream] = {}
     notes: list[str] = []
@@ -94,7 +95,7 @@ def _read_table(
 ) -> tuple[Numbers, Floats, dict[str, Floats]]:
     """Return the numbers, the times and the sensors of one table."""
     at = {column: number for number, column in enumerate(columns) if column != _SKIP}
-    time_unit = choices.time_unit or "s"
+    time_unit = (choices.take("time_unit") if _TIME in at else "") or "s"
     integer = at[_TIME] if time_unit == "ns" and _TIME in at else None
     numbers = read_table(
         source,
@@ -243,7 +244,7 @@ def _times(
     values: Floats, place: dict[str, int], choices: LogChoices, unit: str
 ) -> Floats:
     if _TIME not in place:
-        rate_hz = choices.sample_rate_hz
+        rate_hz = choices.take_rate_hz()
         assert rate_hz is not None  # checked by _columns
         return np.arange(len(values)) / rate_hz
     with np.errstate(all="ignore"):

@@ -22,7 +22,7 @@ from hapticplayer.capture.choices import (
     factor,
 )
 from hapticplayer.capture.formats import Confidence, Reader
-from hapticplayer.capture.mounting import axes_matrix
+from hapticplayer.capture.mounting import axes_matrix, mounted
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, Samples, SensorStream, on_common_times
@@ -137,17 +137,24 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
 
 def _decided(raw: RawLog, choices: LogChoices) -> RawLog:
     """Return the log with the answers of a person in place of what it declares."""
-    accel = raw.accel
-    if choices.accel_sign == "-":
+    accel, units = raw.accel, {"accel_unit": choices.take("accel_unit")}
+    if choices.take("accel_sign") == "-":
         accel = SensorStream(accel.time_s, -accel.values)
-    return dataclasses.replace(
-        raw,
-        accel=accel,
-        accel_unit=choices.accel_unit or raw.accel_unit,
-        rate_unit=choices.rate_unit or raw.rate_unit,
-        field_unit=choices.field_unit or raw.field_unit,
-        axes=choices.axes or raw.axes,
-    )
+    if raw.rate is not None and not raw.is_gravity_free:
+        units["rate_unit"] = choices.take("rate_unit")
+    if raw.field is not None:
+        units["field_unit"] = choices.take("field_unit")
+    given = {**units, "axes": choices.take("axes")}
+    answers: dict[str, Any] = {name: text for name, text in given.items() if text}
+    return dataclasses.replace(raw, accel=accel, **answers)
+
+
+def as_answered(recording: Recording, choices: LogChoices) -> Recording:
+    """Return a recording whose format states axes and signs, with those of a person."""
+    imu = recording.imu
+    if choices.take("accel_sign") == "-":
+        imu = dataclasses.replace(imu, specific_force_mps2=-imu.specific_force_mps2)
+    return dataclasses.replace(recording, imu=mounted(imu, choices.take("axes")))
 
 
 def _common(raw: RawLog, where: str) -> Samples:

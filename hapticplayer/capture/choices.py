@@ -7,7 +7,7 @@ written once for a logger and used for all its logs.
 import dataclasses
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -45,6 +45,8 @@ TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 class LogChoices:
     """Answers about a log; "" leaves one to the format.
 
+    Whoever applies one takes it with `take`; what nobody has taken is refused in the end.
+
     Attributes:
         format: name of a format, instead of recognising it.
         columns: of a table: a name for each cell of a row: time, ax ay az, gx gy gz,
@@ -58,6 +60,7 @@ class LogChoices:
         rate_hz: samples per second, for a log without timestamps.
         sampling: "averaged" if each sample is a mean over a window around its time,
             "instant" if not.
+        taken: names of the answers that were applied.
     """
 
     format: str = ""
@@ -70,15 +73,54 @@ class LogChoices:
     accel_sign: str = ""
     rate_hz: str = ""
     sampling: str = ""
+    taken: set[str] = field(default_factory=set, init=False, repr=False, compare=False)
 
-    @property
-    def sample_rate_hz(self) -> float | None:
-        if not self.rate_hz:
-            return None
-        return SAMPLE_RATE_HZ.parse("rate-hz", self.rate_hz)
+    def take(self, name: str) -> str:
+        """The answer of that name, which is applied now; "" for none."""
+        self.taken.add(name)
+        return str(getattr(self, name))
+
+    def take_rate_hz(self) -> float | None:
+        """The samples per second of a log without timestamps, applied now."""
+        text = self.take("rate_hz")
+        return SAMPLE_RATE_HZ.parse("rate-hz", text) if text else None
+
+    def given(self) -> dict[str, str]:
+        """The answers by key, as a person types them."""
+        values = ((key, getattr(self, key.replace("-", "_"))) for key in KEYS)
+        return {key: value for key, value in values if value}
+
+    def refuse_untaken(self, form: str, where: str) -> None:
+        """Raise UsageError for an answer that no part of the reading has applied."""
+        for key, value in self.given().items():
+            if key.replace("-", "_") not in self.taken:
+                raise UsageError(
+                    "{file}: {option} {key}={value} has no effect on a log of {form}: "
+                    "{why}; leave it out",
+                    file=where,
+                    option=OPTION,
+                    key=key,
+                    value=value[:80],
+                    form=form,
+                    why=_WHY_UNTAKEN[key],
+                )
 
 
-KEYS = tuple(field.name.replace("_", "-") for field in dataclasses.fields(LogChoices))
+KEYS = tuple(
+    field.name.replace("_", "-")
+    for field in dataclasses.fields(LogChoices)
+    if field.init
+)
+_UNITS_ARE_KNOWN = Message("it holds no such samples, or states their unit")
+_WHY_UNTAKEN: Mapping[str, Message] = {
+    "format": Message("its last part names no variant of it"),
+    "columns": Message("its columns are known"),
+    "time-unit": Message("the unit of its times is known, or it has no times"),
+    "accel-unit": _UNITS_ARE_KNOWN,
+    "rate-unit": _UNITS_ARE_KNOWN,
+    "field-unit": _UNITS_ARE_KNOWN,
+    "rate-hz": Message("its samples have times, or a rate of their own"),
+}
 
 
 def factor(unit: str, table: Mapping[str, float], key: str) -> float:
@@ -165,13 +207,8 @@ def refuse_existing_template(path: Path, overwrite: bool) -> None:
 
 def write_template(path: Path, choices: LogChoices, *, overwrite: bool = False) -> None:
     """Write answers as a template."""
-    content = {
-        key.replace("_", "-"): value
-        for key, value in dataclasses.asdict(choices).items()
-        if value
-    }
     with file_written_aside(path, _is_template if overwrite else None) as part:
-        part.write_bytes(json_text(content))
+        part.write_bytes(json_text(choices.given()))
 
 
 class LogQuestion(UsageError):  # noqa: N818 - it asks

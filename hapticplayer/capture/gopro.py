@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hapticplayer.capture.assemble import Reals, clean
+from hapticplayer.capture.assemble import Reals, as_answered, clean
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.clock_lag import ClockLag, unstamped
 from hapticplayer.capture.formats import Confidence, Reader
@@ -76,7 +76,7 @@ def _is_raw(source: LogSource) -> bool:
     return source.beginning(source.names[0]).startswith(RAW_MAGIC)
 
 
-def read(source: LogSource, _choices: LogChoices) -> Recording:
+def read(source: LogSource, choices: LogChoices) -> Recording:
     """Return the motion in a video, or in a raw dump (`.gpmf`, `.bin`, `.raw`).
 
     Raises:
@@ -84,9 +84,9 @@ def read(source: LogSource, _choices: LogChoices) -> Recording:
     """
     path, where = source.path, str(source.path)
     if not _is_raw(source):
-        return read_gopro(read_telemetry_packets(path), where)
+        return as_answered(read_gopro(read_telemetry_packets(path), where), choices)
     content = read_regular(path, MAX_RAW_GPMF_BYTES, TelemetryError)
-    return read_gopro(split_raw(content), where, is_raw=True)
+    return as_answered(read_gopro(split_raw(content), where, is_raw=True), choices)
 
 
 READER = Reader(recognises, read)

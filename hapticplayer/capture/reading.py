@@ -30,28 +30,40 @@ def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording
         InputError: when it cannot be read, holds no motion, or changes meanwhile.
         UsageError: when a decision is needed.
     """
-    choices = choices or LogChoices()
+    choices = replace(choices or LogChoices())  # of which nothing is taken yet
     source = open_source(log)
     refuse_foreign(source)
     try:
-        recording = find_format(source, choices).reader().read(source, choices)
+        form = find_format(source, choices)
+        recording = form.reader().read(source, choices)
     except (MediaError, TelemetryError) as error:
         if better := why_unreadable(source):
             raise better from error
         raise
     source.refuse_changed()
-    if not choices.sampling:
+    imu, sampling = recording.imu, choices.take("sampling")
+    if sampling:
+        imu = replace(imu, sampling=Sampling(sampling))
+    choices.refuse_untaken(form.text, str(source.path))
+    answers = choices.given()
+    if not answers:
         return recording
-    sampled = replace(recording.imu, sampling=Sampling(choices.sampling))
-    return replace(recording, imu=sampled)
+    text = " ".join(f"{key}={value}" for key, value in answers.items())
+    return replace(
+        recording,
+        imu=imu,
+        notes=(*recording.notes, Message("applied as given: {answers}", answers=text)),
+        provenance={**recording.provenance, "answers": answers},
+    )
 
 
 def find_format(source: LogSource, choices: LogChoices) -> RecordingFormat:
     """Return the format of a source."""
-    if choices.format and not source.is_binary:
-        return _chosen(choices.format, source)
-    if choices.columns and not source.is_binary:
-        return formats.ANY_TABLE
+    if choices.format:
+        return _chosen(choices, source)
+    any_table = formats.ANY_TABLE
+    if choices.columns and any_table.reader().recognises(source) is not Confidence.NO:
+        return any_table
     found = [
         (one.reader().recognises(source), one) for one in formats.recording_formats()
     ]
@@ -59,9 +71,9 @@ def find_format(source: LogSource, choices: LogChoices) -> RecordingFormat:
     if best is Confidence.NO:
         raise unknown(source)
     fitting = [one for confidence, one in found if confidence is best]
-    if len(fitting) > 1 and formats.ANY_TABLE in fitting:
+    if len(fitting) > 1 and any_table in fitting:
         # the other format knows its columns, and checks them
-        fitting.remove(formats.ANY_TABLE)
+        fitting.remove(any_table)
     if len(fitting) > 1:
         raise LogQuestion(
             Message(
@@ -74,9 +86,11 @@ def find_format(source: LogSource, choices: LogChoices) -> RecordingFormat:
     return fitting[0]
 
 
-def _chosen(name: str, source: LogSource) -> RecordingFormat:
-    known = {one.name: one for one in formats.recording_formats()}
-    form = known.get(name) or known.get(name.rpartition("-")[0])
+def _chosen(choices: LogChoices, source: LogSource) -> RecordingFormat:
+    known, name = {one.name: one for one in formats.recording_formats()}, choices.format
+    if name in known:
+        choices.take("format")
+    form = known.get(name) or known.get(name.rpartition("-")[0])  # or its reader does
     form = form or entry_named(known, name, Message("format"))
     if form.reader().recognises(source) is Confidence.NO:
         raise UsageError(

@@ -12,8 +12,14 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.capture.assemble import clean
-from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.assemble import as_answered, clean
+from hapticplayer.capture.choices import (
+    ACCEL_UNITS,
+    FIELD_UNITS,
+    RATE_UNITS,
+    LogChoices,
+    factor,
+)
 from hapticplayer.capture.csv_table import (
     FIELD_COLUMNS,
     LOG_COLUMNS,
@@ -40,6 +46,13 @@ from hapticplayer.model.limits import (
 )
 from hapticplayer.storage import file_replaced
 
+_UNITS = (
+    (1, "accel_unit", ACCEL_UNITS),
+    (4, "rate_unit", RATE_UNITS),
+    (7, "field_unit", FIELD_UNITS),
+)
+"""First column, answer and units of each sensor."""
+
 
 def recognises(source: LogSource) -> Confidence:
     """The name of the time column comes first; a folder holds one such file."""
@@ -55,7 +68,7 @@ def _logs(source: LogSource) -> list[str]:
     ]
 
 
-def read(source: LogSource, _choices: LogChoices) -> Recording:
+def read(source: LogSource, choices: LogChoices) -> Recording:
     """Return the log.
 
     Empty cells, NaN and infinity are filled and marked; swapped and repeated rows are
@@ -64,6 +77,9 @@ def read(source: LogSource, _choices: LogChoices) -> Recording:
     source = source if source.is_one_file else source.alone(_logs(source)[0])
     numbers = _read_strict(source, LOG_COLUMNS, FIELD_COLUMNS)
     where, values = str(source.path), numbers.values
+    for first, unit, known in _UNITS[: len(values[0]) // 3]:
+        if given := choices.take(unit):
+            values[:, first : first + 3] *= factor(given, known, unit.replace("_", "-"))
     _check_accel(values[:, 1:4], where)
     _check_rate(values[:, 4:7], where)
     try:
@@ -73,6 +89,7 @@ def read(source: LogSource, _choices: LogChoices) -> Recording:
             values[:, 4:7],
             values[:, 7:10] if values.shape[1] == 10 else None,
             source=where,
+            is_rate_unit_known=bool(choices.rate_unit),
         )
     except InputError as error:
         raise InputError(
@@ -87,13 +104,14 @@ def read(source: LogSource, _choices: LogChoices) -> Recording:
             line = numbers.line(repair.first_row)
             note = Message("{note} (first in line {line})", note=note, line=line)
         notes.append(note)
-    return Recording(
+    recording = Recording(
         imu=imu,
         clock_map=ClockMap(confidence=0.0),
         camera=Message("CSV log"),
         notes=(*gap_notes(imu), *notes),
         provenance={"reader": Message("CSV log")},
     )
+    return as_answered(recording, choices)
 
 
 def _in_lines(message: Message, numbers: Numbers) -> Message:

@@ -191,7 +191,7 @@ def _times(
     step_s = TIME_UNITS[header.units.get("time", layout.time_unit)]
     if layout.rate_mark:
         found = re.search(layout.rate_mark, source.head(name))
-        rate_hz = choices.sample_rate_hz or (float(found[1]) if found else 0.0)
+        rate_hz = choices.take_rate_hz() or (float(found[1]) if found else 0.0)
         if not rate_hz:
             raise LogQuestion(
                 Message("does not declare its rate"),

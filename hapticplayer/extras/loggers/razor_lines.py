@@ -97,8 +97,9 @@ def _frames(rows: Floats) -> Floats:
 
 
 def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
-    rate_hz = choices.sample_rate_hz or 1.0 / FRAME_S
-    if choices.sample_rate_hz is None:
+    chosen_hz = choices.take_rate_hz()
+    rate_hz = chosen_hz or 1.0 / FRAME_S
+    if chosen_hz is None:
         notes += (
             Message("the log has no timestamps: 50 frames per second are assumed"),
         )
@@ -116,7 +117,8 @@ def _ahrs(rows: Floats, choices: LogChoices, notes: tuple[str, ...]) -> RawLog:
 
 
 def _dollar(source: LogSource, name: str, choices: LogChoices) -> RawLog:
-    if choices.sample_rate_hz is None:
+    rate_hz = choices.take_rate_hz()
+    if rate_hz is None:
         raise LogQuestion(
             Message("has no timestamps, and its firmware has no fixed rate"),
             ("rate-hz=50",),
@@ -125,7 +127,7 @@ def _dollar(source: LogSource, name: str, choices: LogChoices) -> RawLog:
     shape = Shape(9, tuple(range(6)), marks=((b"$", b""), (b"#", b"")))
     numbers = read_table(source, name, shape)
     values = numbers.values
-    time_s = np.arange(len(values)) / choices.sample_rate_hz
+    time_s = np.arange(len(values)) / rate_hz
     return RawLog(
         name=Message("Razor, raw output"),
         accel=SensorStream(time_s, values[:, 0:3]),

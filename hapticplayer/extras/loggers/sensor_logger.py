@@ -100,7 +100,8 @@ def _sensors(source: LogSource) -> dict[str, str]:
 def _metadata(source: LogSource, choices: LogChoices) -> tuple[str, bool]:
     """Return the phone's system ("" if unknown) and whether frames are standard."""
     for system in (_IOS, _ANDROID):
-        if choices.format.endswith(system):
+        if choices.format.endswith(f"-{system}"):
+            choices.take("format")
             return system, False
     name = next((n for n in source.names if source.base(n) == "metadata.csv"), None)
     if name is None:
