@@ -77,6 +77,17 @@ UPRIGHT = 0.7
 MIN_MEAN_SHARE = 0.5
 """Mean vector over mean norm; below it the sensor rotated too much to show an axis."""
 
+# --- errors of a sensor ----------------------------------------------------------
+
+MAX_ACCEL_BIAS_MPS2 = 2.5
+"""ADXL345, the worst in use: 150 mg in x and y, 250 mg in z."""
+
+ACCEL_SCALES = (0.8, 1.25)
+"""ADXL345: 230 to 282 counts per g for 256; cameras read up to 10.8 m/s2 at rest."""
+
+MAX_GYRO_BIAS_RADPS = 0.7
+"""ITG-3200: 40 deg/s; later gyros have a tenth."""
+
 # --- angular rate ----------------------------------------------------------------
 
 MAX_ANGULAR_RATE_RADPS = 100.0

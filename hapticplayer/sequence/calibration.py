@@ -15,6 +15,11 @@ from hapticplayer.model.calibration import (
     UNKNOWN_SCALE_SIGMA,
     SensorCalibration,
 )
+from hapticplayer.model.limits import (
+    ACCEL_SCALES,
+    MAX_ACCEL_BIAS_MPS2,
+    MAX_GYRO_BIAS_RADPS,
+)
 from hapticplayer.storage import FILE, IsOurs, refuse_existing
 from hapticplayer.structures import check_schema, convert, read_json
 from hapticplayer.untrusted import parse_json
@@ -22,12 +27,13 @@ from hapticplayer.untrusted import parse_json
 SCHEMA, VERSION = "hapticplayer.calibration", 1
 MAX_BYTES = 1 << 16
 _LEAST_SIGMA = 1e-9
+_OTHER_RECORDING = Message("keep the calibration of another recording")
 _REMEDY = Message("write one with `hapticplayer process LOG --save-calibration FILE`")
 
 _Text = Annotated[str, Meta(max_length=300)]
-_Radps = Annotated[float, Meta(ge=-1.0, le=1.0)]
+_Radps = Annotated[float, Meta(ge=-MAX_GYRO_BIAS_RADPS, le=MAX_GYRO_BIAS_RADPS)]
 _RadpsSigma = Annotated[float, Meta(ge=_LEAST_SIGMA, le=UNKNOWN_BIAS_SIGMA_RADPS)]
-_Mps2 = Annotated[float, Meta(ge=-5.0, le=5.0)]
+_Mps2 = Annotated[float, Meta(ge=-MAX_ACCEL_BIAS_MPS2, le=MAX_ACCEL_BIAS_MPS2)]
 _Mps2Sigma = Annotated[float, Meta(ge=_LEAST_SIGMA, le=UNKNOWN_BIAS_SIGMA_MPS2)]
 
 
@@ -39,7 +45,7 @@ class _CalibrationFile(Struct):
     gyro_bias_sigma_radps: tuple[_RadpsSigma, _RadpsSigma, _RadpsSigma]
     accelerometer_bias_mps2: tuple[_Mps2, _Mps2, _Mps2]
     accelerometer_bias_sigma_mps2: tuple[_Mps2Sigma, _Mps2Sigma, _Mps2Sigma]
-    accelerometer_scale: Annotated[float, Meta(ge=0.5, le=2.0)]
+    accelerometer_scale: Annotated[float, Meta(ge=ACCEL_SCALES[0], le=ACCEL_SCALES[1])]
     accelerometer_scale_sigma: Annotated[
         float, Meta(ge=_LEAST_SIGMA, le=UNKNOWN_SCALE_SIGMA)
     ]
@@ -95,7 +101,11 @@ class StoredCalibration:
 def write_calibration(
     path: Path, stored: StoredCalibration, *, overwrite: bool = False
 ) -> None:
-    """Write a calibration as JSON."""
+    """Write a calibration as JSON.
+
+    Raises:
+        InputError: for errors that no sensor has, so that nothing could read them.
+    """
     content = {
         "schema": SCHEMA,
         "version": VERSION,
@@ -104,6 +114,7 @@ def write_calibration(
         "created_utc": stored.created_utc,
         **dataclasses.asdict(stored.values),
     }
+    convert(content, _CalibrationFile, stored.source, InputError, _OTHER_RECORDING)
     with storage.file_written_aside(path, overwritten(overwrite)) as part:
         storage.write_json(part, content)
 

@@ -12,7 +12,10 @@ from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration, vector
 from hapticplayer.motion.smoother.block import Calibration, Smoothed, smooth
-from hapticplayer.motion.smoother.parameters import SmootherParameters
+from hapticplayer.motion.smoother.parameters import (
+    OTHER_SENSOR_SIGMAS,
+    SmootherParameters,
+)
 from hapticplayer.motion.smoother.samples import InertialSamples, with_dropouts_filled
 from hapticplayer.motion.smoother.stationary import StillBins
 from hapticplayer.motion.stillness import StillSpans, mean_rate, nearest_still_bias
@@ -107,6 +110,10 @@ def smooth_recording(
         p: settings.
         with_sigma: whether the uncertainty is wanted; it is 0 otherwise.
     """
+    if p.calibration is not None and _is_refuted(p.calibration, still, p):
+        unknown = replace(p, calibration=None)
+        done = smooth_recording(samples, still, unknown, with_sigma=with_sigma)
+        return replace(done, overruled=len(done.blocks))
     if samples.gain != 1.0:
         upright_mps2 = STANDARD_GRAVITY_MPS2 * abs(samples.gain - 1.0)
         sigma_mps2 = math.hypot(
@@ -133,6 +140,24 @@ def smooth_recording(
         whole.blocks,
         whole.overruled,
     )
+
+
+def _is_refuted(
+    known: SensorCalibration, still: StillSpans, p: SmootherParameters
+) -> bool:
+    """Whether a corrected accelerometer would not read 1 g at rest."""
+    at_rest = still.force_mps2[:, still.bins]
+    if not at_rest.size:
+        return False
+    bias, scale = np.array(known.accelerometer_bias_mps2), known.accelerometer_scale
+    corrected = (at_rest - bias[:, None]) / scale
+    norm = float(np.median(np.sqrt(np.square(corrected).sum(axis=0))))
+    sigma_mps2 = math.hypot(
+        *known.accelerometer_bias_sigma_mps2,
+        STANDARD_GRAVITY_MPS2
+        * min(known.accelerometer_scale_sigma, p.accel_scale_sigma),
+    )
+    return abs(norm - STANDARD_GRAVITY_MPS2) > OTHER_SENSOR_SIGMAS * sigma_mps2
 
 
 def _in_blocks(

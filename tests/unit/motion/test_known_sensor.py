@@ -89,6 +89,32 @@ def test_a_calibration_of_another_sensor_is_overruled():
     )
 
 
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"accelerometer_bias_mps2": (0.0, 0.0, 2.4)},
+        {"accelerometer_scale": 1.2, "accelerometer_scale_sigma": 0.005},
+    ],
+)
+def test_one_g_at_rest_overrules_a_calibration(wrong):
+    log, _ = ride("handheld-brisk")
+    count = round(5.0 * log.rate_hz)
+    at_rest = ImuLog(
+        np.arange(count) / log.rate_hz,
+        np.tile([0.0, 0.0, STANDARD_GRAVITY_MPS2], (count, 1)),
+        np.tile(GYRO_BIAS_RADPS, (count, 1)),
+    )
+    known = SensorCalibration(**{"accelerometer_bias_sigma_mps2": (0.05,) * 3, **wrong})
+    given = SmootherParameters(calibration=known.for_another_recording())
+    found, plain = analyse(at_rest, parameters=given), analyse(at_rest)
+    assert found.summary["calibration_overruled"] == 1
+    assert (found.track.gravity_mps2 == plain.track.gravity_mps2).all()
+    right = SmootherParameters(
+        calibration=SensorCalibration(accelerometer_bias_sigma_mps2=(0.05,) * 3)
+    )
+    assert not analyse(at_rest, parameters=right).summary["calibration_overruled"]
+
+
 @pytest.mark.parametrize("still_s", [2.0, 4.0])
 def test_stillness_in_one_block_calibrates_the_others(still_s):
     """From 3 s on; a shorter span may be a slow turn."""

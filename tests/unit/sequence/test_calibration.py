@@ -57,7 +57,10 @@ def test_only_a_calibration_is_overwritten(kept, tmp_path):
             r"gyro_bias_radps\[1\]: must be a number",
         ),
         ("gyro_bias_radps", [0.0, "0", 0.0], "must be a number, not a text"),
-        ("gyro_bias_radps", [0.0, 1e300, 0.0], "must be at most 1"),
+        ("gyro_bias_radps", [0.0, 1e300, 0.0], "must be at most 0.7"),
+        ("accelerometer_bias_mps2", [0.0, 0.0, 5.0], "must be at most 2.5"),
+        ("accelerometer_bias_mps2", [-5.0, 0.0, 0.0], "must be at least -2.5"),
+        ("accelerometer_scale", 2.0, "must be at most 1.25"),
         ("gyro_bias_sigma_radps", [0.1, 0.0, 0.1], "must be at least 1e-09"),
         ("accelerometer_bias_mps2", {}, "must be a list"),
         ("accelerometer_scale", [1.0], "must be a number, not a list"),
@@ -71,6 +74,14 @@ def test_anything_else_is_refused_with_a_sentence(kept, name, value, says):
     kept.write_text(json.dumps(content))
     with pytest.raises(InputError, match=says):
         read_calibration(kept)
+
+
+def test_errors_that_no_sensor_has_are_not_kept(tmp_path):
+    values = dataclasses.replace(STORED.values, accelerometer_bias_mps2=(0.0, 0.0, 5.0))
+    wild = dataclasses.replace(STORED, values=values)
+    with pytest.raises(InputError, match="keep the calibration of another recording"):
+        write_calibration(tmp_path / "sensor.json", wild)
+    assert not (tmp_path / "sensor.json").exists()
 
 
 @pytest.mark.parametrize(
