@@ -7,6 +7,7 @@ from benchmarks.common import command
 PLACES = {
     "faults": "robustness.faults",
     "nuisance": "robustness.nuisance",
+    "real_files": "robustness.real_files",
     "eviction": "robustness.eviction",
     "media": "campaigns:media",
     "importers": "campaigns:importers",

@@ -1,0 +1,451 @@
+"""Files and services as people have them: what the program says, beside the right value.
+
+Each row is a command of the program as a person types it, with a file of another program
+or one that was changed on purpose. Right is a value that another witness gave (the one
+that made the file, or other software), or a refusal that names the cause and a remedy.
+With `--quick` without the rows that play in real time.
+"""
+
+import argparse
+import csv
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from benchmarks.common import DATA, ROOT, Report
+
+CASES = DATA / "cases"
+CLIP = CASES / "intiface" / "clip.mp4"
+TABLE = ("accel-unit=g", "rate-unit=rad/s", "time-unit=s")
+SIX = "columns=time,ax,ay,az,gx,gy,gz"
+AT_REST_MPS2, RATE_HZ = 9.80665, 50.0
+
+
+class Ran(NamedTuple):
+    """A command that has ended."""
+
+    status: int
+    out: str
+    said: str
+
+    @property
+    def short(self) -> str:
+        """Status and the last sentence, for a cell of a table."""
+        lines = (self.said or self.out).strip().splitlines() or ["nothing said"]
+        return f"{self.status}: {lines[-1].removeprefix('hapticplayer: ')[:150]}"
+
+
+class Found(NamedTuple):
+    """What was got, and whether it is right."""
+
+    got: str
+    is_right: bool
+
+
+class Row(NamedTuple):
+    """An input with its right answer."""
+
+    case: str
+    what: str
+    right: str
+    run: Callable[[Path], Found]
+    plays: bool = False
+
+
+def hapticplayer(*arguments: object, limit_s: float = 120.0) -> Ran:
+    """A command of the program, as a person runs it without answering questions."""
+    command = [sys.executable, "-m", "app", *map(str, arguments)]
+    done = subprocess.run(
+        command,
+        cwd=ROOT,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        encoding="utf-8",
+        errors="replace",
+        timeout=limit_s,
+        check=False,
+    )
+    return Ran(done.returncode, done.stdout, done.stderr)
+
+
+def read_as(*answers: str) -> list[str]:
+    return [word for answer in answers for word in ("--read-as", answer)]
+
+
+def says(ran: Ran, *words: str, status: tuple[int, ...] = (1, 2)) -> Found:
+    """Whether a command ended with a status and a sentence in which words stand."""
+    text = re.sub(r"\S*/\S+", "", ran.out + ran.said).lower()  # no names of files
+    is_right = ran.status in status and all(re.search(w, text) for w in words)
+    return Found(ran.short, is_right and "traceback" not in text)
+
+
+# --- logs --------------------------------------------------------------------------
+
+
+def log_as(path: Path, *answers: str, rms: tuple[float, ...] = (1.07,)) -> Found:
+    """Whether a log is read at 50 Hz, with its RMS of motion within 3 %."""
+    ran = hapticplayer("process", path, "--json", *read_as(*answers))
+    if ran.status:
+        return Found(ran.short, is_right=False)
+    report = json.loads(ran.out)
+    motion, rate_hz = report["motion"], report["recording"]["rate_hz"]
+    got = motion["rms_per_axis_mps2"] if len(rms) == 3 else [motion["rms_mps2"]]
+    is_right = np.allclose(got, rms, rtol=0.03) and abs(rate_hz - RATE_HZ) < 0.5
+    shown = ", ".join(f"{one:.2f}" for one in got)
+    return Found(f"RMS {shown} m/s2 at {rate_hz:.1f} Hz", bool(is_right))
+
+
+def imported(folder: Path, clip: Path, *more: object) -> tuple[Ran, Path]:
+    target = folder / "s"
+    shutil.rmtree(target, ignore_errors=True)
+    return hapticplayer("import", clip, "-o", target, *more), target
+
+
+def burst(clip: Path, flash_s: float) -> Callable[[Path], Found]:
+    """The burst of a whole or cut clip is at its flash, or the clip is doubted."""
+
+    def run(folder: Path) -> Found:
+        ran, target = imported(folder, clip)
+        if ran.status:
+            return says(ran, "telemetry|motion|clock|frames|offset")
+        with np.load(target / "motion.npz") as motion:
+            time_s, motion_mps2 = motion["time_s"], motion["acceleration_mps2"]
+        size = np.linalg.norm(motion_mps2, axis=1)
+        strong_s = time_s[size > 0.5 * size.max()]
+        found_s = float(strong_s[0])
+        is_right = abs(found_s - flash_s) < 0.05
+        return Found(f"burst begins at {found_s:.3f} s", is_right)
+
+    return run
+
+
+def upwards(folder: Path) -> Found:
+    """A log with Apple's sign: the remedy that is named leads to the right motion."""
+    path = CASES / "accel-sign" / "ios.csv"
+    more = ("--imu", path, "--offset", 0)
+    asked, _ = imported(folder, CLIP, *more)
+    if not says(asked, "accel-sign=-").is_right:
+        return Found(asked.short, is_right=False)
+    ran, target = imported(folder, CLIP, *more, *read_as("accel-sign=-"))
+    if ran.status:
+        return Found(ran.short, is_right=False)
+    table = np.loadtxt(path, delimiter=",", skiprows=1)
+    with np.load(target / "motion.npz") as motion:
+        got = motion["acceleration_mps2"]
+    stored = -np.interp(motion_time(target), table[:, 0], table[:, 2])
+    alike = float(np.corrcoef(got[:, 1], stored)[0, 1])
+    return Found(f"asked; then y like the log's with r = {alike:+.2f}", alike > 0.9)
+
+
+def motion_time(target: Path) -> Any:
+    with np.load(target / "motion.npz") as motion:
+        return motion["time_s"]
+
+
+def frozen(name: str) -> Callable[[Path], Found]:
+    """400 of 1200 rows repeat: asked about, or not valid there."""
+
+    def run(folder: Path) -> Found:
+        log = CASES / "frozen-sensor" / f"{name}.csv"
+        ran, target = imported(folder, CLIP, "--imu", log, "--offset", 0)
+        if ran.status:
+            return says(
+                ran, "12(\\.\\d+)?", "(19|20)(\\.\\d+)?|33", "same|repeat|stuck"
+            )
+        with np.load(target / "motion.npz") as motion:
+            time_s, is_valid = motion["time_s"], motion["valid"]
+        inside = (time_s > 12.1) & (time_s < 19.9)
+        share = float(np.mean(~is_valid[inside])) if inside.any() else 0.0
+        return Found(f"{share:.0%} of the span not valid, nothing asked", share > 0.99)
+
+    return run
+
+
+def _logs() -> list[Row]:
+    cases = CASES
+    read = "RMS 1.07 m/s2 at 50 Hz"
+    rows = [
+        Row("accel-sign", "import --imu ios.csv", "asks for accel-sign=-", upwards),
+        Row(
+            "gcsv-swapped",
+            "swapped.gcsv",
+            "refused: the columns are swapped",
+            lambda folder: says(
+                imported(
+                    folder, CLIP, "--imu", cases / "gcsv-swapped/swapped.gcsv",
+                    "--offset", 0,
+                )[0],
+                "swapped",
+            ),
+        ),
+        Row(
+            "si-csv-answers",
+            "phone.csv axes=y,-x,z",
+            "RMS 0.77, 0.56, 0.49, or refused",
+            lambda _: log_as(
+                cases / "si-csv-answers/phone.csv", "axes=y,-x,z", rms=(0.77, 0.56, 0.49)
+            ),
+        ),
+    ]  # fmt: skip
+    rows += [
+        Row(
+            "frozen-sensor",
+            f"{name}.csv",
+            "12 to 20 s: asked, or not valid",
+            frozen(name),
+        )
+        for name in ("both_frozen", "gyro_frozen")
+    ]
+    rows += [
+        Row("gcsv-header", path.name, read, lambda _, path=path: log_as(path))
+        for path in sorted((cases / "gcsv-header").glob("*.gcsv"))
+    ]
+    spelt = sorted(
+        p
+        for p in (cases / "number-spellings").iterdir()
+        if p.suffix in (".csv", ".txt")
+    )
+    rows += [
+        Row(
+            "number-spellings",
+            path.name,
+            f"{read}, or the cause and a remedy",
+            lambda _, path=path: _read_or_named(path, SIX, *TABLE),
+        )
+        for path in spelt
+    ]
+    iphone = (
+        "columns=-,time,ax,ay,az,gx,gy,gz,-", "accel-sign=-", *TABLE,
+    )  # fmt: skip
+    gopro = "columns=time,-,az,ax,ay,-/time,-,gz,gx,gy,-"
+    text = cases / "text-columns"
+    rows += [
+        Row("text-columns", "sensorlog_ios.csv", read,
+            lambda _: log_as(text / "sensorlog_ios.csv", *iphone)),
+        Row("text-columns", "gopro_ACCL.csv + gopro_GYRO.csv", read,
+            lambda folder: _two_files(folder, (text / "gopro_ACCL.csv", text / "gopro_GYRO.csv"),
+                gopro, "time-unit=ms", "accel-unit=m/s2", "rate-unit=rad/s")),
+        Row("text-columns", "metawear_acc.csv + metawear_gyro.csv", read,
+            lambda folder: _two_files(folder, (text / "metawear_acc.csv", text / "metawear_gyro.csv"),
+                "columns=-,-,time,ax,ay,az/-,-,time,gx,gy,gz", "time-unit=s", "accel-unit=g",
+                "rate-unit=deg/s")),
+        Row("text-columns", "witmotion.txt", f"{read}, or the text column is named",
+            lambda _: _read_or_named(text / "witmotion.txt",
+                "columns=time,-,ax,ay,az,gx,gy,gz", "accel-unit=g", "rate-unit=deg/s")),
+        Row("text-columns", "blackbox_decode.csv", "the remedy leads to a file that is read",
+            lambda _: _read_or_named(text / "blackbox_decode.csv")),
+        Row("text-columns", "blackbox_explorer.csv", "read, or the cause and a remedy",
+            lambda _: _read_or_named(text / "blackbox_explorer.csv")),
+    ]  # fmt: skip
+    return rows
+
+
+def _two_files(folder: Path, files: tuple[Path, ...], *answers: str) -> Found:
+    both = folder / "both"
+    both.mkdir(exist_ok=True)
+    for old in both.iterdir():
+        old.unlink()
+    for path in files:
+        shutil.copy(path, both)
+    return log_as(both, *answers)
+
+
+def _read_or_named(path: Path, *answers: str) -> Found:
+    """Whether a log is read rightly, or a sentence names a column and a remedy."""
+    found = log_as(path, *answers)
+    ran = hapticplayer("process", path, *read_as(*answers))
+    if found.is_right or not ran.status:
+        return found
+    return says(ran, "line \\d|column|row \\d", "--read-as")
+
+
+# --- clips -------------------------------------------------------------------------
+
+
+def _clips() -> list[Row]:
+    other, cut = CASES / "other-camera", CASES / "gopro-cut"
+    flashes = {"whole": 6.0, "cut_input_seek": 3.7, "cut_lossless": 3.7}
+    rows = [
+        Row("gopro-cut", f"{name}.mp4", f"burst at {at_s} s, or doubted",
+            burst(cut / f"{name}.mp4", at_s))
+        for name, at_s in flashes.items()
+    ]  # fmt: skip
+    makers = {"camm.mp4": "camm", "insta.insv": "insta360", "rtmd.mp4": "sony"}
+    rows += [
+        Row("other-camera", name, f"names {maker} and what reads it",
+            lambda folder, name=name, maker=maker: says(
+                imported(folder, other / name)[0], maker))
+        for name, maker in makers.items()
+    ]  # fmt: skip
+    rows += [
+        Row("mpeg-ts", "play camcorder.mts", "plays, or names the remux command",
+            lambda _: _plays_or(CASES / "mpeg-ts/camcorder.mts", "remux|-c copy"), plays=True),
+        Row("vfr-called-damaged", "play lowlight_30_to_20.mp4", "says nothing of damage",
+            lambda _: _plays_or(CASES / "vfr-called-damaged/lowlight_30_to_20.mp4"), plays=True),
+    ]  # fmt: skip
+    return rows
+
+
+def _plays_or(clip: Path, *words: str) -> Found:
+    ran = hapticplayer("play", clip, "--headless", "--mute")
+    if ran.status:
+        return says(ran, *words) if words else Found(ran.short, is_right=False)
+    return Found(ran.short, "damaged" not in ran.said)
+
+
+# --- forces ------------------------------------------------------------------------
+
+
+def _forces() -> list[Row]:
+    folder = CASES / "funscript-axes"
+    rows = [
+        Row("funscript-axes", path.name, "0 N where it says off, or refused",
+            lambda into, path=path: _off(into, path))
+        for path in sorted(folder.glob("clip.*.funscript"))
+    ]  # fmt: skip
+    rows += [
+        Row("funscript-axes", "negative_at.funscript", "0.69 N at 0 ms",
+            lambda into: _begins(into, folder / "negative_at.funscript", 0.69)),
+    ]  # fmt: skip
+    return rows
+
+
+def _converted(into: Path, path: Path) -> tuple[Ran, Any]:
+    target = into / "force.csv"
+    target.unlink(missing_ok=True)
+    ran = hapticplayer("convert", path, target)
+    return ran, None if ran.status else np.loadtxt(target, delimiter=",", skiprows=1)
+
+
+def _off(into: Path, path: Path) -> Found:
+    ran, table = _converted(into, path)
+    if table is None:
+        return says(ran, "strength|axis|vib|suck|valve|lube")
+    largest_n = float(np.abs(table[table[:, 0] < 0.9, 1:]).max())
+    return Found(f"{largest_n:.2f} N while off", largest_n == 0.0)
+
+
+def _begins(into: Path, path: Path, size_n: float) -> Found:
+    ran, table = _converted(into, path)
+    if table is None:
+        return Found(ran.short, is_right=False)
+    got_n = float(np.linalg.norm(table[0, 1:]))
+    return Found(f"{got_n:.2f} N at {table[0, 0]:.3f} s", abs(got_n - size_n) < 0.02)
+
+
+# --- study and devices -------------------------------------------------------------
+
+
+def _services() -> list[Row]:
+    rows = [
+        Row("xdf-header", "study export --format xdf", "uid, created_at, session_id, hostname", _xdf),
+        Row("texts-csv", "study export --format csv", "no cell is a formula", _texts),
+    ]  # fmt: skip
+    rows += [
+        Row("intiface", f"gap of {gap_ms} ms", f"about {6000 // gap_ms} commands, or said",
+            lambda folder, gap_ms=gap_ms: _intiface(folder, gap_ms), plays=True)
+        for gap_ms in (40, 70, 100)
+    ]  # fmt: skip
+    return rows
+
+
+def _study(folder: Path, form: str) -> tuple[Ran, Path]:
+    study, out = folder / "study", folder / form
+    shutil.rmtree(out, ignore_errors=True)
+    if not study.exists():
+        made = hapticplayer("study", "simulate", study, "--participants", 2)
+        if made.status:
+            return made, out
+    return hapticplayer("study", "export", study, "-o", out, "--format", form), out
+
+
+def _xdf(folder: Path) -> Found:
+    ran, out = _study(folder, "xdf")
+    if ran.status:
+        return Found(ran.short, is_right=False)
+    missing = set()
+    for path in out.rglob("*.xdf"):
+        for header in re.findall(
+            rb"<info>(?:(?!</info>).)*<name>.*?</info>", path.read_bytes(), re.DOTALL
+        ):
+            wanted = (b"uid", b"created_at", b"session_id", b"hostname")
+            missing |= {
+                name.decode() for name in wanted if b"<%b>" % name not in header
+            }
+    got = f"missing: {', '.join(sorted(missing)) or 'nothing'}"
+    return Found(got, not missing and any(out.rglob("*.xdf")))
+
+
+def _texts(folder: Path) -> Found:
+    ran, out = _study(folder, "csv")
+    if ran.status:
+        return Found(ran.short, is_right=False)
+    cells = [
+        cell
+        for path in out.rglob("*.csv")
+        for row in csv.reader(path.open(encoding="utf-8-sig", newline=""))
+        for cell in row
+    ]
+    formulas = [c for c in cells if re.match(r"[=+@\t\r]|-(?![\d.])", c)]
+    return Found(
+        f"{len(cells)} cells, {len(formulas)} formulas", cells != [] and not formulas
+    )
+
+
+def _intiface(folder: Path, gap_ms: int) -> Found:
+    port, log = 12000 + gap_ms, folder / f"toy{gap_ms}"
+    fake = [CASES / "intiface" / "fake_intiface.py", "ok", "4", port, log, gap_ms]
+    with subprocess.Popen([sys.executable, *map(str, fake)], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL) as service:  # fmt: skip
+        ran = hapticplayer(
+            "play", CLIP, "--force", CASES / "intiface" / "vib.csv", "--headless", "--mute",
+            "--duration", 6, "--device", f"buttplug:127.0.0.1:{port}",
+        )  # fmt: skip
+        service.terminate()
+    text = log.read_text(encoding="utf-8") if log.exists() else ""
+    count = len(re.findall("OutputCmd|ScalarCmd|LinearCmd|VibrateCmd", text))
+    expected = 6000 / gap_ms
+    is_right = 0.8 * expected <= count <= 1.2 * expected and not ran.status
+    is_said = ran.status == 1 and "gap" in ran.said
+    return Found(f"{ran.status}: {count} commands", is_right or is_said)
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--only", default="", help="rows whose case contains this")
+
+
+def run(options: argparse.Namespace, report: Report) -> None:
+    """Run all rows; none may be wrong."""
+    if not CASES.exists():
+        sys.exit(f"the cases are not here: {CASES.name}")
+    rows = [*_logs(), *_clips(), *_forces(), *_services()]
+    rows = [row for row in rows if options.only in row.case]
+    rows = [row for row in rows if not (options.quick and row.plays)]
+    found = []
+    with tempfile.TemporaryDirectory(prefix="hp-real-") as folder:
+        for row in rows:
+            got = row.run(Path(folder))
+            found.append((row, got))
+    report.figures["rows"] = [
+        {"case": row.case, "input": row.what, "right": row.right, "got": got.got,
+         "is_right": got.is_right}
+        for row, got in found
+    ]  # fmt: skip
+    report.table(
+        "files and services as people have them",
+        ("case", "input", "right", "got", ""),
+        [
+            (r.case, r.what, r.right, g.got, "" if g.is_right else "WRONG")
+            for r, g in found
+        ],
+    )
+    wrong = sum(not got.is_right for _, got in found)
+    report.target(f"wrong, of {len(found)}", wrong, ("<=", 0))
