@@ -21,6 +21,9 @@ from hapticplayer.errors import InputError, Message, joined, message_of
 from hapticplayer.untrusted import PathLike, parse_json, read_regular
 
 MAX_JSON_BYTES = 4 << 20
+MAX_COMMAS, MAX_BRACKETS = 3_000_000, 1_000_000
+"""So many values and lists fit into 400 MB once they are read."""
+
 MAX_TEXT = 20_000
 KEY = "^[a-z0-9_-]{1,40}$"
 FILLED = r"\S"
@@ -93,10 +96,14 @@ def decode(
     where: str,
     error: type[InputError] = InputError,
     remedy: str = "",
+    most_bytes: int = MAX_JSON_BYTES,
 ) -> Kind:
     """JSON as a typed structure; see `convert`."""
-    if len(content) > MAX_JSON_BYTES:
+    if len(content) > most_bytes:
         raise error(Message("is too large"), where=where, remedy=remedy)
+    brackets = max(content.count(b"{"), content.count(b"["))
+    if brackets > MAX_BRACKETS or content.count(b",") > MAX_COMMAS:
+        raise error(Message("holds too many values"), where=where, remedy=remedy)
     value = parse_json(content, where, error, remedy or _CORRECT)
     return convert(value, kind, where, error, remedy)
 
@@ -110,7 +117,7 @@ def read_json(
 ) -> Kind:
     """The content of a JSON file as a typed structure; see `convert`."""
     content = read_regular(path, most_bytes, error, remedy)
-    return decode(content, kind, str(path), error, remedy)
+    return decode(content, kind, str(path), error, remedy, most_bytes)
 
 
 def check_schema(

@@ -86,6 +86,13 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         help="of the spring whose set-point a funscript moves "
         f"(default: {_READ.stiffness_n_per_m:g})",
     )
+    command.add_argument(
+        "--other-is",
+        choices=("force", "vibration"),
+        default=_READ.other_is,
+        help="what an hjif perception is whose modality is Other, as the published "
+        "encoder writes it (default: not read)",
+    )
 
 
 def write_choices(options: argparse.Namespace) -> WriteChoices:
@@ -99,7 +106,12 @@ def write_choices(options: argparse.Namespace) -> WriteChoices:
 
 
 def read_choices(options: argparse.Namespace) -> ReadChoices:
-    return ReadChoices(options.full_scale, options.direction, options.stiffness)
+    return ReadChoices(
+        full_scale_n=options.full_scale,
+        direction=options.direction,
+        stiffness_n_per_m=options.stiffness,
+        other_is=options.other_is,
+    )
 
 
 def direction(text: str) -> tuple[float, float, float]:

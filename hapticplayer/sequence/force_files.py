@@ -56,12 +56,14 @@ class ReadChoices:
         direction: unit vector in frame D of what has no direction.
         stiffness_n_per_m: of the spring whose set-point a position script moves.
         until_s: later force is not wanted, and may be left out.
+        other_is: what an hjif perception `Other` is: force, vibration, or unknown.
     """
 
     full_scale_n: float = 1.0
     direction: Direction = UP
     stiffness_n_per_m: float = 40.0
     until_s: float = math.inf
+    other_is: str = ""
 
 
 class ForceFile(NamedTuple):

@@ -3,19 +3,22 @@
 Written is the excursion that a normal hand would make, as lines within one step; 50 is the
 centre, 0 and 100 the edge of the workspace. Read is the set-point of a centring spring: the force is that of
 the spring on a hand at the centre, stiffness times set-point. A file holds no newtons.
-Axes: L0 up, L1 (surge) forward, L2 (sway) to the left; others are not read.
+Axes: L0 up, L1 (surge) forward, L2 (sway) to the left; others are not read. Version 1.0 is
+a file for each axis, `ride.surge.funscript` beside `ride.funscript`.
 """
 
 import json
 from pathlib import Path
-from typing import BinaryIO
+from typing import Annotated, BinaryIO
 
 import numpy as np
+from msgspec import Meta, Struct
 
 from hapticplayer import __version__
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import InputError, Message
-from hapticplayer.extras.formats.json_fields import Fields, read_crowd
+from hapticplayer.extras.formats.hjif_file import MAX_BYTES, Number
+from hapticplayer.extras.formats.hjif_signals import BEFORE_ZERO, from_zero
 from hapticplayer.extras.formats.thinning import Polyline, thin
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.model import ForceTrack
@@ -31,6 +34,7 @@ from hapticplayer.sequence.force_files import (
     origin,
 )
 from hapticplayer.sequence.milliseconds import Ticks, end_ms
+from hapticplayer.structures import read_json
 from hapticplayer.untrusted import ANOTHER
 
 REACH_M = limits_of(FALCON).workspace_m
@@ -40,9 +44,41 @@ MAX_ACTIONS = 900_000
 _AT_ONCE = 1 << 14  # actions in memory as text
 _AXES = {"L0": (1, 1.0), "L1": (2, -1.0), "L2": (0, -1.0)}
 _CHANNELS = {"stroke": "L0", "surge": "L1", "sway": "L2"}
-_SUFFIXES = {".surge": "L1", ".sway": "L2"}
-_OTHER_SUFFIXES = (".twist", ".roll", ".pitch")
+_PARTS = {"": "L0", ".surge": "L1", ".sway": "L2"}
+"""What stands before the suffix of a file of version 1.0, and its axis."""
+
+_NAMED = {
+    **dict.fromkeys(("l0", "stroke", "up"), "L0"),
+    **dict.fromkeys(("l1", "surge", "forward"), "L1"),
+    **dict.fromkeys(("l2", "sway", "left"), "L2"),
+}
+_ROTATIONS = ("r0", "twist", "yaw", "r1", "roll", "r2", "pitch")
+_STRENGTHS = (
+    *("v0", "vib", "vibe", "vibrate", "vibration", "v1", "pump", "vib1", "vib2"),
+    *("a0", "valve", "a1", "suck", "suction", "a2", "lube", "squeeze", "oscillate"),
+    *("alpha", "beta", "volume", "frequency", "pulse_frequency", "pulse_width"),
+)
+"""As MultiFunPlayer and its neighbours name files; 0 is off, not the lowest place."""
+
+_USUAL_RANGES = (90.0, 100.0)
 _MARK = b"written by hapticplayer"
+
+
+class _Action(Struct, gc=False):
+    at: Annotated[float, Meta(ge=-1000.0 * MAX_SECONDS, le=1000.0 * MAX_SECONDS)]
+    pos: Number
+
+
+class _Axis(Struct):
+    actions: list[_Action] = []
+    inverted: bool = False
+    id: str = ""
+
+
+class _Script(_Axis):
+    range: Number = 100.0
+    axes: list[_Axis] = []
+    channels: dict[str, _Axis] = {}
 
 
 def is_ours(head: bytes) -> bool:
@@ -80,66 +116,97 @@ def no_newtons(_track: ForceTrack, _path: Path, _choices: WriteChoices) -> Loss:
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
     """Return the spring's force on a hand at the centre."""
-    root = Fields.of(read_crowd(path), str(path))
-    stem = path.name.lower().removesuffix(".funscript")
-    if stem.endswith(_OTHER_SUFFIXES):
-        raise InputError(
-            "holds rotations, which are not read", where=str(path), remedy=ANOTHER
+    main = _axis_of(path)
+    assumed = [
+        Message(
+            "positions were taken as the set-point of a spring of {stiffness:.3g} N/m, "
+            "with the hand at the centre",
+            stiffness=choices.stiffness_n_per_m,
         )
-    main = next((one for end, one in _SUFFIXES.items() if stem.endswith(end)), "L0")
-    lists = {main: root}
-    unread: list[str] = []
-    for axis in root.objects("axes"):
-        lists[axis.text("id")] = axis
-    channels = root.values.get("channels", {})
-    for name, value in Fields.of(channels, f"{path}, channels").values.items():
-        one = Fields.of(value, f"{path}, channels, {name[:40]}")
-        lists[_CHANNELS.get(name, name)] = one
-    curves = []
-    for name, one in lists.items():
+    ]
+    script = _script(path)
+    unread = [] if script.range in _USUAL_RANGES else [_range_note(script)]
+    if script.range == min(_USUAL_RANGES):
+        assumed.append(_range_note(script))
+    found: list[tuple[str, _Axis]] = [(main, script)]
+    found += [(axis.id, axis) for axis in script.axes]
+    found += [(_NAMED.get(k.lower(), k), axis) for k, axis in script.channels.items()]
+    for beside in _files_beside(path):
+        found.append((_axis_of(beside), _script(beside)))
+        assumed.append(Message("{name} beside it was read, too", name=beside.name))
+    axes: dict[str, tuple[Floats, Floats]] = {}
+    for name, one in found:
         if name not in _AXES:
-            unread.append(name[:20])
-        elif one.items("actions"):
-            curves.append((*_AXES[name], *_positions(one)))
-    if not curves:
+            unread.append(
+                Message("not read: {what} ({count})", what=name[:20], count=1)
+            )
+        elif one.actions:
+            curve = _positions(one)
+            same = axes.setdefault(name, curve)
+            if not all(map(np.array_equal, same, curve)):
+                said = Message("{axis} is there twice; the first was read", axis=name)
+                unread.append(said)
+    if not axes:
         raise InputError("holds no positions", where=str(path), remedy=ANOTHER)
-    time_s = np.unique(np.concatenate([curve[2] for curve in curves]))
+    time_s = np.unique(np.concatenate([at_s for at_s, _ in axes.values()]))
     force_n = np.zeros((len(time_s), 3))
-    for column, sign, at_s, place in curves:
+    for name, (at_s, place) in axes.items():
+        column, sign = _AXES[name]
         shift_m = sign * REACH_M * (np.interp(time_s, at_s, place) - 50.0) / 50.0
         force_n[:, column] = choices.stiffness_n_per_m * shift_m
-    stiffness = Message(
-        "positions were taken as the set-point of a spring of {stiffness:.3g} N/m, with "
-        "the hand at the centre",
-        stiffness=choices.stiffness_n_per_m,
-    )
-    notes = tuple(
-        Message("not read: {what} ({count})", what=n, count=1) for n in unread
-    )
+    if time_s[0] < 0.0:
+        unread.append(BEFORE_ZERO)
+    time_s, force_n = from_zero(time_s, force_n, str(path))
     track = ForceTrack(
         time_s,
         force_n.astype(np.float32),
         provenance={"source": path.name, "reader": "funscript set-point"},
     )
-    return ForceFile(track, (stiffness,), notes)
+    return ForceFile(track, tuple(assumed), tuple(unread))
 
 
-def _positions(one: Fields) -> tuple[Floats, Floats]:
-    """Return times (n,) s, increasing, and positions (n,) 0 to 100."""
-    rows = np.array(
-        [
-            (action.number("at", most=1000.0 * MAX_SECONDS), action.number("pos"))
-            for action in one.objects("actions")
-        ]
+def _script(path: Path) -> _Script:
+    return read_json(path, _Script, InputError, ANOTHER, MAX_BYTES)
+
+
+def _range_note(script: _Script) -> Message:
+    return Message(
+        "the range of {range:g} % was not applied: 0 to 100 is the whole way",
+        range=script.range,
     )
-    rows = rows[rows[:, 0] >= 0.0]
-    if not len(rows):
-        raise InputError("holds no positions", where=one.where, remedy=ANOTHER)
+
+
+def _axis_of(path: Path) -> str:
+    """The axis that the name of a file says; up where it says none."""
+    name, _, part = path.name.lower().removesuffix(".funscript").rpartition(".")
+    if not name:
+        return "L0"
+    if part in _ROTATIONS or part in _STRENGTHS:
+        what = Message("rotations") if part in _ROTATIONS else Message("strengths")
+        raise InputError(
+            "holds {what} (.{part}), which are not read",
+            where=str(path),
+            remedy=ANOTHER,
+            what=what,
+            part=part,
+        )
+    return _NAMED.get(part, "L0")
+
+
+def _files_beside(path: Path) -> list[Path]:
+    """The other axes of a script that is named without one."""
+    if _axis_of(path) != "L0":
+        return []
+    names = [f"{path.stem}{part}{path.suffix}" for part in _PARTS if part]
+    return [one for one in map(path.with_name, names) if one.is_file()]
+
+
+def _positions(one: _Axis) -> tuple[Floats, Floats]:
+    """Return times (n,) s, increasing, and positions (n,) 0 to 100."""
+    rows = np.array([(action.at, action.pos) for action in one.actions])
     at_ms, first = np.unique(rows[:, 0], return_index=True)
     place = np.clip(rows[first, 1], 0.0, 100.0)
-    return at_ms / 1000.0, 100.0 - place if one.values.get(
-        "inverted"
-    ) is True else place
+    return at_ms / 1000.0, 100.0 - place if one.inverted else place
 
 
 def _actions(time_s: Floats, shift: Floats) -> Polyline:

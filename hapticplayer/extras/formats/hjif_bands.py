@@ -7,17 +7,21 @@ limited before they are made.
 from collections import Counter
 
 import numpy as np
+from msgspec.structs import replace
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.formats import hjif_signals as signals
+from hapticplayer.extras.formats.hjif_file import EffectEntry, HjifBand
 from hapticplayer.extras.formats.hjif_signals import EffectCurve, HjifEffect, Keyframes
 from hapticplayer.extras.formats.hjif_wavelet import block_height
-from hapticplayer.extras.formats.json_fields import Fields
 from hapticplayer.sequence.force_files import MAX_SECONDS
 from hapticplayer.untrusted import ANOTHER
 
 MAX_SAMPLES = 3_000_000
 """Milliseconds of waves in a file: 50 min."""
+
+_AS_LINES = ("Bezier", "Bspline")
+_UNKNOWN = ("Unknown", "")
 
 
 class Bands:
@@ -27,85 +31,89 @@ class Bands:
         timescale: ticks in a second.
 
     Attributes:
+        where: the channel that is read, for errors.
         assumed: what a file does not say.
         unread: how often each thing was not understood.
-
-    Raises:
-        InputError: for a time scale below 1.
     """
 
     def __init__(self, timescale: float) -> None:
-        if not timescale >= 1.0:
-            raise InputError("timescale must be 1 or more", remedy=ANOTHER)
+        self.where = ""
         self.assumed: list[Message] = []
         self.unread: Counter[str] = Counter()
         self._timescale, self._left = timescale, MAX_SAMPLES
 
-    def shape(self, band: Fields, library: dict[int, Fields]) -> EffectCurve:
+    def shape(self, band: HjifBand, library: dict[float, EffectEntry]) -> EffectCurve:
         """Return a band over time; empty for what is not understood.
 
         Args:
             band: one of a channel.
             library: effects of the perception, by id.
         """
-        kind = band.text("band_type")
         make = {
             "Curve": self._curve,
             "Transient": self._transient,
             "VectorialWave": self._wave,
             "WaveletWave": self._wavelet,
-        }.get(kind)
+        }.get(band.band_type)
         if make is None:
-            self.unread[f"band {kind}"] += 1
+            self.unread[f"band {band.band_type[:40]}"] += 1
             return signals.joined([])
         shapes = []
-        for effect in band.objects("effects"):
+        for effect in band.effects:
             known = self._known(effect, library)
             if known is not None:
                 shapes.append(make(known, band))
         return signals.joined(shapes)
 
-    def _known(self, effect: Fields, library: dict[int, Fields]) -> Fields | None:
+    def _known(
+        self, effect: EffectEntry, library: dict[float, EffectEntry]
+    ) -> EffectEntry | None:
         """Return an effect as a basis effect; None for what is not understood."""
-        kind = effect.text("effect_type", "Basis")
+        kind = effect.effect_type
         if kind == "Reference":
-            found = library.get(int(effect.number("id", -1.0)))
-            if found is not None and found.text("effect_type", "Basis") == "Basis":
-                where = f"{effect.where}, id"
-                position = {"position": effect.values.get("position", 0)}
-                return Fields({**found.values, **position}, where)
+            found = library.get(effect.id)
+            if found is not None and found.effect_type == "Basis":
+                return replace(found, position=effect.position)
         if kind == "Basis":
             return effect
-        self.unread[f"effect {kind}"] += 1
+        self.unread[f"effect {kind[:40]}"] += 1
         return None
 
-    def _curve(self, effect: Fields, band: Fields) -> EffectCurve:
-        kind = band.text("curve_type", "Linear")
-        if kind in ("Bezier", "Bspline"):
-            self.assumed.append(Message("{kind} was read as lines", kind=kind))
+    def _curve(self, effect: EffectEntry, band: HjifBand) -> EffectCurve:
+        kind = "Cubic" if band.curve_type in _UNKNOWN else band.curve_type
+        if kind not in ("Linear", "Cubic", "Akima"):
+            shown = (
+                Message(kind)
+                if kind in _AS_LINES
+                else Message("{kind!r}", kind=kind[:40])
+            )
+            self.assumed.append(Message("{kind} was read as lines", kind=shown))
         shape = self._effect(effect)
         if kind in ("Cubic", "Akima"):
-            self._spend(shape.keys.time_s.max(initial=0.0), band)
+            self._spend(shape.keys.time_s.max(initial=0.0))
         return signals.curve(shape, kind)
 
-    def _transient(self, effect: Fields, band: Fields) -> EffectCurve:
+    def _transient(self, effect: EffectEntry, _band: HjifBand) -> EffectCurve:
         shape = self._effect(effect)
-        self._spend(signals.TRANSIENT_S * len(shape.keys.time_s), band)
+        self._spend(signals.TRANSIENT_S * len(shape.keys.time_s))
         return signals.transient(shape)
 
-    def _wave(self, effect: Fields, band: Fields) -> EffectCurve:
-        low_hz = band.number("lower_frequency_limit", 0.0)
-        high_hz = band.number("upper_frequency_limit", 1000.0)
+    def _wave(self, effect: EffectEntry, band: HjifBand) -> EffectCurve:
+        low_hz = band.lower_frequency_limit
+        high_hz = _or(band.upper_frequency_limit, 1000.0)
         if low_hz > signals.HIGHEST_HZ:
             self.unread[f"waves above {signals.HIGHEST_HZ:.0f} Hz"] += 1
             return EffectCurve(np.zeros(0), np.zeros(0))
+        if effect.base_signal not in signals.BASE_SIGNALS:
+            name = effect.base_signal[:40]
+            self.assumed.append(Message("{kind!r} was read as a sine", kind=name))
         shape = self._effect(effect)
-        self._spend(shape.keys.time_s.max(initial=0.0), band)
+        self._spend(shape.keys.time_s.max(initial=0.0))
         return signals.wave(shape, low_hz, min(high_hz, signals.HIGHEST_HZ))
 
-    def _wavelet(self, effect: Fields, band: Fields) -> EffectCurve:
-        length_s = band.number("block_length", 0.0, most=1e6) / self._timescale
-        self._spend(length_s, band)
+    def _wavelet(self, effect: EffectEntry, band: HjifBand) -> EffectCurve:
+        length_s = band.block_length / self._timescale
+        self._spend(length_s)
         self.assumed.append(
             Message(
                 "wavelets were read as envelopes of {carrier_hz:.0f} Hz, their height "
@@ -114,57 +122,54 @@ class Bands:
             )
         )
         # an orthonormal transform gathers a tone in coefficients of sqrt(2^level)
-        rate_hz = band.number("upper_frequency_limit", 8000.0, most=1e6)
+        rate_hz = _or(band.upper_frequency_limit, 8000.0)
         share = 2.0 * signals.CARRIER_HZ / max(rate_hz, 2.0 * signals.CARRIER_HZ)
-        height = share**0.5 * block_height(effect.text("wavelet_stream", ""))
+        height = share**0.5 * block_height(effect.wavelet_stream, self.where)
         return signals.envelope(self._begin_s(effect), length_s, height)
 
-    def _spend(self, length_s: float, band: Fields) -> None:
+    def _spend(self, length_s: float) -> None:
         """Refuse before the memory is taken."""
         self._left -= int(length_s * 1000.0) + 2
         if self._left < 0:
             raise InputError(
                 "waves of more than {most_s:.0f} s",
-                where=band.where,
+                where=self.where,
                 remedy=ANOTHER,
                 most_s=MAX_SAMPLES / 1000.0,
             )
 
-    def _effect(self, effect: Fields) -> HjifEffect:
-        frames = effect.objects("keyframes")
+    def _effect(self, effect: EffectEntry) -> HjifEffect:
         rows = np.array(
             [
                 [
-                    frame.number("relative_position", 0.0),
-                    frame.number("amplitude_modulation", np.nan)
-                    if "amplitude_modulation" in frame.values
-                    else np.nan,
-                    frame.number("frequency_modulation")
-                    if "frequency_modulation" in frame.values
-                    else np.nan,
+                    frame.relative_position,
+                    _or(frame.amplitude_modulation, np.nan),
+                    _or(frame.frequency_modulation, np.nan),
                 ]
-                for frame in frames
+                for frame in effect.keyframes
             ]
         ).reshape(-1, 3)
         rows = rows[np.argsort(rows[:, 0], kind="stable")]
         time_s = rows[:, 0] / self._timescale
         if len(time_s) and not 0.0 <= time_s[0] <= time_s[-1] <= MAX_SECONDS:
             raise InputError(
-                "a keyframe lies outside of any clip",
-                where=effect.where,
-                remedy=ANOTHER,
+                "a keyframe lies outside of any clip", where=self.where, remedy=ANOTHER
             )
         return HjifEffect(
             self._begin_s(effect),
             Keyframes(time_s, rows[:, 1], rows[:, 2]),
-            effect.number("phase", 0.0, most=1e6),
-            effect.text("base_signal", "Sine"),
+            effect.phase,
+            effect.base_signal,
         )
 
-    def _begin_s(self, effect: Fields) -> float:
-        begin_s = effect.number("position", 0.0) / self._timescale
+    def _begin_s(self, effect: EffectEntry) -> float:
+        begin_s = effect.position / self._timescale
         if not abs(begin_s) <= MAX_SECONDS:
             raise InputError(
-                "position lies outside of any clip", where=effect.where, remedy=ANOTHER
+                "position lies outside of any clip", where=self.where, remedy=ANOTHER
             )
         return begin_s
+
+
+def _or(value: float | None, default: float) -> float:
+    return default if value is None else value

@@ -2,7 +2,8 @@
 
 Force amplitudes are newtons by the reference device's `maximum_amplitude`; where a file
 gives none, and for Vibrotactile, amplitude 1 is the chosen full scale. Channels without a
-direction act along the chosen one.
+direction act along the chosen one. What `Other` is, the published encoder's modality for
+sound and AHAP, is chosen too.
 """
 
 from pathlib import Path
@@ -11,8 +12,18 @@ import numpy as np
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.formats.hjif_bands import Bands
-from hapticplayer.extras.formats.hjif_signals import EffectCurve
-from hapticplayer.extras.formats.json_fields import Fields, read_crowd
+from hapticplayer.extras.formats.hjif_file import (
+    Device,
+    HjifChannel,
+    Perception,
+    experience,
+)
+from hapticplayer.extras.formats.hjif_signals import (
+    BEFORE_ZERO,
+    STEP_S,
+    EffectCurve,
+    from_zero,
+)
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import refuse_large_force
@@ -21,16 +32,16 @@ from hapticplayer.untrusted import ANOTHER
 
 FORCE = ("Force", "Kinesthetic")
 VIBRATION = ("Vibrotactile", "Vibration")
+_OTHER = "Other"
+_MEANT = {"force": FORCE[0], "vibration": VIBRATION[0]}
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
     """Return the force of a file."""
-    root = Fields.of(read_crowd(path), str(path))
-    if "perceptions" not in root.values:
-        raise InputError("holds no perceptions", where=str(path), remedy=ANOTHER)
-    reader = _ChannelReader(choices, root.number("timescale", 1000.0))
-    for perception in root.objects("perceptions"):
-        reader.add(perception)
+    found = experience(path)
+    reader = _ChannelReader(choices, found.timescale)
+    for row, perception in enumerate(found.perceptions):
+        reader.add(perception, f"{path}, perceptions[{row}]")
     return reader.result(path)
 
 
@@ -41,29 +52,30 @@ class _ChannelReader:
         self._choices, self._bands = choices, Bands(timescale)
         self._parts: list[tuple[Floats, EffectCurve]] = []
 
-    def add(self, perception: Fields) -> None:
+    def add(self, perception: Perception, where: str) -> None:
         """Add the channels of a perception, or note that it is no force."""
-        modality = perception.text("perception_modality", "Other")
+        modality = self._modality(perception.perception_modality)
         if modality not in FORCE + VIBRATION:
-            self._bands.unread[f"perception {modality}"] += 1
+            self._bands.unread[f"perception {modality[:40]}"] += 1
             return
-        library = {
-            int(one.number("id", 0.0)): one
-            for one in perception.objects("effect_library")
-        }
-        devices = {
-            int(one.number("id", 0.0)): one
-            for one in perception.objects("reference_devices")
-        }
-        exponent = perception.number("perception_unit_exponent", 0.0, most=9.0)
-        for channel in perception.objects("channels"):
-            scale_n = self._scale_n(channel, modality, devices) * 10.0**exponent
-            shapes = [
-                self._bands.shape(band, library) for band in channel.objects("bands")
-            ]
+        library = {one.id: one for one in perception.effect_library}
+        devices = {one.id: one for one in perception.reference_devices}
+        unit = 10.0**perception.perception_unit_exponent
+        for row, channel in enumerate(perception.channels):
+            self._bands.where = f"{where}.channels[{row}]"
+            scale_n = self._scale_n(channel, modality, devices) * unit
+            shapes = [self._bands.shape(band, library) for band in channel.bands]
             shape = _summed([one for one in shapes if len(one.time_s)])
             if len(shape.time_s):
                 self._parts.append((scale_n * self._direction(channel), shape))
+
+    def _modality(self, name: str) -> str:
+        meant = _MEANT.get(self._choices.other_is)
+        if name != _OTHER or meant is None:
+            return name
+        said = Message("{name} was taken as {modality}", name=name, modality=meant)
+        self._bands.assumed.append(said)
+        return meant
 
     def result(self, path: Path) -> ForceFile:
         """Return all channels as one track."""
@@ -73,41 +85,52 @@ class _ChannelReader:
         ]
         if not self._parts:
             if unread:
-                raise InputError(
-                    "holds no force that is understood ({first})",
-                    where=str(path),
-                    remedy=ANOTHER,
-                    first=unread[0],
-                )
+                raise self._nothing(path, unread[0])
             time_s, force_n = np.zeros(1), np.zeros((1, 3))
         else:
             time_s = np.unique(np.concatenate([s.time_s for _, s in self._parts]))
             force_n = np.zeros((len(time_s), 3))
             for vector_n, shape in self._parts:
                 force_n += np.interp(time_s, *shape)[:, None] * vector_n
-        kept = time_s >= 0.0
-        if not kept.any():
-            raise InputError("ends before 0 s", where=str(path), remedy=ANOTHER)
+        if time_s[0] < -2.0 * STEP_S:  # more than the jump of what begins at 0
+            unread.append(BEFORE_ZERO)
+        time_s, force_n = from_zero(time_s, force_n, str(path))
         refuse_large_force(force_n, str(path), Message("give another full scale"))
         track = ForceTrack(
-            time_s[kept],
-            force_n[kept].astype(np.float32),
+            time_s,
+            force_n.astype(np.float32),
             provenance={"source": path.name, "reader": "hjif"},
         )
         return ForceFile(
             track, tuple(dict.fromkeys(self._bands.assumed)), tuple(unread)
         )
 
+    def _nothing(self, path: Path, first: Message) -> InputError:
+        is_other = f"perception {_OTHER}" in self._bands.unread
+        say = Message("say what it is with --other-is force or --other-is vibration")
+        return InputError(
+            "holds no force that is understood ({first})",
+            where=str(path),
+            remedy=say if is_other else ANOTHER,
+            first=first,
+        )
+
     def _scale_n(
-        self, channel: Fields, modality: str, devices: dict[int, Fields]
+        self, channel: HjifChannel, modality: str, devices: dict[float, Device]
     ) -> float:
-        gain = channel.number("gain", 1.0, most=1e6)
-        device = devices.get(int(channel.number("reference_device_id", -1.0)))
+        number = channel.reference_device_id
+        device = devices.get(-1.0 if number is None else number)
         if device is None and devices:
             device = next(iter(devices.values()))
+            if number is not None:
+                said = Message(
+                    "reference device {number:g} is not in the file; the first was taken",
+                    number=number,
+                )
+                self._bands.assumed.append(said)
         full_n = self._choices.full_scale_n
-        if modality in FORCE and device and "maximum_amplitude" in device.values:
-            return gain * device.number("maximum_amplitude", most=1e6)
+        if modality in FORCE and device and device.maximum_amplitude is not None:
+            return channel.gain * device.maximum_amplitude
         self._bands.assumed.append(
             Message(
                 "{modality}: amplitude 1 was taken as {full_n:.3g} N",
@@ -115,22 +138,23 @@ class _ChannelReader:
                 full_n=full_n,
             )
         )
-        return gain * full_n
+        return channel.gain * full_n
 
-    def _direction(self, channel: Fields) -> Floats:
-        if "direction" not in channel.values:
-            chosen = self._choices.direction
-            self._bands.assumed.append(
-                Message(
-                    "no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}",
-                    **dict(zip("xyz", chosen, strict=True)),
-                )
-            )
-            return np.array(chosen)
-        given = Fields.of(channel.values["direction"], f"{channel.where}, direction")
-        vector = np.array([given.number(axis, 0.0, most=1e3) for axis in "XYZ"])
+    def _direction(self, channel: HjifChannel) -> Floats:
+        given, chosen = channel.direction, self._choices.direction
+        vector = np.array([given.X, given.Y, given.Z] if given else np.zeros(3))
         size = float(np.linalg.norm(vector))
-        return np.asarray(vector / size) if size else vector
+        if size:
+            return np.asarray(vector / size)
+        none = Message("no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}")
+        empty = Message(
+            "a direction of length 0 was taken as x {x:.2f}, y {y:.2f}, z {z:.2f}"
+        )
+        text = (empty if given else none).template
+        self._bands.assumed.append(
+            Message(text, **dict(zip("xyz", chosen, strict=True)))
+        )
+        return np.array(chosen)
 
 
 def _summed(shapes: list[EffectCurve]) -> EffectCurve:

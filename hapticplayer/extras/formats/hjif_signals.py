@@ -10,7 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
+from hapticplayer.untrusted import ANOTHER
 
 TRANSIENT_S = 0.022
 CARRIER_HZ = 150.0
@@ -21,6 +23,9 @@ HIGHEST_HZ = 400.0
 
 STEP_S = 1e-6
 """How long a jump takes in a polyline."""
+
+BASE_SIGNALS = ("Sine", "Square", "Triangle", "SawToothUp", "SawToothDown")
+BEFORE_ZERO = Message("what lies before 0 s was left out")
 
 
 class Keyframes(NamedTuple):
@@ -64,17 +69,12 @@ def curve(effect: HjifEffect, kind: str) -> EffectCurve:
     """Return a curve through keyframes: Linear, Cubic, Akima, or lines for others."""
     known = ~np.isnan(effect.keys.amplitude)
     time_s, value = effect.keys.time_s[known], effect.keys.amplitude[known]
-    time_s, rows = np.unique(time_s, return_index=True)
-    value = value[rows]
+    time_s, value = stepped(time_s, value)
     if len(time_s) > 1 and kind in ("Cubic", "Akima"):
-        dense_s = _milliseconds(time_s[-1], time_s)
-        if kind == "Akima" and len(time_s) > 2:
-            from scipy.interpolate import Akima1DInterpolator
-
-            value = Akima1DInterpolator(time_s, value)(np.maximum(dense_s, time_s[0]))
-        else:
-            value = _eased(dense_s, time_s, value)
-        time_s = dense_s
+        steps = np.flatnonzero(np.diff(time_s) < 2.0 * STEP_S) + 1
+        runs = zip(np.split(time_s, steps), np.split(value, steps), strict=True)
+        parts = [_smooth(*run, kind) for run in runs]
+        time_s, value = (np.concatenate(one) for one in zip(*parts, strict=True))
     if len(time_s) and time_s[0] > 0.0:  # holds its first value before it
         time_s, value = np.append(0.0, time_s), np.append(value[:1], value)
     return EffectCurve(effect.begin_s + time_s, value)
@@ -147,6 +147,47 @@ def joined(shapes: list[EffectCurve]) -> EffectCurve:
     return EffectCurve(*(np.concatenate(one) for one in zip(*parts, strict=True)))
 
 
+def stepped(time_s: Floats, value: Floats) -> tuple[Floats, Floats]:
+    """A polyline with times (n,) that increase: two values of one time are a step.
+
+    Args:
+        time_s: (m,), never decreasing; of more than two alike the first and last count.
+        value: (m,).
+    """
+    rises = np.diff(time_s) > 0.0
+    firsts, lasts = np.append(True, rises)[: len(time_s)], np.append(rises, True)
+    kept = firsts | lasts[: len(time_s)]
+    time_s = time_s[kept] + STEP_S * ~firsts[kept]
+    increases = np.append(True, np.diff(np.maximum.accumulate(time_s)) > 0.0)
+    increases = increases[: len(time_s)]
+    return time_s[increases], value[kept][increases]
+
+
+def from_zero(time_s: Floats, value: Floats, where: str) -> tuple[Floats, Floats]:
+    """Cut lines (n,) (n, k) at 0 s, where they keep their value."""
+    if time_s[0] >= 0.0:
+        return time_s, value
+    if time_s[-1] < 0.0:
+        raise InputError("ends before 0 s", where=where, remedy=ANOTHER)
+    begin = [[np.interp(0.0, time_s, column) for column in value.T]]
+    later = time_s > 0.0
+    return np.append(0.0, time_s[later]), np.concatenate([begin, value[later]])
+
+
+def _smooth(time_s: Floats, value: Floats, kind: str) -> tuple[Floats, Floats]:
+    """Return a curve between two steps, every millisecond."""
+    if len(time_s) == 1:
+        return time_s, value
+    first, last = np.ceil(time_s[0] * 1000.0), np.floor(time_s[-1] * 1000.0)
+    dense_s = np.union1d(np.arange(first, last + 1.0) / 1000.0, time_s)
+    dense_s = np.clip(dense_s, time_s[0], time_s[-1])
+    if kind == "Akima" and len(time_s) > 2:
+        from scipy.interpolate import Akima1DInterpolator
+
+        return dense_s, np.asarray(Akima1DInterpolator(time_s, value)(dense_s))
+    return dense_s, _eased(dense_s, time_s, value)
+
+
 def _eased(at_s: Floats, time_s: Floats, value: Floats) -> Floats:
     """Return the reference's cubic: level at each keyframe."""
     row = np.clip(np.searchsorted(time_s, at_s, side="right") - 1, 0, len(time_s) - 2)
@@ -162,11 +203,10 @@ def _between(at_s: Floats, time_s: Floats, value: Floats, default: float) -> Flo
     return np.interp(at_s, time_s[known], value[known])
 
 
-def _milliseconds(length_s: float, extra_s: Floats | None = None) -> Floats:
-    """Return the milliseconds of a span, its end, and other times in it."""
+def _milliseconds(length_s: float) -> Floats:
+    """Return the milliseconds of a span, and its end."""
     even = np.arange(int(length_s * 1000.0) + 1) / 1000.0
-    extra = np.zeros(0) if extra_s is None else extra_s
-    return np.unique(np.concatenate([even, [length_s], extra]))
+    return np.unique(np.append(even, length_s))
 
 
 def _base(name: str, turns: Floats) -> Floats:

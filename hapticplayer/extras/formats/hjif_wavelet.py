@@ -16,17 +16,21 @@ _RANGE, _DIGITS = 1024, 10
 _BIT_PLANES, _HEIGHT = 4, 8
 
 
-def block_height(stream: str) -> float:
+def block_height(stream: str, where: str = "") -> float:
     """Return the largest coefficient of a block, 0 for an empty one.
 
     Args:
-        stream: base64.
+        stream: base64 without padding; the reference ends it where its bits end, so a
+            character that completes no byte is left out.
+        where: file and place, for errors.
     """
+    head = stream.rstrip("=")[:32]
+    whole = head[: len(head) - (len(head) % 4 == 1)]
     try:
-        content = base64.b64decode(stream.encode()[:32] + b"====")
+        content = base64.b64decode(whole + "=" * (-len(whole) % 4), validate=True)
     except (binascii.Error, ValueError) as problem:
         raise InputError(
-            "the wavelet stream is not base64", remedy=ANOTHER
+            "the wavelet stream is not base64", where=where, remedy=ANOTHER
         ) from problem
     if not content:
         return 0.0

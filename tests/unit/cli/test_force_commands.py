@@ -104,7 +104,7 @@ def test_a_check_refuses_what_an_import_would_refuse(capsys, tmp_path):
     path = tmp_path / "bad.hjif"
     path.write_text('{"version":"2020"}')
     assert cli.main(["import-force", "--check", str(path)]) == 1
-    assert "holds no perceptions" in capsys.readouterr().err
+    assert "missing entry 'perceptions'" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

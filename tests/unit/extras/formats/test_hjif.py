@@ -1,10 +1,12 @@
 """hjif: what other software gets, and what is understood of its files."""
 
 import json
+import re
 
 import numpy as np
 import pytest
 
+from hapticplayer import cli
 from hapticplayer.errors import InputError
 from hapticplayer.extras.formats import hjif, hjif_read
 from hapticplayer.extras.formats.hjif_wavelet import block_height
@@ -143,6 +145,138 @@ def test_a_wavelet_block_is_an_envelope(read):
     force_n = found.track.force_n[:, 1]
     assert np.abs(force_n).max() == pytest.approx(0.5 * 4.0, rel=0.1)
     assert any("envelope" in note for note in found.notes)
+
+
+def test_a_curve_of_an_unknown_type_is_the_cubic(read):
+    frames = effect((0, 0.0), (100, 1.0), (200, 0.0))
+    wanted = read(content(band(effects=[frames], curve_type="Cubic"), **UP))
+    for more in ({"curve_type": "Unknown"}, {"curve_type": ""}, {}):
+        found = read(content(band(effects=[frames], **more), **UP))
+        assert found.notes == ()
+        np.testing.assert_array_equal(found.track.force_n, wanted.track.force_n)
+
+
+@pytest.mark.parametrize("kind", ["Bezier", "Spline"])
+def test_a_curve_that_becomes_lines_is_named(read, kind):
+    lines = effect((0, 0.0), (100, 1.0))
+    found = read(content(band(effects=[lines], curve_type=kind), **UP))
+    assert found.track.at(np.array([0.025]))[0, 1] == pytest.approx(1.0, abs=1e-5)
+    assert f"{kind}" in str(found.assumed[0])
+
+
+def test_a_base_signal_of_no_name_is_said(read):
+    wave = effect((0, 1.0, 9), (99, 1.0, 9), base_signal="Wobble")
+    found = read(content(band("VectorialWave", [wave]), **UP))
+    assert "'Wobble' was read as a sine" in str(found.assumed[0])
+
+
+@pytest.mark.parametrize("kind", ["Linear", "Cubic", "Akima"])
+def test_two_keyframes_at_one_time_are_a_step(read, kind):
+    keys = effect((0, 1.0), (500, 1.0), (500, 0.25), (1000, 0.25))
+    found = read(content(band(effects=[keys], curve_type=kind), **UP))
+    values = at(found.track, 1, 499, 501, 750, 999)[:, 1]
+    np.testing.assert_allclose(values, [4, 4, 1, 1, 1], atol=1e-4)
+
+
+def test_of_many_keyframes_at_one_time_the_ends_count(read):
+    keys = effect((0, 0.5), (9, 0.5), (9, 1.0), (9, -1.0), (9, 0.0), (20, 0.0))
+    found = read(content(band(effects=[keys], curve_type="Linear"), **UP))
+    values = at(found.track, 5, 8, 10, 15)[:, 1]
+    np.testing.assert_allclose(values, [2, 2, 0, 0], atol=1e-4)
+    assert np.abs(found.track.force_n).max() <= 2.0
+
+
+def test_an_effect_that_begins_before_the_clip_is_cut(read):
+    line = effect((0, 0.0), (400, 1.0), position=-100)
+    found = read(content(band(effects=[line], curve_type="Linear"), **UP))
+    values = at(found.track, 0, 100, 200, 299)[:, 1]
+    np.testing.assert_allclose(values, [1, 2, 3, 3.99], atol=1e-4)
+    assert "before 0 s" in str(found.unread[0])
+
+
+def test_an_effect_that_begins_at_zero_is_whole(read):
+    found = read(content(band(effects=[effect((0, 1.0), (9, 1.0))]), **UP))
+    assert found.unread == ()
+    assert at(found.track, 0)[0, 1] == pytest.approx(4.0)
+
+
+def test_a_file_that_ends_before_the_clip_is_refused(read):
+    early = effect((0, 1.0), (9, 1.0), position=-500)
+    with pytest.raises(InputError, match="ends before 0 s"):
+        read(content(band(effects=[early]), **UP))
+
+
+def test_a_direction_of_no_length_is_the_chosen_one(read):
+    made = content(
+        band(effects=[effect((0, 1.0), (9, 1.0))]), direction={"X": 0, "Y": 0, "Z": 0}
+    )
+    found = read(made, ReadChoices(direction=(0.0, 0.0, 1.0)))
+    np.testing.assert_allclose(at(found.track, 5)[0], [0, 0, 4], atol=1e-5)
+    assert "length 0" in str(found.assumed[0])
+
+
+def test_a_device_that_is_not_there_is_said(read):
+    made = content(band(effects=[effect((0, 1.0), (9, 1.0))]), **UP)
+    made["perceptions"][0]["channels"][0]["reference_device_id"] = 7
+    assert "reference device 7 is not" in str(read(made).assumed[0])
+
+
+OTHER = content(band(effects=[effect((0, 1.0), (9, 1.0))]), modality="Other")
+
+
+@pytest.mark.parametrize(("meant", "largest_n"), [("force", 4.0), ("vibration", 1.0)])
+def test_other_is_what_the_user_says(read, meant, largest_n):
+    found = read(OTHER, ReadChoices(other_is=meant))
+    np.testing.assert_allclose(at(found.track, 5)[0], [0, largest_n, 0], atol=1e-5)
+    assert "Other was taken as" in str(found.assumed[0])
+
+
+def test_other_is_refused_with_the_option_that_reads_it(tmp_path, capsys):
+    path = tmp_path / "coded.hjif"
+    path.write_text(json.dumps(OTHER))
+    assert cli.main(["convert", str(path), str(tmp_path / "a.csv")]) == 1
+    said = capsys.readouterr().err
+    words = re.search(r"(--other-is force) or (--other-is vibration)", said)
+    for number, option in enumerate(words.groups()):
+        target = str(tmp_path / f"{number}.csv")
+        assert cli.main(["convert", str(path), target, *option.split()]) == 0
+
+
+@pytest.mark.parametrize("length", range(30))
+def test_a_block_of_any_length_is_read(read, length):
+    block = {"effect_type": "Basis", "position": 0, "wavelet_stream": STREAM[:length]}
+    wavelet = band("WaveletWave", [block], block_length=128)
+    assert read(content(wavelet, **UP)).track.end_s == pytest.approx(0.128, abs=1e-5)
+
+
+def test_a_block_with_other_characters_is_refused(read):
+    block = {"effect_type": "Basis", "position": 0, "wavelet_stream": "x+2?I3Pg"}
+    with pytest.raises(InputError, match=r"channels\[0\]: the wavelet .* not base64"):
+        read(content(band("WaveletWave", [block], block_length=128), **UP))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ('"gain": 1.0', '"gain": "1"', r"channels\[0\].gain: must be a number"),
+        ('"gain": 1.0', '"gain": null', "gain: must be a number"),
+        ('"gain": 1.0', '"gain": [1]', "gain: must be a number"),
+        ('"gain": 1.0', '"gain": 1' + 400 * "0", "valid JSON|out of range"),
+        ('"gain": 1.0', '"gain": Infinity', "not valid JSON"),
+        ('"gain": 1.0', '"gain": 1e400', "not valid JSON"),
+        ('"gain": 1.0', '"gain": true', "gain: must be a number"),
+        ('"timescale": 1000', '"timescale": 0', "timescale: must be at least 1"),
+        ('"position": 0', '"position": 1e13', "position: must be at most"),
+        ('"channels": [', '"channels": [3, ', r"channels\[0\]: must be an object"),
+    ],
+)
+def test_a_wrong_entry_is_named(tmp_path, old, new, says):
+    path = tmp_path / "wrong.hjif"
+    text = json.dumps(content(band(effects=[effect((0, 1.0), (9, 1.0))]), **UP))
+    assert old in text
+    path.write_text(text.replace(old, new, 1))
+    with pytest.raises(InputError, match=says):
+        hjif_read.read(path, ReadChoices())
 
 
 @pytest.mark.parametrize(("stream", "height"), [(STREAM, 2.625), (THIRD, 2.5)])

@@ -50,6 +50,14 @@ def read(tmp_path):
     return reader
 
 
+@pytest.fixture
+def scripts(shared_data):
+    folder = shared_data / "cases" / "funscript-axes"
+    if not folder.is_dir():
+        pytest.skip("the case funscript-axes is not on this machine")
+    return folder
+
+
 def at(track, *seconds):
     return track.at(np.array(seconds, dtype=float))
 
@@ -289,6 +297,97 @@ def test_a_funscript_is_a_spring_set_point_on_three_axes(read):
     notes = [str(note) for note in found.notes]
     assert "set-point" in notes[0]
     assert notes[1] == "not read: R0 (1)"
+
+
+LINE = [{"at": 0, "pos": 0}, {"at": 1000, "pos": 100}]
+EDGE_N = 40.0 * 0.04
+"""Of the usual spring at the edge of the workspace."""
+
+
+def test_a_position_before_the_clip_is_on_the_line_to_the_next(read):
+    actions = [
+        {"at": -1000, "pos": 0},
+        {"at": 400, "pos": 100},
+        {"at": 900, "pos": 100},
+    ]
+    found = read(json.dumps({"actions": actions}), ".funscript")
+    force_n = at(found.track, 0.0, 0.4, 0.8)[:, 1]
+    first_n = EDGE_N * (100.0 / 1.4 - 50.0) / 50.0  # 71.4 at 0 ms
+    np.testing.assert_allclose(force_n, [first_n, EDGE_N, EDGE_N], atol=1e-5)
+    assert [str(note) for note in found.unread] == ["what lies before 0 s was left out"]
+
+
+def test_the_positions_of_the_case_begin_on_the_line(scripts):
+    found = read_force(scripts / "negative_at.funscript").track
+    assert at(found, 0.0)[0, 1] == pytest.approx(0.69, abs=0.005)
+
+
+@pytest.mark.parametrize("part", ["vib", "suck", "valve", "lube", "pump", "V0", "roll"])
+def test_a_script_of_another_axis_is_refused(read, part):
+    with pytest.raises(InputError, match=f"{part.lower()}.*not read"):
+        read(json.dumps({"actions": LINE}), f".{part}.funscript")
+
+
+@pytest.mark.parametrize("part", ["vib", "suck", "valve", "lube"])
+def test_the_strengths_of_the_case_are_not_positions(scripts, part):
+    with pytest.raises(InputError, match="strengths"):
+        read_force(scripts / f"clip.{part}.funscript")
+
+
+@pytest.mark.parametrize("name", ["roll", "pump", "left", "my.ride", "ride.v2"])
+def test_a_script_with_such_a_name_alone_is_up(tmp_path, name):
+    path = tmp_path / f"{name}.funscript"
+    path.write_text(json.dumps({"actions": LINE}))
+    assert at(read_force(path).track, 0.999)[0, 1] == pytest.approx(EDGE_N, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    "more", [{"axes": [{"id": "L0"}]}, {"channels": {"stroke": {}}}]
+)
+def test_an_axis_that_is_there_twice_is_said(read, more):
+    (held,) = more.values()
+    other = held[0] if isinstance(held, list) else held["stroke"]
+    other["actions"] = [{"at": 0, "pos": 50}, {"at": 1000, "pos": 50}]
+    found = read(json.dumps({"actions": LINE, **more}), ".funscript")
+    assert at(found.track, 0.999)[0, 1] == pytest.approx(EDGE_N, abs=0.01)
+    assert [str(note) for note in found.unread] == [
+        "L0 is there twice; the first was read"
+    ]
+
+
+def test_an_axis_that_is_there_twice_and_alike_is_one(read):
+    content = {"actions": LINE, "axes": [{"id": "L0", "actions": LINE}]}
+    assert read(json.dumps(content), ".funscript").unread == ()
+
+
+@pytest.mark.parametrize(("given", "is_unread"), [(50, True), (90, False), (120, True)])
+def test_a_range_that_is_not_applied_is_said(read, given, is_unread):
+    found = read(json.dumps({"range": given, "actions": LINE}), ".funscript")
+    said = found.unread if is_unread else found.assumed
+    assert f"range of {given} % was not applied" in str(said[-1])
+    whole = read(json.dumps({"range": 100, "actions": LINE}), ".funscript")
+    assert len(whole.notes) == 1
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        ('{"actions": [{"at": "0", "pos": 1}]}', r"actions\[0\].at: must be a number"),
+        ('{"actions": [{"at": 0}]}', "missing entry 'pos'"),
+        ('{"actions": [{"at": 0, "pos": null}]}', "pos: must be a number"),
+        ('{"actions": [{"at": 1e12, "pos": 1}]}', "at: must be at most"),
+        ('{"actions": {"at": 0, "pos": 1}}', "actions: must be a list"),
+        ('{"actions": [[0, 1]]}', r"actions\[0\]: must be an object"),
+        ('{"inverted": "true", "actions": []}', "inverted: must be true or false"),
+        ('{"channels": {"surge": 3}}', "channels.surge: must be an object"),
+        ('{"actions": [{"at": -9, "pos": 1}]}', "ends before 0 s"),
+        ('{"actions": []}', "holds no positions"),
+        ("[]", "must be an object"),
+    ],
+)
+def test_a_damaged_script_is_refused_by_its_place(read, content, says):
+    with pytest.raises(InputError, match=says):
+        read(content, ".funscript")
 
 
 def test_an_ahap_has_the_size_of_the_force(written):

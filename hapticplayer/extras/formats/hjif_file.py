@@ -1,0 +1,93 @@
+"""The entries of an hjif file that are read, as typed structures."""
+
+from pathlib import Path
+from typing import Annotated
+
+from msgspec import Meta, Struct
+
+from hapticplayer.errors import InputError
+from hapticplayer.structures import read_json
+from hapticplayer.untrusted import ANOTHER
+
+MAX_BYTES = 96 << 20
+"""Of JSON that others wrote."""
+
+Number = Annotated[float, Meta(ge=-1e12, le=1e12)]
+Factor = Annotated[float, Meta(ge=-1e6, le=1e6)]
+
+
+class Keyframe(Struct, gc=False):
+    """A corner of a curve, or a transient."""
+
+    relative_position: Number = 0.0
+    amplitude_modulation: Number | None = None
+    frequency_modulation: Number | None = None
+
+
+class EffectEntry(Struct):
+    """Of a band, or of the library."""
+
+    effect_type: str = "Basis"
+    id: Number = -1.0
+    position: Number = 0.0
+    phase: Factor = 0.0
+    base_signal: str = "Sine"
+    keyframes: list[Keyframe] = []
+    wavelet_stream: str = ""
+
+
+class HjifBand(Struct):
+    """Effects of one kind."""
+
+    band_type: str
+    curve_type: str = "Unknown"
+    lower_frequency_limit: Number = 0.0
+    upper_frequency_limit: Number | None = None
+    block_length: Factor = 0.0
+    effects: list[EffectEntry] = []
+
+
+class Vector(Struct):
+    """A direction in frame D, of any length."""
+
+    X: Annotated[float, Meta(ge=-1e3, le=1e3)] = 0.0
+    Y: Annotated[float, Meta(ge=-1e3, le=1e3)] = 0.0
+    Z: Annotated[float, Meta(ge=-1e3, le=1e3)] = 0.0
+
+
+class HjifChannel(Struct):
+    """Bands that act along one direction."""
+
+    gain: Factor = 1.0
+    reference_device_id: Number | None = None
+    direction: Vector | None = None
+    bands: list[HjifBand] = []
+
+
+class Device(Struct):
+    """What amplitudes refer to."""
+
+    id: Number = 0.0
+    maximum_amplitude: Factor | None = None
+
+
+class Perception(Struct):
+    """Channels of one modality."""
+
+    perception_modality: str = "Other"
+    perception_unit_exponent: Annotated[float, Meta(ge=-9.0, le=9.0)] = 0.0
+    reference_devices: list[Device] = []
+    effect_library: list[EffectEntry] = []
+    channels: list[HjifChannel] = []
+
+
+class Experience(Struct):
+    """A file."""
+
+    perceptions: list[Perception]
+    timescale: Annotated[float, Meta(ge=1.0, le=1e12)] = 1000.0
+
+
+def experience(path: Path) -> Experience:
+    """The content of a file."""
+    return read_json(path, Experience, InputError, ANOTHER, MAX_BYTES)
