@@ -88,6 +88,19 @@ def shared_data() -> Path:
     return SHARED_DATA
 
 
+@pytest.fixture(scope="session")
+def case(shared_data: Path) -> Callable[[str], Path]:
+    """A small file whose right value is known, by its folder and name."""
+
+    def path_of(name: str) -> Path:
+        path = shared_data / "cases" / name
+        if not path.exists():
+            pytest.skip(f"needs ../shared/data/cases/{name}")
+        return path
+
+    return path_of
+
+
 def clip_of(player: Player) -> ClipPlayback:
     """Return what a player keeps to itself: the one place that looks inside."""
     return player._clip

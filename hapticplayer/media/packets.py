@@ -1,6 +1,7 @@
 """What the packets of a stream say: which frame a seek wants, and which frames are lost."""
 
 import itertools
+import math
 from collections import deque
 from collections.abc import Iterator
 from statistics import median
@@ -18,11 +19,13 @@ ONE_TO_ONE = frozenset({"h264", "hevc"})
 MARKED = frozenset({"h264"})
 """Codecs that mark frames without references; in H.265 within one temporal layer only."""
 
-_FIRST_STEPS = 8  # what they are like, the rate is taken to be
-_EVEN = 0.1
+_STEPS = 8  # what came before a hole
 _LONGER = 1.5
-_LOST_AT_END = 2.6  # steps between the beginning of the last frame and the end
-_LOST_EARLY = 8  # the same where too few frames came to know the rate
+_OVERHEAD_BYTES = 32  # of a container, for each packet
+_SHARE = 0.5  # of a packet's size, that lost ones have at least
+_LOST_AT_END = (
+    1.6  # of the longest step, between the end of the last frame and that of the track
+)
 
 if TYPE_CHECKING:
     AnyPacket = Packet[Any]
@@ -91,32 +94,44 @@ class Lookahead:
 class Continuity:
     """Counts what is missing, from the packets read and the frames that came.
 
-    Three signs: a packet was read and later ones have become frames; frames came at
-    even steps and then one step is longer; the last comes long before the end that the
-    index of the file (MP4, MOV) gives. `missing` counts frames, or rows of them, so
-    far.
+    A packet was read and later ones have become frames; or the container tells: the last
+    frame ends long before the end of the index (MP4, MOV), or in Matroska a long step
+    leads over bytes that nobody read, as where a cluster is damaged. A frame rate that changes is no damage. `missing` counts frames,
+    or rows of them, so far.
     """
 
     def __init__(self, stream: Stream) -> None:
         self.missing = 0
         self._is_one_to_one = stream.codec_context.name in ONE_TO_ONE
         self._is_ordered = True
-        self._end = 0
-        self._promised, self._length = stream.frames, stream.duration or 0
-        if stream.frames > 0 and stream.duration is not None:
+        self._end = math.inf
+        self._usual = _steps_of(stream)
+        is_matroska = "matroska" in stream.container.format.name
+        self._unread = _UnreadBytes() if is_matroska else None
+        if stream.frames and stream.duration is not None:
             self._end = (stream.start_time or 0) + stream.duration
-        self._step = 0.0  # 0 where steps are uneven, or not known yet
-        self._first: list[int] = []
         self.restart()
+        is_mp4 = "mp4" in stream.container.format.name and stream.frames > 0
+        self._left = len(stream.index_entries) if is_mp4 else 0
 
     def restart(self) -> None:
         """Go on after a seek."""
+        self._left = 0  # packets to come, of a clip that is read as a whole
         self._sent: set[int] = set()
         self._last: int | None = None
+        self._last_end = 0
+        self._steps: deque[int] = deque(maxlen=_STEPS)
+        if self._unread:
+            self._unread.restart()
 
     def send(self, packet: AnyPacket) -> None:
-        if self._is_one_to_one and packet.pts is not None and not packet.is_discard:
+        self._left -= packet.size > 0
+        if packet.pts is None or packet.is_discard:
+            return
+        if self._is_one_to_one:
             self._sent.add(packet.pts)
+        if self._unread:
+            self._unread.note(packet, packet.pts)
 
     def receive(self, frame: VideoFrame) -> None:
         """Note a frame."""
@@ -127,37 +142,70 @@ class Continuity:
             self._is_ordered = False
             self.missing = 0
             return
-        self._last = pts
+        self._last, self._last_end = pts, pts + (frame.duration or 0)
         if last is None:  # before the first frame of a seek
             self._sent = {sent for sent in self._sent if sent > pts}
             return
         lost = {sent for sent in self._sent if sent < pts}
         self._sent -= lost | {pts}
-        self.missing += len(lost) or self._is_longer(pts - last)
+        self.missing += len(lost) or self._is_hole(last, pts)
+        self._steps.append(pts - last)
+
+    def _is_hole(self, last: int, pts: int) -> bool:
+        """Whether a long step leads over bytes that nobody read."""
+        usual = median(self._steps or [self._usual])
+        steps = (pts - last) / usual if usual else 0.0
+        if self._unread is None or steps < _LONGER:
+            return False
+        around = _STEPS * usual
+        return self._unread.are_too_many(last - around, pts + around, steps)
 
     def end(self) -> None:
         """Note that nothing more comes."""
-        if self._last is None or not self._is_ordered:
-            return
-        left = self._end - self._last
-        if self._step:
-            self.missing += left > _LOST_AT_END * self._step
-        elif self._promised > 1 and len(self._first) < _FIRST_STEPS:
-            usual = median(self._first or [self._length / self._promised])
-            self.missing += left > _LOST_EARLY * usual
+        if self._last is not None and self._is_ordered:
+            longest = max([self._usual, *self._steps])
+            left = self._end - self._last_end
+            is_early = math.inf > left > _LOST_AT_END * longest
+            self.missing += max(self._left, is_early)
         self._last = None
 
-    def _is_longer(self, step: int) -> bool:
-        """Whether something is missing in this step, or in one of the first ones."""
-        if len(self._first) == _FIRST_STEPS:
-            return self._step > 0.0 and step > _LONGER * self._step
-        self._first.append(step)
-        if len(self._first) < _FIRST_STEPS:
-            return False
-        usual = median(self._first)
-        odd = [s for s in self._first if abs(s - usual) > max(1.0, _EVEN * usual)]
-        counts = [s / usual for s in odd]
-        is_hole = [c > _LONGER and abs(c - round(c)) < _EVEN for c in counts]
-        if len(odd) <= 1 and all(is_hole):
-            self._step = usual
-        return self._step > 0.0 and bool(odd)
+
+def _steps_of(stream: Stream) -> float:
+    """The mean step of a stream's frames as it declares it, in ticks; 0 if unknown."""
+    if stream.frames and stream.duration is not None:
+        return stream.duration / stream.frames
+    rate = getattr(stream, "average_rate", None)
+    return float(1 / (rate * stream.time_base)) if rate and stream.time_base else 0.0
+
+
+class _UnreadBytes:
+    """Bytes of a file between the packets of a stream: of other streams, or damaged."""
+
+    def __init__(self) -> None:
+        self._most = _OVERHEAD_BYTES
+        self._sizes: deque[int] = deque(maxlen=_STEPS)
+        self.restart()
+
+    def restart(self) -> None:
+        self._read_to: int | None = None
+        self._before: deque[tuple[int, float]] = deque(maxlen=2 * _STEPS)
+
+    def note(self, packet: AnyPacket, pts: int) -> None:
+        """Note how many steps of other streams would explain what lies before."""
+        if packet.pos is None or packet.pos < 0:
+            return
+        if self._read_to is not None:
+            unread = packet.pos - self._read_to
+            more = unread - _SHARE * median(self._sizes)
+            self._before.append((pts, more / self._most))
+            if more <= self._most:
+                self._most = max(self._most, unread)
+        self._sizes.append(packet.size)
+        self._read_to = packet.pos + packet.size
+
+    def are_too_many(self, begin: float, end: float, steps: float) -> bool:
+        """Whether that many steps of other streams do not explain what lies there."""
+        return any(
+            begin <= pts <= end and explained > _LONGER * steps
+            for pts, explained in self._before
+        )
