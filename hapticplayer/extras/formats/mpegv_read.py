@@ -6,12 +6,11 @@ ActiveKinesthetic is a constant force, Vibration a sine at the full scale that t
 chooses. RigidBodyMotion MoveToward is acceleration times the default gain, unless the
 file holds PassiveKinestheticForce: then it moves a seat, and the hand has its force.
 Attributes without a namespace, as Python PlaySEM writes them (type="vibration", timestamp,
-intensity), are read too. XML is read without entities, document types and network.
+intensity), are read too; when effects act is in `mpegv_times`. XML is read without
+entities, document types and network.
 """
 
 import math
-from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 from xml.etree.ElementTree import Element, ParseError
 
@@ -21,24 +20,31 @@ from defusedxml.common import DefusedXmlException
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.formats.hjif_signals import STEP_S
+from hapticplayer.extras.formats.mpegv_times import (
+    Attributes,
+    EffectTimes,
+    SemEffect,
+    name_of,
+    number_in,
+)
 from hapticplayer.model import ForceTrack, Mapping
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import refuse_large_force
-from hapticplayer.sequence.force_files import MAX_SECONDS, ForceFile, ReadChoices
+from hapticplayer.sequence.force_files import ForceFile, ReadChoices
 from hapticplayer.untrusted import ANOTHER, read_regular
 
 MAX_BYTES = 24 << 20
 MAX_TAGS, MAX_ROWS = 200_000, 1_500_000
 _VIBRATION_HZ = 50.0
-_XSI = "{http://www.w3.org/2001/XMLSchema-instance}type"
-_SI = "{urn:mpeg:mpeg21:2003:01-DIA-XSI-NS}"
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
     """Return the force of a file."""
-    reader = _EffectReader(choices, str(path))
-    for element, scale in reader.effects(_parsed(path)):
-        reader.add(element, scale)
+    root = _parsed(path)
+    times = EffectTimes(str(path), choices.until_s, MAX_TAGS)
+    reader = _EffectReader(choices, times, str(path))
+    for effect in times.effects(root):
+        reader.add(effect)
     return reader.result(path.name)
 
 
@@ -55,7 +61,7 @@ def _parsed(path: Path) -> Element:
             remedy=ANOTHER,
             reason=str(problem) or type(problem).__name__,
         ) from problem
-    if _name(root.tag) != "SEM":
+    if name_of(root.tag) != "SEM":
         raise InputError("is not MPEG-V (SEM)", where=str(path), remedy=ANOTHER)
     return root
 
@@ -63,49 +69,39 @@ def _parsed(path: Path) -> Element:
 class _EffectReader:
     """Collects effects as polylines of force."""
 
-    def __init__(self, choices: ReadChoices, where: str) -> None:
+    def __init__(self, choices: ReadChoices, times: EffectTimes, where: str) -> None:
         self._choices, self._where = choices, where
+        self._notes, self._unread = times.assumed, times.unread
         self._parts: list[tuple[Floats, Floats]] = []
         self._motions: list[tuple[Floats, Floats]] = []
         self._has_force = False
-        self._notes: dict[Message, None] = {}
-        self._unread: Counter[str] = Counter()
         self._left = MAX_ROWS
 
-    def effects(self, root: Element) -> Iterator[tuple[Element, float]]:
-        """Yield effects, also of groups, with the ticks in a second."""
-        scale = self._number(root, _SI + "timeScale", 1000.0, 1.0, 1e9)
-        for element in root.iter():
-            if _name(element.tag) == "Effect":
-                yield element, scale
-
-    def add(self, element: Element, scale: float) -> None:
+    def add(self, effect: SemEffect) -> None:
         """Add an effect, or note that it is not understood."""
-        kind = element.get(_XSI, element.get("type", ""))
-        kind = kind.rpartition(":")[2].removesuffix("Type")
-        kind = kind[:1].upper() + kind[1:]
-        pts = "timestamp" if "timestamp" in element.attrib else _SI + "pts"
-        begin_s = self._number(element, pts, 0.0, 0.0, 1e15) / scale
-        length_s = self._number(element, "duration", 0.0, 0.0, 1e15) / scale
-        if begin_s + length_s > MAX_SECONDS:
-            raise self._refusal(Message("an effect lies outside of any clip"))
-        if kind == "PassiveKinestheticForce":
-            force_n = self._matrix(element)
-        elif kind == "ActiveKinesthetic":
-            force_n = self._constant(element)
-        elif kind == "RigidBodyMotion":
-            force_n = self._moved(element)
-        elif kind == "Vibration":
-            force_n = self._vibration(element, length_s)
-        else:
-            force_n = np.zeros((0, 3))
-        if len(force_n) and length_s > 0.0:
-            at_s = begin_s + np.linspace(0.0, length_s, len(force_n))
-            is_motion = kind == "RigidBodyMotion"
-            (self._motions if is_motion else self._parts).append((at_s, force_n))
-            self._has_force |= kind == "PassiveKinestheticForce"
-        else:
-            self._unread[kind or "?"] += 1
+        force_n = self._force_n(effect)
+        if "autoExtraction" in effect.attributes.values:
+            self._unread["autoExtraction"] += 1
+        if not len(force_n):
+            self._unread[effect.kind or "?"] += 1
+            return
+        at_s, force_n = _faded(effect, force_n)
+        part = (effect.begin_s + at_s, force_n)
+        is_motion = effect.kind == "RigidBodyMotion"
+        (self._motions if is_motion else self._parts).append(part)
+        self._has_force |= effect.kind == "PassiveKinestheticForce"
+
+    def _force_n(self, effect: SemEffect) -> Floats:
+        """Return samples (n, 3) evenly over an effect; none where it is unknown."""
+        if effect.kind == "PassiveKinestheticForce":
+            return self._matrix(effect.element)
+        if effect.kind == "ActiveKinesthetic":
+            return self._constant(effect.element)
+        if effect.kind == "RigidBodyMotion":
+            return self._moved(effect.element)
+        if effect.kind == "Vibration":
+            return self._vibration(effect)
+        return np.zeros((0, 3))
 
     def result(self, name: str) -> ForceFile:
         """Return the sum of all effects as one track."""
@@ -144,18 +140,22 @@ class _EffectReader:
 
     def _matrix(self, element: Element) -> Floats:
         """Return a matrix of forces (n, 3) N."""
-        texts = [
-            (child.text or "").split()
-            for child in element.iter()
-            if _name(child.tag) == "PassiveKinestheticForce"
+        name = "PassiveKinestheticForce"
+        found = [child for child in element.iter() if name_of(child.tag) == name]
+        words = (found[0].text or "").split() if found else []
+        sizes = [
+            text.split()
+            for child in found[:1]
+            for key, text in child.items()
+            if name_of(key) == "dim"
         ]
-        words = texts[0] if texts else []
         self._spend(len(words) // 3)
         try:
-            values = np.array(words, dtype=np.float64)
+            values = np.array([number_in(word) for word in words])
         except ValueError:
             values = np.array([math.nan])
-        if len(values) % 3 or not np.isfinite(values).all():
+        is_turned = bool(sizes) and sizes[0] != [str(len(values) // 3), "3"]
+        if is_turned or len(values) % 3 or not np.isfinite(values).all():
             raise self._refusal(
                 Message("a matrix of forces is not three numbers a row")
             )
@@ -164,35 +164,36 @@ class _EffectReader:
 
     def _constant(self, element: Element) -> Floats:
         for child in element:
-            if _name(child.tag) == "ActiveKinesthetic":
-                force_n = [
-                    self._number(child, f"f{axis}", 0.0, -1e6, 1e6) for axis in "xyz"
-                ]
+            if name_of(child.tag) == "ActiveKinesthetic":
+                given = Attributes(child.attrib, self._where)
+                force_n = [given.number(f"f{k}", 0.0, -1e6, 1e6) for k in "xyz"]
+                if any(given.number(f"t{k}", 0.0, -1e6, 1e6) for k in "xyz"):
+                    self._unread["torque"] += 1
                 return np.array([force_n, force_n])
         return np.zeros((0, 3))
 
     def _moved(self, element: Element) -> Floats:
         """Return acceleration times the default gain; 0 degrees is to the front."""
+        force_n = np.zeros((0, 3))
         for child in element:
-            if _name(child.tag) == "MoveToward" and child.get("acceleration"):
-                size = self._number(child, "acceleration", 0.0, -1e3, 1e3)
-                flat, steep = (
-                    math.radians(
-                        self._number(child, f"direction{which}", 0.0, -1e3, 1e3)
-                    )
-                    for which in "HV"
-                )
-                front, side = math.cos(steep) * math.cos(flat), math.sin(flat)
-                way = np.array([math.cos(steep) * side, math.sin(steep), -front])
-                gain = float(np.mean(Mapping().gain_n_per_mps2))
-                return np.tile(gain * size * way, (2, 1))
-        return np.zeros((0, 3))
+            name = name_of(child.tag)
+            if name != "MoveToward" or not child.get("acceleration") or len(force_n):
+                self._unread[f"RigidBodyMotion, {name}"] += 1
+                continue
+            given = Attributes(child.attrib, self._where)
+            size = given.number("acceleration", 0.0, -1e3, 1e3)
+            flat, steep = (
+                math.radians(given.number(f"direction{which}", 0.0, -1e3, 1e3))
+                for which in "HV"
+            )
+            front, side = math.cos(steep) * math.cos(flat), math.sin(flat)
+            way = np.array([math.cos(steep) * side, math.sin(steep), -front])
+            gain = float(np.mean(Mapping().gain_n_per_mps2))
+            force_n = np.tile(gain * size * way, (2, 1))
+        return force_n
 
-    def _vibration(self, element: Element, length_s: float) -> Floats:
-        span = element.get("intensity-range", "0 100").split()
-        most = float(span[1][:9]) if len(span) == 2 and span[1].isdecimal() else 100.0
-        name = "intensity" if "intensity" in element.attrib else "intensity-value"
-        level = self._number(element, name, 0.0, -1e6, 1e6) / max(most, 1.0)
+    def _vibration(self, effect: SemEffect) -> Floats:
+        length_s = (effect.length_s or 0.0) + effect.release_s
         count = int(length_s * 1000.0) + 1
         self._spend(count)
         full_n = self._choices.full_scale_n
@@ -202,28 +203,34 @@ class _EffectReader:
             )
         ] = None
         wave = np.sin(2.0 * np.pi * _VIBRATION_HZ * np.linspace(0.0, length_s, count))
-        height_n = full_n * min(1.0, abs(level))
-        return np.asarray(height_n * np.outer(wave, self._choices.direction))
+        return np.asarray(
+            full_n * effect.level * np.outer(wave, self._choices.direction)
+        )
 
     def _spend(self, rows: int) -> None:
         self._left -= rows
         if self._left < 0:
             raise self._refusal(Message("holds too many values"))
 
-    def _number(
-        self, element: Element, name: str, default: float, least: float, most: float
-    ) -> float:
-        text = element.get(name)
-        try:
-            value = default if text is None else float(text)
-        except ValueError:
-            value = math.nan
-        if not least <= value <= most:
-            raise self._refusal(Message("{name} is out of range", name=name))
-        return value
-
     def _refusal(self, what: Message) -> InputError:
         return InputError(what, where=self._where, remedy=ANOTHER)
+
+
+def _faded(effect: SemEffect, force_n: Floats) -> tuple[Floats, Floats]:
+    """Return times (n,) s from the begin of an effect, and its force with its fades."""
+    length_s, fade_s = effect.length_s or 0.0, effect.fade_s
+    whole_s = length_s + effect.release_s
+    at_s = np.linspace(0.0, whole_s, len(force_n))
+    if not fade_s and not effect.release_s:
+        return at_s, force_n
+    dense_s = np.union1d(at_s, np.clip([fade_s, length_s], 0.0, whole_s))
+    level = np.ones(len(dense_s))
+    if fade_s:
+        level = np.interp(dense_s, [0.0, fade_s], [effect.rise_from, 1.0])
+    if effect.release_s:
+        level = level * np.interp(dense_s, [length_s, whole_s], [1.0, 0.0])
+    lines = [np.interp(dense_s, at_s, axis) for axis in force_n.T]
+    return dense_s, np.stack(lines, axis=1) * level[:, None]
 
 
 def _summed(parts: list[tuple[Floats, Floats]]) -> tuple[Floats, Floats]:
@@ -237,7 +244,3 @@ def _summed(parts: list[tuple[Floats, Floats]]) -> tuple[Floats, Floats]:
         for axis in range(3):
             force_n[inside, axis] += np.interp(time_s[inside], at_s, part_n[:, axis])
     return time_s, force_n
-
-
-def _name(tag: str) -> str:
-    return tag.rpartition("}")[2]

@@ -1,0 +1,307 @@
+"""When the effects of MPEG-V act: groups, references, activation, seconds.
+
+An effect has the attributes of its group where it has none of its own. A reference is the
+declared effect with the reference's own attributes. An effect without a duration lasts until
+the next one of its kind and place, `activate="false"` among them, as PlaySEM writes them;
+PlaySEM also counts durations in seconds whatever the time scale is.
+"""
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+from xml.etree.ElementTree import Element
+
+from hapticplayer.errors import InputError, Message
+from hapticplayer.sequence.force_files import MAX_SECONDS
+from hapticplayer.untrusted import ANOTHER
+
+_XSI = "{http://www.w3.org/2001/XMLSchema-instance}type"
+_SI = "{urn:mpeg:mpeg21:2003:01-DIA-XSI-NS}"
+_INHERITED = (
+    *("activate", "duration", "fade", "location", "position"),
+    *("intensity", "intensity-value", "intensity-range"),
+)
+_KINESTHETIC = ("PassiveKinestheticForce", "ActiveKinesthetic", "RigidBodyMotion")
+_OTHER_TIMES = ("ptsDelta", "absTime", "absTimeDelta", "relTime")
+_MAX_DEPTH = 8
+
+SHORT_S = 0.02
+"""Nobody feels a vibration of less than a period."""
+
+
+class Attributes(NamedTuple):
+    """Attributes of an element, with and without their namespaces.
+
+    Attributes:
+        values: by name.
+        where: the file, for errors.
+    """
+
+    values: dict[str, str]
+    where: str
+
+    def number(self, name: str, default: float, least: float, most: float) -> float:
+        text = self.values.get(name)
+        try:
+            value = default if text is None else number_in(text)
+        except ValueError:
+            value = float("nan")
+        if not least <= value <= most:
+            raise self.refusal(Message("{name} is out of range", name=name))
+        return value
+
+    def flag(self, name: str) -> bool:
+        """Whether it is true; an absent one is."""
+        text = self.values.get(name, "true").strip().lower()
+        if text not in ("true", "false", "1", "0"):
+            raise self.refusal(Message("{name} must be true or false", name=name))
+        return text in ("true", "1")
+
+    def refusal(self, what: Message) -> InputError:
+        return InputError(what, where=self.where, remedy=ANOTHER)
+
+
+@dataclass(slots=True)
+class SemEffect:
+    """An effect, and when it acts.
+
+    Attributes:
+        kind: without its namespace and the ending `Type`.
+        element: with its parameters.
+        attributes: its own, and those of its group and reference.
+        begin_s: in media time.
+        length_s: None until something ends it.
+        fade_s: until it has its level.
+        release_s: from its end until nothing is left.
+        rise_from: share of its level at the begin of the fade.
+    """
+
+    kind: str
+    element: Element
+    attributes: Attributes
+    begin_s: float
+    length_s: float | None
+    fade_s: float = 0.0
+    release_s: float = 0.0
+    rise_from: float = 0.0
+
+    @property
+    def place(self) -> tuple[str, str]:
+        """What an effect without a duration is replaced by: the next of these."""
+        return self.kind, self.attributes.values.get("location", "")
+
+    @property
+    def level(self) -> float:
+        """Intensity as a share of its range, 0 to 1."""
+        span = self.attributes.values.get("intensity-range", "0 100").split()
+        try:
+            least, most = (number_in(text) for text in span)
+        except ValueError:
+            least = most = 0.0
+        if not least < most:
+            raise self.attributes.refusal(
+                Message("{name} is out of range", name="intensity-range")
+            )
+        names = ("intensity", "intensity-value")
+        name = next((one for one in names if one in self.attributes.values), names[1])
+        value = self.attributes.number(name, 0.0, -1e6, 1e6)
+        if least < 0.0:
+            return min(1.0, abs(value) / max(most, -least))
+        return min(1.0, max(0.0, (value - least) / (most - least)))
+
+
+class EffectTimes:
+    """Finds the effects of a file with their times.
+
+    Args:
+        where: the file, for errors.
+        until_s: end of the clip, if it is known.
+        most: effects that are taken; references repeat them.
+
+    Attributes:
+        assumed: what was taken for what.
+        unread: how often each thing was not understood.
+    """
+
+    def __init__(self, where: str, until_s: float, most: int) -> None:
+        self._where, self._until_s, self._left = where, until_s, most
+        self._declared: dict[str, Element] = {}
+        self._has_other_clock = False
+        self.assumed: dict[Message, None] = {}
+        self.unread: Counter[str] = Counter()
+
+    def effects(self, root: Element) -> list[SemEffect]:
+        """Those that act, in the order of their begin."""
+        for element in root.iter():
+            if name_of(element.tag) == "Declarations":
+                self._declare(element)
+        found = list(self._inside(root, {}, 1000.0, None, 0))
+        if self._counts_seconds(found):
+            self.assumed[Message("durations were taken as seconds, as in PlaySEM")] = (
+                None
+            )
+        else:
+            for one in found:
+                scale = one.attributes.number("timeScale", 1000.0, 1.0, 1e9)
+                one.length_s = None if one.length_s is None else one.length_s / scale
+        self._refuse_late(found)
+        return self._ended(sorted(found, key=lambda one: one.begin_s))
+
+    def _declare(self, declarations: Element) -> None:
+        for element in declarations.iter():
+            name = element.get("id") or element.get(f"{_SI}id")
+            if name:
+                self._declared[name] = element
+
+    def _inside(
+        self,
+        parent: Element,
+        given: dict[str, str],
+        scale: float,
+        begin_s: float | None,
+        depth: int,
+    ) -> Iterator[SemEffect]:
+        """Yield the effects of an element; lengths are still in ticks."""
+        own = _attributes_of(parent)
+        if "timeScale" in own:
+            scale = Attributes(own, self._where).number("timeScale", 1000.0, 1.0, 1e9)
+        for element in parent:
+            yield from self._one(element, given, scale, begin_s, depth)
+
+    def _one(
+        self,
+        element: Element,
+        given: dict[str, str],
+        scale: float,
+        begin_s: float | None,
+        depth: int,
+    ) -> Iterator[SemEffect]:
+        name = name_of(element.tag)
+        self._left -= 1
+        if self._left < 0 or depth > _MAX_DEPTH:
+            what = Message("holds too many values")
+            raise InputError(what, where=self._where, remedy=ANOTHER)
+        if name in ("Declarations", "Parameter"):
+            return
+        own = _attributes_of(element)
+        merged = Attributes({**given, **own}, self._where)
+        scale = merged.number("timeScale", scale, 1.0, 1e9)
+        if not {"pts", "timestamp"} & own.keys() and set(_OTHER_TIMES) & own.keys():
+            self.unread[f"{name} with a time that is relative"] += 1
+            return
+        for time in ("pts", "timestamp"):
+            if time in own:
+                own_s = merged.number(time, 0.0, 0.0, 1e15) / scale
+                if own_s < (begin_s or 0.0):
+                    self.unread["a time before that of its group"] += 1
+                begin_s = own_s
+                self._has_other_clock |= time == "timestamp"
+        if name == "ReferenceEffect":
+            meant = self._declared.get(own.get("uri", "").rpartition("#")[2])
+            if meant is None:
+                self.unread["ReferenceEffect"] += 1
+                return
+            kept = {k: v for k, v in own.items() if k not in ("id", "uri", "type")}
+            made = Element(meant.tag, {**_attributes_of(meant), **kept})
+            made.extend(meant)
+            yield from self._one(made, given, scale, begin_s, depth + 1)
+        elif name == "Effect":
+            yield self._effect(element, merged, scale, begin_s or 0.0)
+        else:
+            passed = {k: v for k, v in merged.values.items() if k in _INHERITED}
+            yield from self._inside(element, passed, scale, begin_s, depth + 1)
+
+    def _effect(
+        self, element: Element, attributes: Attributes, scale: float, begin_s: float
+    ) -> SemEffect:
+        kind = element.get(_XSI, element.get("type", "")).rpartition(":")[2]
+        kind = kind.removesuffix("Type")
+        length = attributes.number("duration", -1.0, -1.0, 1e15)
+        attributes.values["timeScale"] = str(scale)
+        return SemEffect(
+            kind[:1].upper() + kind[1:],
+            element,
+            attributes,
+            begin_s,
+            length if length > 0.0 else None,
+            attributes.number("fade", 0.0, 0.0, 1e15) / scale,
+        )
+
+    def _counts_seconds(self, found: list[SemEffect]) -> bool:
+        """Whether durations make sense as seconds only."""
+        timed = [one for one in found if one.length_s is not None]
+        if self._has_other_clock or any(one.kind in _KINESTHETIC for one in found):
+            return False
+        scales = [one.attributes.number("timeScale", 1.0, 1.0, 1e9) for one in timed]
+        ticks = [one.length_s or 0.0 for one in timed]
+        if not timed or max(map(float.__truediv__, ticks, scales)) >= SHORT_S:
+            return False
+        begins: dict[tuple[str, str], list[tuple[float, float]]] = {}
+        for one, seconds in zip(timed, ticks, strict=True):
+            begins.setdefault(one.place, []).append((one.begin_s, seconds))
+        return all(
+            begin_s + seconds <= later_s
+            for spans in map(sorted, begins.values())
+            for (begin_s, seconds), (later_s, _) in pairwise(spans)
+        )
+
+    def _refuse_late(self, found: list[SemEffect]) -> None:
+        for one in found:
+            if one.begin_s + (one.length_s or 0.0) + one.fade_s > MAX_SECONDS:
+                what = Message("an effect lies outside of any clip")
+                raise InputError(what, where=self._where, remedy=ANOTHER)
+
+    def _ended(self, found: list[SemEffect]) -> list[SemEffect]:
+        """Those that act, ended by what follows them."""
+        kept: list[SemEffect] = []
+        running: dict[tuple[str, str], list[SemEffect]] = {}
+        for one in found:
+            others = running.setdefault(one.place, [])
+            is_on = one.attributes.flag("activate")
+            for other in others:
+                end_s = other.begin_s + (other.length_s or 0.0)
+                if other.length_s is None or (not is_on and end_s > one.begin_s):
+                    other.length_s = one.begin_s - other.begin_s
+                    other.release_s = 0.0 if is_on else one.fade_s
+                    one.rise_from = _share(other, one) if is_on else 0.0
+            others[:] = [] if not is_on else [*_still(others, one.begin_s), one]
+            if is_on:
+                kept.append(one)
+        for one in kept:
+            if one.length_s is None and one.begin_s < self._until_s < float("inf"):
+                one.length_s = self._until_s - one.begin_s
+            elif one.length_s is None:
+                self.unread[f"{one.kind or '?'} without an end"] += 1
+        return [one for one in kept if one.length_s]
+
+
+def number_in(text: str) -> float:
+    """The number of an attribute; raises ValueError."""
+    if "_" in text:  # Python's own digits
+        raise ValueError(text)
+    return float(text)
+
+
+def name_of(tag: str) -> str:
+    """A name without its namespace."""
+    return tag.rpartition("}")[2]
+
+
+def _attributes_of(element: Element) -> dict[str, str]:
+    """Attributes without namespaces; those of the time prefix count first."""
+    plain = {name_of(name): text for name, text in element.attrib.items()}
+    timed = [one for one in element.attrib.items() if one[0].startswith(_SI)]
+    return plain | {name_of(name): text for name, text in timed}
+
+
+def _share(before: SemEffect, after: SemEffect) -> float:
+    """How much of the level of an effect the one before it had."""
+    if before.kind != "Vibration" or after.level <= 0.0:
+        return 0.0
+    return before.level / after.level
+
+
+def _still(effects: list[SemEffect], at_s: float) -> list[SemEffect]:
+    return [one for one in effects if one.begin_s + (one.length_s or 0.0) > at_s]
