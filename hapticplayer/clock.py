@@ -71,6 +71,16 @@ def utc_now_iso(timespec: str = "seconds") -> str:
     return dt.datetime.now(tz=dt.UTC).isoformat(timespec=timespec)
 
 
+def is_time(utc: str) -> bool:
+    """Whether a text is a time with its zone, as `utc_now_iso` writes it."""
+    import datetime as dt
+
+    try:
+        return dt.datetime.fromisoformat(utc).tzinfo is not None
+    except ValueError:
+        return False
+
+
 def realtime_minus_monotonic_s() -> float:
     """The offset of the kernel's stamps, such as SO_TIMESTAMPNS."""
     return time.time() - time.monotonic()

@@ -79,6 +79,9 @@ def convert(
         return msgspec.convert(value, kind, strict=strict)
     except InputError as problem:  # of a value type that checks itself
         raise error(message_of(problem), where=where, remedy=remedy) from None
+    except UnicodeEncodeError:
+        what = Message("holds half a character")
+        raise error(what, where=where, remedy=remedy or _CORRECT) from None
     except (msgspec.ValidationError, OverflowError) as problem:
         said, _, place = str(problem).rpartition(" - at `$")
         try:
@@ -230,7 +233,7 @@ def _entry(value: Any, kind: Any, place: str) -> tuple[str, Any]:
 def _fits(value: Any, kind: Any) -> bool:
     try:
         msgspec.convert(value, kind)
-    except (InputError, msgspec.ValidationError, OverflowError):
+    except (InputError, msgspec.ValidationError, OverflowError, UnicodeEncodeError):
         return False
     return True
 

@@ -34,6 +34,7 @@ MAX_REDIRECTS = 5
 MAX_BYTES_KEPT = 64 << 20
 """Of a clip in memory."""
 
+_MAX_DEPTH = 64
 _CONTROLS = (*range(0x20), *range(0x7F, 0xA0))
 
 ANOTHER = Message("choose another file")
@@ -131,15 +132,32 @@ def parse_json(content: bytes, where: str, error: type[InputError], remedy: str)
         InputError: `error`, when it is not such a text.
     """
     try:
-        return json.loads(
+        value = json.loads(
             content.decode("utf-8-sig"),
             object_pairs_hook=_object,
             parse_constant=_refuse_constant,
             parse_float=_finite_float,
         )
+        _refuse_deep(value)
     except (ValueError, RecursionError) as problem:
         what = Message("is not valid JSON ({reason})", reason=problem)
         raise error(what, where=where, remedy=remedy) from problem
+    return value
+
+
+def _refuse_deep(value: Any) -> None:
+    """Refuse what the next one who walks through it would need a deep stack for."""
+    level = [value] if isinstance(value, dict | list) else []
+    for _ in range(_MAX_DEPTH):
+        level = [
+            inner
+            for one in level
+            for inner in (one.values() if isinstance(one, dict) else one)
+            if isinstance(inner, dict | list)
+        ]
+        if not level:
+            return
+    raise ValueError(Message("nested too deeply"))
 
 
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

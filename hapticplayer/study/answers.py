@@ -4,7 +4,9 @@ import hashlib
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+from msgspec import Meta
 
 from hapticplayer import storage
 from hapticplayer.errors import Message, Progress, StudyError
@@ -24,6 +26,7 @@ from hapticplayer.study.trial_forces import measure_trial_forces
 
 SHEET, POST_TEST = "sheet", "post-test"
 REVIEWED = "reviewed.json"
+_Digest = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
 
 
 @dataclass(frozen=True, slots=True)
@@ -337,13 +340,14 @@ def read_reviewed(session_folder: Path) -> set[str]:
     if not path.exists():
         return set()
     try:
-        return read_json(path, dict[str, set[str]], StudyError)["passed"]
+        return read_json(path, dict[str, set[_Digest]], StudyError)["passed"]
     except (StudyError, KeyError):
         return set()  # the safe side: they have to be reviewed again
 
 
 def save_reviewed(session_folder: Path, digests: Iterable[str]) -> None:
     """Store that a person has approved these texts."""
-    passed = sorted(read_reviewed(session_folder) | set(digests))
-    content = storage.json_text({"passed": passed})
-    storage.replace_file(session_folder / REVIEWED, content, storage.PRIVATE_FILE)
+    with storage.locked(session_folder):
+        passed = sorted(read_reviewed(session_folder) | set(digests))
+        content = storage.json_text({"passed": passed})
+        storage.replace_file(session_folder / REVIEWED, content, storage.PRIVATE_FILE)

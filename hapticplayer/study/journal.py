@@ -12,7 +12,7 @@ import json
 import os
 import re
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
@@ -27,10 +27,11 @@ from hapticplayer.structures import decode as decode_json
 from hapticplayer.study.definition import read_file
 
 VERSION = 1
-MAX_BYTES, MAX_RECORD_BYTES = 256 << 20, 1 << 20
+MAX_BYTES, MAX_RECORD_BYTES = 64 << 20, 1 << 20
 _HEAD = b'{"record":'
 _MAX_TRIES = 16
 _TAIL = re.compile(rb',"crc":"([0-9a-f]{8})"\}')
+_WAS_WHOLE = re.compile(rb',"crc":"|"[0-9a-f]{8}"\}')
 
 
 _Whole = Annotated[int, Meta(ge=0, le=10**9)]
@@ -40,7 +41,7 @@ class _Head(Struct):
     record: _Whole
     v: _Whole
     utc: str
-    mono_s: float
+    mono_s: Annotated[float, Meta(ge=0.0, le=1e9)]
     kind: str
 
 
@@ -73,6 +74,7 @@ class Records:
     Attributes:
         intact: in the order of the file.
         damaged: one sentence for each damaged range of bytes.
+        torn: how many of these an interrupted write left, so that nothing is lost.
         size_bytes: of what was read.
         is_torn: whether the last line is incomplete.
         newest_version: of the records; 0 without records.
@@ -80,6 +82,7 @@ class Records:
 
     intact: tuple[JournalRecord, ...]
     damaged: tuple[str, ...]
+    torn: int
     size_bytes: int
     is_torn: bool
     newest_version: int
@@ -127,18 +130,19 @@ def decode(data: bytes) -> Records:
     line break is damaged a line holds two; so a few beginnings are tried in each.
     """
     intact: list[JournalRecord] = []
-    damaged: list[str] = []
-    newest = begin = covered = 0
+    gaps = _Gaps(data, intact)
+    newest = begin = 0
     while begin < len(data):
         end = data.find(b"\n", begin) + 1 or len(data)
         for at, record, version, after in _records_in(data, begin, end):
-            _describe_gap(data, covered, at, intact, damaged)
+            gaps.close(at, after)
             intact.append(record)
-            newest, covered = max(newest, version), after
+            newest = max(newest, version)
         begin = end
-    _describe_gap(data, covered, len(data), intact, damaged)
+    gaps.close(len(data), len(data))
     is_torn = bool(data) and not data.endswith(b"\n")
-    return Records(tuple(intact), tuple(damaged), len(data), is_torn, newest)
+    damaged = tuple(gaps.damaged)
+    return Records(tuple(intact), damaged, gaps.torn, len(data), is_torn, newest)
 
 
 def _records_in(
@@ -177,28 +181,40 @@ def _record_at(data: bytes, at: int, end: int) -> tuple[JournalRecord, int, int]
     return record, head.v, tail.end()
 
 
-def _describe_gap(
-    data: bytes, begin: int, end: int, intact: list[JournalRecord], damaged: list[str]
-) -> None:
-    """Describe the bytes between two intact records, unless it is a line break."""
-    gap = data[begin:end]
-    if gap.strip(b"\n") == b"" and len(gap) <= 2:
-        return
-    line = 1 + data.count(b"\n", 0, begin + (len(gap) - len(gap.lstrip(b"\n"))))
-    after = (
-        Message("after record {number}", number=intact[-1].number)
-        if intact
-        else Message("at the beginning")
-    )
-    damaged.append(
-        Message(
-            "bytes {begin} to {end} (line {line}, {after}) are damaged",
-            begin=begin,
-            end=end,
-            line=line,
-            after=after,
+class _Gaps:
+    """Describes the bytes between intact records, unless they are a line break."""
+
+    def __init__(self, data: bytes, intact: Sequence[JournalRecord]) -> None:
+        self.damaged: list[str] = []
+        self.torn = 0
+        self._data, self._intact = data, intact
+        self._covered, self._counted, self._line = 0, 0, 1
+
+    def close(self, end: int, after: int) -> None:
+        """Describe the gap before a record that goes from `end` to `after`."""
+        begin, self._covered = self._covered, after
+        gap = self._data[begin:end]
+        left = gap.lstrip(b"\n")
+        if not left and len(gap) <= 2:
+            return
+        at = end - len(left)
+        self._line += self._data.count(b"\n", self._counted, at)
+        self._counted = at
+        self.torn += _WAS_WHOLE.search(gap) is None
+        where = (
+            Message("after record {number}", number=self._intact[-1].number)
+            if self._intact
+            else Message("at the beginning")
         )
-    )
+        self.damaged.append(
+            Message(
+                "bytes {begin} to {end} (line {line}, {after}) are damaged",
+                begin=begin,
+                end=end,
+                line=self._line,
+                after=where,
+            )
+        )
 
 
 class Journal:

@@ -6,10 +6,11 @@ from pathlib import Path
 
 from hapticplayer import storage
 from hapticplayer.errors import StudyError
+from hapticplayer.structures import decode as decode_json
 from hapticplayer.study.definition import read_file
 from hapticplayer.study.journal import MAX_BYTES, decode
-from hapticplayer.study.session_folder import ANSWERS, sha256
-from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Study
+from hapticplayer.study.session_folder import ANSWERS, read_session, sha256
+from hapticplayer.study.study_folder import CONSENTS, SESSIONS, Consent, Study
 from hapticplayer.untrusted import open_regular
 
 
@@ -33,7 +34,8 @@ class Merged:
 def merge_sessions(study: Study, other: Study) -> Merged:
     """Copy the sessions of another copy of a study into this one.
 
-    Existing sessions are not changed; different sessions of one code are a conflict.
+    Existing sessions are not changed; different sessions of one code are a conflict, and
+    so is one that is damaged, which stays where it is.
     """
     if other.definition.id != study.definition.id:
         raise StudyError(
@@ -51,14 +53,17 @@ def merge_sessions(study: Study, other: Study) -> Merged:
     conflicts: list[str] = []
     for code in other.codes():
         theirs = other.session_folder(code)
-        if code not in here:
-            problem = _copy_session(study, other, code)
-        else:
-            problem = _difference(study.session_folder(code), theirs)
+        with storage.locked(study.folder):
+            is_here = code in study.codes()
+            problem = (
+                _difference(study.session_folder(code), theirs)
+                if is_here
+                else _copy_session(study, other, code)
+            )
         if problem:
             conflicts.append(f"{code}: {problem}")
         else:
-            (same if code in here else added).append(code)
+            (same if is_here else added).append(code)
     notices = _other_clips(study, here, added)
     return Merged(tuple(added), tuple(same), tuple(conflicts), notices)
 
@@ -80,26 +85,52 @@ def _other_clips(study: Study, here: set[str], added: list[str]) -> tuple[str, .
 
 
 def _copy_session(study: Study, other: Study, code: str) -> str:
-    """Copy a session; return why that failed, or ""."""
+    """Copy a session that is sound; return why it is left out, or ""."""
+    folder = other.session_folder(code)
     try:
-        other.session(code)
+        consent = _consent(other, code)
+        with storage.folder_written_aside(
+            study.session_folder(code), storage.PRIVATE_FOLDER
+        ) as aside:
+            for path in sorted(folder.iterdir()):
+                if path.is_file() and not path.is_symlink():
+                    _copy(path, aside / path.name)
+            _refuse_damaged(aside, study, code)
+            if consent:
+                target = study.folder / CONSENTS / f"{code}.json"
+                storage.replace_file(target, consent, storage.PRIVATE_FILE)
     except StudyError as problem:
         return f"cannot be read there ({problem})"
-    folder = other.session_folder(code)
-    with storage.folder_written_aside(
-        study.session_folder(code), storage.PRIVATE_FOLDER
-    ) as aside:
-        for path in sorted(folder.iterdir()):
-            if path.is_file() and not path.is_symlink():
-                _copy(path, aside / path.name)
-    consent = other.folder / CONSENTS / f"{code}.json"
-    if consent.is_file():
-        storage.replace_file(
-            study.folder / CONSENTS / consent.name,
-            read_file(consent),
-            storage.PRIVATE_FILE,
-        )
     return ""
+
+
+def _refuse_damaged(copied: Path, study: Study, code: str) -> None:
+    """Raise StudyError for a copy that holds more than this program wrote, or less."""
+    found = read_session(copied, study.content, code)
+    if found.plan.study != study.definition.id:
+        raise StudyError("it is of the study {found}", found=found.plan.study)
+    if not found.is_sound:
+        raise StudyError(
+            "{count} places are damaged: {first}",
+            remedy="copy it from the other machine again; to use what is intact, move "
+            "its folder into sessions",
+            count=len(found.notices) - found.records.torn,
+            first=found.notices[0],
+        )
+
+
+def _consent(other: Study, code: str) -> bytes:
+    """The file of a participant's consent, checked; empty without one."""
+    path = other.folder / CONSENTS / f"{code}.json"
+    if not path.is_file():
+        return b""
+    content = read_file(path)
+    found = decode_json(content, Consent, f"{CONSENTS}/{code}.json", StudyError)
+    if found.code != code:
+        raise StudyError(
+            "is the consent of {code}", where=f"{CONSENTS}/{code}.json", code=found.code
+        )
+    return content
 
 
 def _copy(source: Path, target: Path) -> None:

@@ -102,7 +102,7 @@ class PageMaker:
             kind=kind,
             step=step,
             text=self._text_of(kind, step),
-            questions=tuple(self._asked(step)) if is_asking else (),
+            questions=tuple(self.asked(step)) if is_asking else (),
             replays=self._replays() if is_asking and step == POST_TEST else (),
             position=position_of(step) or 0,
             count=len(self._plan.order),
@@ -132,7 +132,7 @@ class PageMaker:
             return self.word(kind.value)
         return "" if kind is PageKind.PLAYING else self.text(kind.value)
 
-    def _asked(self, step: str) -> Iterator[AskedQuestion]:
+    def asked(self, step: str) -> Iterator[AskedQuestion]:
         """Yield the questions of a step, some of them once for each feedback."""
         definition = self._definition
         pages = {SHEET: definition.sheet, POST_TEST: definition.post_test}
@@ -184,7 +184,7 @@ def check_answers(
         if value is None:
             if question.required:
                 raise StudyError("is not answered yet", where=question.name)
-        elif not _is_allowed(question, value):
+        elif not is_allowed(question, value):
             raise StudyError(_limits(question), where=question.name)
         checked[question.name] = value
     if unknown := set(values) - set(checked):
@@ -192,7 +192,8 @@ def check_answers(
     return checked
 
 
-def _is_allowed(question: AskedQuestion, value: Any) -> bool:
+def is_allowed(question: AskedQuestion, value: Any) -> bool:
+    """Whether a question can be answered like this."""
     is_whole = isinstance(value, int) and not isinstance(value, bool)
     match question.kind:
         case QuestionKind.LIKERT:
@@ -200,7 +201,7 @@ def _is_allowed(question: AskedQuestion, value: Any) -> bool:
         case QuestionKind.NUMBER:
             return is_whole and question.least <= value <= question.most
         case QuestionKind.CHOICE:
-            return value in [key for key, _ in question.choices]
+            return isinstance(value, str) and value in dict(question.choices)
         case QuestionKind.YES_NO:
             return isinstance(value, bool)
         case QuestionKind.TEXT:

@@ -7,17 +7,20 @@ that one damaged copy does no harm.
 import hashlib
 import json
 import secrets
+from collections import Counter
 from collections.abc import Collection
 from typing import Annotated, Any
 
 import msgspec
 from msgspec import Meta
 
+from hapticplayer.clock import is_time
 from hapticplayer.errors import Message, StudyError
 from hapticplayer.storage import json_text
 from hapticplayer.structures import convert, decode
 from hapticplayer.study.definition import (
     Condition,
+    Definition,
     JsonObject,
     Key,
     OrderMethod,
@@ -54,7 +57,7 @@ class Plan(JsonObject, frozen=True, kw_only=True):
     code: str
     study: Key
     definition_sha256: str
-    program: str
+    program: Annotated[str, Meta(max_length=200)]
     created_utc: str
     language: Key
     method: OrderMethod
@@ -65,9 +68,11 @@ class Plan(JsonObject, frozen=True, kw_only=True):
     clips: dict[str, str]
 
     def __post_init__(self) -> None:
-        """Refuse an invalid code."""
+        """Refuse an invalid code, and a time that reports could not show."""
         if not is_code(self.code):
             raise ValueError("'code' is not a participant's code")
+        if not is_time(self.created_utc):
+            raise ValueError("'created_utc' is not a time with its zone")
 
 
 def describe(value: Plan | Condition) -> dict[str, Any]:
@@ -103,6 +108,20 @@ def plan_of_record(content: Any, path: str) -> Plan:
         what = Message("was written by another version of the program")
         refuse(path, "", what, Message("update hapticplayer"))
     return convert(content, Plan, path, StudyError)
+
+
+def check_plan(plan: Plan, definition: Definition, code: str, path: str) -> None:
+    """Refuse a plan of another participant, or one that its definition does not allow."""
+    if plan.code != code:
+        what = Message("is the session of {code}", code=plan.code)
+        refuse(path, "code", what, Message("copy the session again"))
+    is_study = plan.study == definition.id
+    is_order = Counter(plan.order) == Counter(definition.conditions)
+    is_labelled = sorted(plan.labels) == sorted(definition.feedback_keys)
+    is_asked = plan.language in definition.languages
+    if not (is_study and is_order and is_labelled and is_asked):
+        what = Message("does not fit the definition of its session")
+        refuse(path, "", what, Message("copy the session again"))
 
 
 def _digest(described: dict[str, Any]) -> str:

@@ -101,7 +101,8 @@ def volume_in_checks(checks: object) -> int | None:
         if isinstance(row, dict) and row.get("check") == VOLUME
     ]
     number = texts[-1].removesuffix(" %") if texts else ""
-    return min(int(number), 100) if number.isdecimal() else None
+    is_number = number.isdecimal() and len(number) <= len("100")
+    return min(int(number), 100) if is_number else None
 
 
 def _device(now: Snapshot, checks: Checks) -> SessionCheck:

@@ -99,7 +99,7 @@ class SessionRunner:
         self.maker = PageMaker(self.definition, self.plan)
         self._steps = steps_of(self.definition, len(self._conditions))
         self._journal = Journal(session.folder / ANSWERS, clock)
-        records = self._journal.found
+        records = study.session(code).records  # as they are now that it is locked
         self._done = steps_done(records)
         self._attempts = {s: attempts_of(records, s) for s in self._steps}
         self._again = ""

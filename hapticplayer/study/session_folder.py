@@ -13,11 +13,13 @@ from hapticplayer.study.definition_reader import parse_definition
 from hapticplayer.study.journal import Records, encode, read_journal
 from hapticplayer.study.plan import (
     Plan,
+    check_plan,
     describe,
     parse_plan_file,
     plan_file,
     plan_of_record,
 )
+from hapticplayer.study.record_check import sound_records
 
 PLAN, DEFINITION_COPY, ANSWERS = "session.json", "study.json", "answers.jsonl"
 
@@ -40,8 +42,9 @@ class StoredSession:
         folder: of the session.
         plan: of the session.
         definition: of the study when the session began.
-        records: of the journal.
+        records: of the journal, those that this program can have written.
         notices: one sentence for each damage.
+        is_sound: whether nothing is damaged but by an interrupted write.
     """
 
     folder: Path
@@ -49,6 +52,7 @@ class StoredSession:
     definition: Definition
     records: Records
     notices: tuple[str, ...]
+    is_sound: bool
 
     @property
     def code(self) -> str:
@@ -77,27 +81,36 @@ def create_session(folder: Path, plan: Plan, definition: bytes, clock: Clock) ->
         storage.write_private(aside / ANSWERS, first)
 
 
-def read_session(folder: Path, study_definition: bytes = b"") -> StoredSession:
+def read_session(
+    folder: Path, study_definition: bytes = b"", code: str = ""
+) -> StoredSession:
     """Return a session, recovered as far as it is intact.
 
     Args:
         folder: of the session.
         study_definition: content of the definition of the study, which replaces a
             damaged copy if it is unchanged.
+        code: of the participant, by default the name of the folder.
     """
+    code = code or folder.name
     records = read_journal(folder / ANSWERS)
-    name = f"{folder.name}/{ANSWERS}"
+    name = f"{code}/{ANSWERS}"
     notices = [f"{name}: {what}" for what in records.damaged]
-    plan = _plan(folder, records, notices)
+    plan = _plan(folder, code, records, notices)
     content = _definition(folder, plan, study_definition, notices)
-    definition = parse_definition(content, f"{folder.name}/{DEFINITION_COPY}")
-    return StoredSession(folder, plan, definition, records, tuple(notices))
+    definition = parse_definition(content, f"{code}/{DEFINITION_COPY}")
+    check_plan(plan, definition, code, f"{code}/{PLAN}")
+    if not _holds(records, plan):
+        notices.append(Message("{file}: holds another plan", file=name))
+    records, wrong = sound_records(records, plan, definition)
+    notices += [f"{name}: {what}" for what in wrong]
+    is_sound = len(notices) == records.torn
+    return StoredSession(folder, plan, definition, records, tuple(notices), is_sound)
 
 
-def _plan(folder: Path, records: Records, notices: list[str]) -> Plan:
-    where = f"{folder.name}/{PLAN}"
+def _plan(folder: Path, code: str, records: Records, notices: list[str]) -> Plan:
     try:
-        return parse_plan_file(read_file(folder / PLAN), where)
+        return parse_plan_file(read_file(folder / PLAN), f"{code}/{PLAN}")
     except StudyError as problem:
         first = next((r for r in records.intact if r.kind == "plan"), None)
         if first is None:
@@ -105,7 +118,19 @@ def _plan(folder: Path, records: Records, notices: list[str]) -> Plan:
         notices.append(
             Message("{reason}; the copy in the journal was used", reason=problem)
         )
-        return plan_of_record(first.content.get("plan"), f"{folder.name}/{ANSWERS}")
+        return plan_of_record(first.content.get("plan"), f"{code}/{ANSWERS}")
+
+
+def _holds(records: Records, plan: Plan) -> bool:
+    """Whether a journal that begins with an intact plan begins with this one."""
+    try:
+        return all(
+            plan_of_record(record.content.get("plan"), "") == plan
+            for record in records.intact[:1]
+            if record.number == 1
+        )
+    except StudyError:
+        return False
 
 
 def _definition(
@@ -117,7 +142,7 @@ def _definition(
         content = b""
     if sha256(content) == plan.definition_sha256:
         return content
-    where = f"{folder.name}/{DEFINITION_COPY}"
+    where = f"{plan.code}/{DEFINITION_COPY}"
     if sha256(study_definition) != plan.definition_sha256:
         raise StudyError(
             "is damaged or missing, and the definition of the study has changed",

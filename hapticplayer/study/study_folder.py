@@ -10,11 +10,20 @@ import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
+
+import msgspec
 
 from hapticplayer import __version__, storage
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import Message, StudyError
-from hapticplayer.study.definition import Condition, Definition, OrderMethod, read_file
+from hapticplayer.study.definition import (
+    Condition,
+    Definition,
+    JsonObject,
+    OrderMethod,
+    read_file,
+)
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.journal import Journal, refuse_if_open
 from hapticplayer.study.order_list import ORDERS, read_orders
@@ -77,7 +86,16 @@ class Study:
                 remedy="`study status` lists them",
                 code=checked_code(code),
             )
-        return read_session(folder, self.content)
+        found = read_session(folder, self.content)
+        if found.plan.study != self.definition.id:
+            raise StudyError(
+                "is a session of the study {found}, not {expected}",
+                where=f"{folder.name}",
+                remedy="move it to its own study",
+                found=found.plan.study,
+                expected=self.definition.id,
+            )
+        return found
 
     def sessions(self) -> tuple[list[StoredSession], list[str]]:
         """Return all sessions by time, and notices.
@@ -125,7 +143,9 @@ def open_study(folder: str | Path) -> Study:
     content = read_file(folder / DEFINITION)
     definition = parse_definition(content, str(folder / DEFINITION))
     study = Study(folder, definition, content)
-    _finish_deletions(study)
+    if any((folder / SESSIONS).glob(f"{_LEAVING}*")):
+        with storage.locked(folder):
+            _finish_deletions(study)
     return study
 
 
@@ -150,7 +170,7 @@ def begin_session(
         )
     storage.make_folder(study.folder / SESSIONS)
     storage.make_folder(study.folder / CONSENTS)
-    with storage.locked(study.folder / SESSIONS):
+    with storage.locked(study.folder):
         code = new_code(study.codes())
         made = _assignment(study, code)
         plan = Plan(
@@ -202,9 +222,17 @@ def delete_participant(study: Study, code: str) -> list[str]:
     """
     folder = study.session_folder(code)
     code = folder.name
-    consent = study.folder / CONSENTS / f"{code}.json"
+    with storage.locked(study.folder):
+        _mark_for_deletion(study, folder)
+        _finish_deletions(study)
+    return _files_with(study.folder, code.encode())
+
+
+def _mark_for_deletion(study: Study, folder: Path) -> None:
+    """Remove the consent, and give the session a name without the code."""
+    consent = study.folder / CONSENTS / f"{folder.name}.json"
     if not folder.exists() and not consent.exists():
-        study.session(code)
+        study.session(folder.name)
     refuse_if_open(folder / ANSWERS)
     storage.make_folder(study.folder / DELETED)
     try:
@@ -217,8 +245,6 @@ def delete_participant(study: Study, code: str) -> list[str]:
                 storage.sync_folder(changed)
     except OSError as problem:
         raise storage.StorageError.of(problem, folder) from problem
-    _finish_deletions(study)
-    return _files_with(study.folder, code.encode())
 
 
 def _finish_deletions(study: Study) -> None:
@@ -259,19 +285,30 @@ def _contains(path: Path, code: bytes) -> bool:
     return False
 
 
+class Consent(JsonObject, frozen=True, kw_only=True):
+    """The decision of a participant, apart from the answers."""
+
+    schema: Literal["hapticplayer.consent"] = "hapticplayer.consent"
+    version: Literal[1] = 1
+    code: str
+    given: bool
+    language: str
+    text_sha256: str
+    utc: str
+
+
 def save_consent(
     study: Study, code: str, *, given: bool, text: str, language: str
 ) -> None:
-    """Store the decision of a participant, apart from the answers."""
-    content = {
-        "schema": "hapticplayer.consent",
-        "version": 1,
-        "code": code,
-        "given": given,
-        "language": language,
-        "text_sha256": sha256(text.encode()),
-        "utc": utc_now_iso(),
-    }
+    """Store the decision of a participant."""
+    made = Consent(
+        code=code,
+        given=given,
+        language=language,
+        text_sha256=sha256(text.encode()),
+        utc=utc_now_iso(),
+    )
     storage.make_folder(study.folder / CONSENTS)
     path = study.folder / CONSENTS / f"{code}.json"
-    storage.replace_file(path, storage.json_text(content), storage.PRIVATE_FILE)
+    content = storage.json_text(msgspec.to_builtins(made))
+    storage.replace_file(path, content, storage.PRIVATE_FILE)
