@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any, Protocol, runtime_checkable
 
 from hapticplayer.devices.capabilities import FALCON, SIMULATED
-from hapticplayer.devices.options import DeviceOptions
+from hapticplayer.devices.options import DeviceOptions, divided
 from hapticplayer.errors import DeviceError, Message, joined
 from hapticplayer.extension import load, rows
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Signal, Vector
@@ -69,7 +69,7 @@ class DeviceEntry:
             command; False from it means that there is nothing left to silence.
         options: called with what follows the name and a colon, returns
             `DeviceOptions`; raises DeviceError for what is not allowed, with what is.
-            "" where nothing can follow.
+            "" where nothing but `gain=` can follow, which all devices take.
         guide: its set-up page, a `guides.Guide`; "" for one made of what is here.
         server: module that is run as a process of its own and takes injected faults;
             loop and guard both hold the other end of its line. "" for real hardware:
@@ -99,8 +99,8 @@ class DeviceEntry:
 
     @property
     def chosen(self) -> str:
-        """What follows the name and a colon."""
-        return self.name.partition(":")[2]
+        """What follows the name and a colon, but for what all devices take."""
+        return divided(self.name)[0]
 
     @property
     def takes_motion(self) -> bool:
@@ -110,9 +110,7 @@ class DeviceEntry:
     @property
     def settings(self) -> DeviceOptions:
         """What was chosen, with all that follows from it; raises DeviceError."""
-        if self.options:
-            return _parsed(self.options, self.chosen)
-        return DeviceOptions(self.capabilities)
+        return _parsed(self.options, self.capabilities, self.name)
 
     @property
     def release_s(self) -> float:
@@ -134,9 +132,10 @@ class DeviceEntry:
 
 
 @cache
-def _parsed(options: str, text: str) -> DeviceOptions:
-    found: DeviceOptions = load(options)(text)
-    return found
+def _parsed(options: str, record: DeviceCapabilities, name: str) -> DeviceOptions:
+    own, shared = divided(name)
+    found: DeviceOptions = load(options)(own) if options else DeviceOptions(record)
+    return replace(found, **shared)
 
 
 _SIMULATION = "hapticplayer.simulation"
@@ -202,9 +201,11 @@ def find_device(name: str) -> DeviceEntry:
         )
     if not chosen:
         return entry
-    if not entry.options:
+    entry = replace(entry, name=name)
+    if entry.chosen and not entry.options:
         raise DeviceError(
-            "device {name!r}: nothing can follow; use {kind}", name=name, kind=kind
+            "device {name!r}: nothing but gain= can follow; use {kind}",
+            name=name,
+            kind=kind,
         )
-    record = _parsed(entry.options, chosen).capabilities
-    return replace(entry, name=name, capabilities=record)
+    return replace(entry, capabilities=entry.settings.capabilities)

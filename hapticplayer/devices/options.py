@@ -14,6 +14,7 @@ from hapticplayer.model.ranges import Range
 
 PORT = Range(1, 65535, is_whole=True)
 GAIN, LATENCY_MS = Range(0, 4), Range(0, 1000, "ms")
+_GAIN = "gain="
 Fields = dict[str, Any]
 Parse = Callable[[str, str], Any]
 """Called with the name and the value; raises ValueError or HapticPlayerError."""
@@ -27,7 +28,7 @@ class DeviceOptions:
         capabilities: of the device with these options.
         address: which one, or where it is, for people.
         latency_s: from a command to what is felt, 0 for what is typical.
-        gain: of everything that is sent.
+        gain: of everything that it plays; the player multiplies, not the driver.
         sole_use: what two outputs cannot use at once; "" for nothing.
     """
 
@@ -63,7 +64,7 @@ def fields_of(
             if not equals:
                 more = place(part)
             else:
-                field, parse = named[one_of(name, named)]
+                field, parse = named[one_of(name, (*named, "gain"))]
                 more = {field: parse(name, value)}
             if more.keys() & found.keys():
                 raise DeviceError("say it once")
@@ -76,6 +77,26 @@ def fields_of(
             ) from problem
         found |= more
     return found
+
+
+def divided(name: str) -> tuple[str, Fields]:
+    """What follows a name and a colon: for the device's own parser, and for all devices."""
+    kind, _, text = name.partition(":")
+    parts = text.split(",")
+    shared = [part for part in parts if part.startswith(_GAIN)]
+    own = ",".join(part for part in parts if part not in shared)
+    parsers = {"gain": ("gain", GAIN.parse)}
+    return own, fields_of(kind, ",".join(shared), lambda _part: {}, parsers)
+
+
+def with_gain(name: str, gain: float = 1.0) -> str:
+    """The name of a device with another gain; without one for 1."""
+    kind, _, text = name.partition(":")
+    parts = [part for part in text.split(",") if not part.startswith(_GAIN)]
+    chosen = ",".join(
+        parts if gain == 1.0 else [*filter(None, parts), f"{_GAIN}{gain:g}"]
+    )
+    return f"{kind}:{chosen}" if chosen else kind
 
 
 def one_of(word: str, known: Iterable[str]) -> str:

@@ -41,10 +41,8 @@ class ForcePlayer:
     ) -> None:
         self._latch = latch or StopLatch()
         self._latch.refuse()
-        capabilities = find_device(device).capabilities
-        self._track = (
-            adapted(track, capabilities) if isinstance(track, ForceTrack) else track
-        )
+        entry = find_device(device)
+        self._track = adapted(track, entry.capabilities, entry.settings.gain)
         self._processes = HapticsProcesses(clock, device)
         self.media_s = 0.0
         self.mode, self.cause = Mode.IDLE, Cause.NONE

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from hapticplayer.devices import NO_DEVICE, find_device
+from hapticplayer.devices.options import with_gain
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model.ranges import finite_number
 from hapticplayer.storage import config_home
@@ -120,10 +121,10 @@ class Latencies:
         own_s = entry.settings.latency_s
         if own_s and not entry.capabilities.has_own_clock:
             return DeviceLatency(own_s, LatencySource.SETTINGS)
-        if name in self.device_s:
-            return DeviceLatency(self.device_s[name], LatencySource.MEASURED)
-        if name in self.entered_s:
-            return DeviceLatency(self.entered_s[name], LatencySource.ENTERED)
+        if (kept := with_gain(name)) in self.device_s:
+            return DeviceLatency(self.device_s[kept], LatencySource.MEASURED)
+        if kept in self.entered_s:
+            return DeviceLatency(self.entered_s[kept], LatencySource.ENTERED)
         if own_s:
             return DeviceLatency(own_s, LatencySource.KEPT)
         return DeviceLatency(entry.capabilities.latency_s, LatencySource.ASSUMED)

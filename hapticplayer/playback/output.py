@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
+from hapticplayer.devices.options import GAIN
 from hapticplayer.errors import Message
 from hapticplayer.haptics.block import REFUSED
 from hapticplayer.haptics.contract import Cause, Mode
@@ -91,6 +92,7 @@ class Output:
 
     Attributes:
         name: as it was chosen, with its settings.
+        gain: multiplies what it plays; at first that of its settings.
         feedback: a condition of its own, "" for the player's.
         is_muted: whether a person has silenced it.
         is_lent: whether a test or another program has the device meanwhile.
@@ -211,21 +213,31 @@ class Output:
         if self.takes_motion:
             signals = {} if rig is None else {Feedback.REALISTIC.value: rig}
         self._names = set(signals)
-        if self.is_lent or self.capabilities is None:
+        if self.is_lent or (found := self.capabilities) is None:
             return
-        self.processes.load({n: self._adapted(one) for n, one in signals.items()})
-
-    def _adapted(self, track: ForceTrack | RigTrack) -> ForceTrack | RigTrack:
-        if isinstance(track, RigTrack) or self.capabilities is None:
-            return track
-        return adapted(track, self.capabilities)
+        self.processes.load(
+            {name: adapted(one, found, self.gain) for name, one in signals.items()}
+        )
 
     def replace(self, name: str, track: ForceTrack) -> None:
         """Hand over another version of a force; a rig moves as it did."""
-        self._tracks = {**self._tracks, name: track}
-        is_here = self.capabilities is not None and not self.is_lent
-        if is_here and not self.takes_motion and name in self._names:
-            self.processes.replace(name, self._adapted(track))
+        self._tracks, found = {**self._tracks, name: track}, self.capabilities
+        is_here = not (self.is_lent or self.takes_motion) and name in self._names
+        if found is not None and is_here:
+            self.processes.replace(name, adapted(track, found, self.gain))
+
+    def set_gain(self, gain: float) -> None:
+        """Multiply what it plays, also while it plays; a rig fades in again."""
+        self.gain = GAIN.parse("gain", repr(gain))
+        if self.takes_motion:
+            self.load(self._tracks, self._motion)
+        for name, track in self._tracks.items():
+            self.replace(name, track)
+
+    def choose_as(self, before: "Output") -> None:
+        """Take over what a person has chosen of it: it is opened again."""
+        self.feedback, self.is_muted = before.feedback, before.is_muted
+        self.gain = before.gain
 
     def publish(self, clock: PlaybackClock, feedback: str) -> None:
         """Beat, and publish where the clip is, with the player's condition."""

@@ -61,7 +61,8 @@ class Outputs:
             raise TypeError(f"outputs are a list of names, not {names!r}")
         names = [name for name in names if name != NO_DEVICE]
         _refuse_alike(names)
-        first = self._all.get(names[0]) if names else None
+        before = dict(self._all)
+        first = before.get(names[0]) if names else None
         faults = first.processes.takes_faults if first else False
         if first and (record is not None or faults is not takes_faults):
             self._release(first)
@@ -73,7 +74,8 @@ class Outputs:
             for name in names:
                 if name not in self._all:
                     options = {"record": record, "takes_faults": takes_faults}
-                    self._open(name, **options if name == names[0] else {})
+                    options = options if name == names[0] else {}
+                    self._open(name, before.get(name), **options)
         finally:
             self._all = {name: self._all[name] for name in names if name in self._all}
             self._order()
@@ -83,11 +85,13 @@ class Outputs:
         one.release()
         self._released.append(one)
 
-    def _open(self, name: str, **options: Any) -> None:
+    def _open(self, name: str, like: Output | None, **options: Any) -> None:
         if is_hardware(name) and not self._lends:
             self.wait_released(hardware_only=True)
         before, is_lent = tuple(self._released), self._lends > 0
         made = Output(self._context, name, before, is_lent=is_lent, **options)
+        if like is not None:
+            made.choose_as(like)
         made.set_latencies(self._latencies)
         self._all[name] = made
         self._hand_over([made])

@@ -206,18 +206,29 @@ class Player:
         return [one.name for one in self._outputs if one.name != NO_DEVICE]
 
     def set_output(
-        self, name: str, *, feedback: str | None = None, is_muted: bool | None = None
+        self,
+        name: str,
+        *,
+        feedback: str | None = None,
+        is_muted: bool | None = None,
+        gain: float | None = None,
     ) -> None:
-        """Give an output a condition of its own ("" for the player's), or mute it.
+        """Give an output a condition of its own ("" for the player's), mute or gain.
 
         None keeps what is.
+
+        Raises:
+            UsageError: for a gain that is not from 0 to 4.
         """
         output = self._outputs[name]
         if feedback is not None:
             output.feedback = feedback
         if is_muted is not None:
             output.is_muted = is_muted
+        if gain is not None:
+            output.set_gain(gain)
         now = {"feedback": output.feedback, "muted": output.is_muted}
+        now = {**now, "gain": output.gain}
         self._reporter.event("output", output=name, **now)
 
     def lend_outputs(self, name: str = "") -> None:

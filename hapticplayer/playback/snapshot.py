@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.devices import NO_DEVICE
+from hapticplayer.devices.options import with_gain
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.model import LoopStats, SyncStats
@@ -58,6 +59,11 @@ class OutputSnapshot:
     takes_faults: bool = False
     scheduling: str = ""
     record_problem: str = ""
+
+    @property
+    def device(self) -> str:
+        """Its name, with its gain: for others that open the same device."""
+        return with_gain(self.name, self.gain)
 
 
 NO_OUTPUT = OutputSnapshot()

@@ -20,6 +20,7 @@ from hapticplayer.model import (
     Mapping,
     MotionTrack,
     Reconstruction,
+    RigTrack,
 )
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.device import DeviceCapabilities
@@ -161,15 +162,19 @@ def device_gain(capabilities: DeviceCapabilities) -> Floats:
     return gain
 
 
-def adapted(track: ForceTrack, capabilities: DeviceCapabilities) -> ForceTrack:
-    """Return a track (frame D, N) for this device; the same object for a gain of 1."""
-    gain = device_gain(capabilities)
-    if np.all(gain == 1.0):
+def adapted(
+    track: ForceTrack | RigTrack, capabilities: DeviceCapabilities, gain: float = 1.0
+) -> ForceTrack | RigTrack:
+    """Return a track for this device with a person's gain; the same object for 1."""
+    if isinstance(track, RigTrack):
+        return replace(track, motion=gain * track.motion) if gain != 1.0 else track
+    factors = gain * device_gain(capabilities)
+    if np.all(factors == 1.0):
         return track
     provenance = {
         **track.provenance,
-        "device_scale": float(gain.max()),
+        "device_scale": float(factors.max()),
         "device_axes": capabilities.axes,
     }
-    force_n = (gain * track.force_n).astype(np.float32)
+    force_n = (factors * track.force_n).astype(np.float32)
     return replace(track, force_n=force_n, provenance=provenance)

@@ -47,7 +47,7 @@ class RigLoop(TrackFollower):
         self.rig = RigState()
         self.count = 0
         chosen = self.sender.settings
-        self._setup = RigSetup(chosen.factors(), 0.5 / chosen.rate_hz)
+        self._setup = RigSetup(chosen.signs(), 0.5 / chosen.rate_hz)
 
     @staticmethod
     def guard(clock: Clock, block: LoopBlock, sender: RigSender) -> "RigGuard":

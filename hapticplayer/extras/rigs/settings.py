@@ -6,7 +6,6 @@
 from dataclasses import dataclass, replace
 
 from hapticplayer.devices.options import (
-    GAIN,
     LATENCY_MS,
     DeviceOptions,
     Fields,
@@ -61,11 +60,11 @@ class RigSettings(DeviceOptions):
         """Packets of two outputs would alternate there."""
         return f"{self.format.name} to {self.address}"
 
-    def factors(self) -> tuple[float, ...]:
-        """Gain and sign of each number of a `RigMotion`."""
+    def signs(self) -> tuple[float, ...]:
+        """1 or -1 for each number of a `RigMotion`."""
         turned = {name for axis in self.invert for name in AXES[axis]}
         names = RigMotion._fields
-        return tuple(-self.gain if name in turned else self.gain for name in names)
+        return tuple(-1.0 if name in turned else 1.0 for name in names)
 
 
 def rig_settings(text: str) -> RigSettings:
@@ -90,7 +89,6 @@ def _axes(_name: str, value: str) -> frozenset[str]:
 _OPTIONS: dict[str, tuple[str, Parse]] = {
     "rate": ("rate_hz", RATE_HZ.parse),
     "id": ("id", IDENTITY.parse),
-    "gain": ("gain", GAIN.parse),
     "latency_ms": ("latency_s", milliseconds(LATENCY_MS)),
     "invert": ("invert", _axes),
 }

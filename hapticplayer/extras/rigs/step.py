@@ -56,12 +56,12 @@ class RigSetup(NamedTuple):
     """What a person chose, as a step needs it.
 
     Attributes:
-        factors: gain and sign of each number of a `RigMotion`.
+        signs: 1 or -1 for each number of a `RigMotion`.
         lead_s: how far ahead of the clock a packet says what it says. A receiver holds
             it until the next one, so half a period makes its mean delay zero.
     """
 
-    factors: tuple[float, ...]
+    signs: tuple[float, ...]
     lead_s: float = 0.0
 
 
@@ -105,7 +105,7 @@ def rig_step(
     if reaction is Reaction.GO and isinstance(track, LoadedTrack):
         rate = clock.rate if clock else 0.0
         values = track.values_at(situation.media_s + rate * setup.lead_s)
-        planned = capped(f * v for f, v in zip(setup.factors, values, strict=True))
+        planned = capped(f * v for f, v in zip(setup.signs, values, strict=True))
         if not (math.isfinite(sum(values)) and math.isfinite(situation.media_s)):
             reaction, cause, planned = Reaction.TRIP, Cause.NOT_FINITE, NEUTRAL
     mode = _next_mode(situation, reaction, rig)

@@ -6,7 +6,6 @@
 from dataclasses import dataclass, replace
 
 from hapticplayer.devices.options import (
-    GAIN,
     DeviceOptions,
     Fields,
     Parse,
@@ -125,6 +124,5 @@ _OPTIONS: dict[str, tuple[str, Parse]] = {
     "channels": ("channels", _channels),
     "band": ("bands", _bands),
     "axis": ("axis", lambda _name, value: AXES.index(one_of(value, AXES))),
-    "gain": ("gain", GAIN.parse),
     "latency_ms": ("latency_s", milliseconds(LATENCY_MS)),
 }

@@ -88,8 +88,7 @@ class ShakerSignal:
         size *= share
         elapsed_s = 0.0 if self._last_s is None else now_s - self._last_s
         self._last_s = now_s
-        along = self._settings.gain * share * force_n[self._settings.axis] / FULL_N
-        size *= self._settings.gain
+        along = share * force_n[self._settings.axis] / FULL_N
         parts = [split.parts(size, along, elapsed_s) for split in self._splits]
         self._sent.append((now_s, *(number for pair in parts for number in pair)))
 

@@ -31,7 +31,7 @@ def test_outputs_keep_their_order_and_the_first_leads(words, expected):
     ("words", "why"),
     [
         (("chair",), "not a device"),
-        (("simulated:3",), "nothing can follow"),
+        (("simulated:3",), "nothing but gain= can follow"),
         (("falcon", "falcon"), "there twice"),
         (("falcon", "none"), "means no device at all"),
         (("none", "falcon"), "means no device at all"),

@@ -49,7 +49,9 @@ def test_one_of_several_falcons_is_found_by_its_number_only():
         entry.make(-1).open()  # none is plugged in, or another one
     with pytest.raises(DeviceError, match="letters and digits only"):
         find_device("falcon:12 PZ")
-    with pytest.raises(DeviceError, match="nothing can follow; use simulated"):
+    with pytest.raises(
+        DeviceError, match="nothing but gain= can follow; use simulated"
+    ):
         find_device("simulated:12PZ657E")
 
 

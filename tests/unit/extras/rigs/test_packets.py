@@ -216,10 +216,10 @@ def test_the_time_of_outsim_starts_again_after_49_days():
     assert packet("outsim", time_s=late_s)[:4] == struct.pack("<I", 250)
 
 
-def test_signs_and_gain_are_factors_of_one_axis_each():
-    settings = replace(RigSettings(), gain=0.5, invert=frozenset({"sway", "yaw"}))
-    factors = dict(zip(RigMotion._fields, settings.factors(), strict=True))
-    turned_names = {name for name, factor in factors.items() if factor < 0.0}
+def test_signs_are_of_one_axis_each():
+    settings = replace(RigSettings(), invert=frozenset({"sway", "yaw"}))
+    signs = dict(zip(RigMotion._fields, settings.signs(), strict=True))
+    turned_names = {name for name, sign in signs.items() if sign < 0.0}
     expected = {"right_mps2", "right_mps", "heading_rad", "yaw_radps", "yaw_radps2"}
     assert turned_names == expected
-    assert {abs(factor) for factor in factors.values()} == {0.5}
+    assert {abs(sign) for sign in signs.values()} == {1.0}

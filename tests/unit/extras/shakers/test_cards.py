@@ -22,8 +22,6 @@ def test_a_card_that_opens_is_found(monkeypatch, capsys):
 
 
 def test_a_shaker_is_tested_channel_by_channel():
-    parts = guide_of(find_device("shaker")).parts(
-        shaker_settings("pulse,channels=3+4,gain=2")
-    )
+    parts = guide_of(find_device("shaker")).parts(shaker_settings("pulse,channels=3+4"))
     assert [label for label, _ in parts] == ["3", "4"]
     assert find_device(parts[1][1]).chosen.startswith("pulse,channels=4,")

@@ -140,7 +140,7 @@ def test_a_loop_that_stands_still_fades_in_the_streams_own_time():
     )
 )
 def test_whatever_it_is_told_samples_stay_within_one(forces):
-    bench = Bench("gain=4")
+    bench = Bench()
     planned = iter(forces)
     bench.play(lambda _t: next(planned), len(forces) / 1000.0)
     bench.play(steady, 0.15)
@@ -176,9 +176,9 @@ def test_a_level_falls_by_20_db_in_1_7_s():
 
 
 def test_the_limiter_is_shown_on_its_channel():
-    bench = Bench("channels=1+2,band=15-80+15-400-45,gain=1.5,axis=y")
+    bench = Bench("channels=1+2,band=15-80+15-400-45,axis=y")
     pushed = 2.0 * math.pi * 150.0  # Hz: only the second band has that
-    bench.play(lambda t: (0.0, 4.5 * math.sin(pushed * t), 0.0), 0.4)
+    bench.play(lambda t: (0.0, 6.75 * math.sin(pushed * t), 0.0), 0.4)
     assert [one.is_limited for one in bench.levels()] == [False, True]
     heard = np.abs(bench.card.heard(0.3)).max(axis=0)
     assert heard[0] < 0.8 < heard[1]
@@ -217,7 +217,8 @@ def test_settings_that_cannot_be_are_told(text):
 
 
 def test_settings_are_what_was_written():
-    found = shaker_settings("pulse,channels=3+4,band=15-80+20-60-30,axis=x,gain=0.5")
+    text = "pulse,channels=3+4,band=15-80+20-60-30,axis=x,gain=0.5"
+    found = find_device(f"shaker:{text}").settings
     assert (found.address, found.channels, found.width) == ("pulse", (3, 4), 4)
     assert [(b.low_hz, b.high_hz) for b in found.bands] == [(15, 80), (20, 60)]
     assert found.bands[1].carrier_hz == 30.0
@@ -226,8 +227,8 @@ def test_settings_are_what_was_written():
 
 def test_a_channel_alone_keeps_its_band_and_all_else():
     text = "pulse,channels=3+4,band=15-80+20-60-30,axis=x,gain=0.5,latency_ms=60"
-    both = shaker_settings(text)
-    alone = shaker_settings(both.alone(4).removeprefix("shaker:"))
+    both = find_device(f"shaker:{text}").settings
+    alone = find_device(both.alone(4)).settings
     assert (alone.channels, alone.bands) == ((4,), both.bands[1:])
     assert (alone.address, alone.axis, alone.gain) == ("pulse", 0, 0.5)
     assert alone.latency_s == pytest.approx(0.060)
