@@ -4,12 +4,13 @@ import contextlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 from PySide6.QtCore import QByteArray, QStandardPaths
 from PySide6.QtWidgets import QWidget
 
 from hapticplayer.devices import find_device
+from hapticplayer.devices.options import GAIN, with_gain
 from hapticplayer.errors import DeviceError, InputError
 from hapticplayer.model.ranges import finite_number
 from hapticplayer.playback.latency import (
@@ -34,7 +35,7 @@ from hapticplayer.storage import StorageError, replace_json
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
 OUTPUTS, MOST_OUTPUTS = "outputs", 16
-"""Name in the settings: the outputs in order, and whether each is muted."""
+"""Name in the settings: the outputs in order, each with what was chosen of it."""
 
 _PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES, OUTPUTS)
 """Specific to this machine, or private: never exported, nor taken from others.
@@ -42,6 +43,7 @@ _PRIVATE = (_GEOMETRY, *_OWN_PLACES, LATENCIES, OUTPUTS)
 An output may have an address on the network, which only its user enters.
 """
 
+_MUTED, _GAIN = "muted", "gain"
 _MOST_TEXTS, _LONGEST_TEXT = 1000, 4096
 
 
@@ -158,25 +160,40 @@ def choose_library(settings: Settings, folder: Path) -> None:
         settings.save()
 
 
-def outputs_of(settings: Settings) -> dict[str, bool]:
-    """The outputs that are kept, in order, and whether each is muted.
+class KeptOutput(NamedTuple):
+    """What a person has chosen of an output; a gain of None is that of its settings."""
+
+    is_muted: bool = False
+    gain: float | None = None
+
+
+def outputs_of(settings: Settings) -> dict[str, KeptOutput]:
+    """The outputs that are kept, in order.
 
     Those that this version has no driver for are left out. Until a person has chosen, it
     is the simulated device.
     """
-    found: dict[str, bool] = {}
-    kept = settings.table(OUTPUTS, {"simulated": False})
-    for name, is_muted in list(kept.items())[:MOST_OUTPUTS]:
+    found: dict[str, KeptOutput] = {}
+    kept = settings.table(OUTPUTS, {"simulated": {}})
+    for name, chosen in list(kept.items())[:MOST_OUTPUTS]:
         with contextlib.suppress(DeviceError):
             find_device(name)
             if name.isprintable():
-                found[name] = is_muted is True
+                found[name] = _kept_output(chosen)
     return found
 
 
+def _kept_output(chosen: object) -> KeptOutput:
+    values = chosen if isinstance(chosen, dict) else {}
+    gain = finite_number(values.get(_GAIN))
+    is_allowed = gain is not None and GAIN.least <= gain <= GAIN.largest
+    return KeptOutput(values.get(_MUTED) is True, gain if is_allowed else None)
+
+
 def keep_outputs(settings: Settings, outputs: Iterable[OutputSnapshot]) -> None:
-    """Remember what plays, in order, and whether each is muted."""
-    settings.keep(OUTPUTS, {one.name: one.is_muted for one in outputs})
+    """Remember what plays, in order, each with its mute and gain."""
+    kept = {one.name: {_MUTED: one.is_muted, _GAIN: one.gain} for one in outputs}
+    settings.keep(OUTPUTS, kept)
     settings.save()
 
 
@@ -204,7 +221,7 @@ def latencies_of(settings: Settings, screen: str) -> Latencies:
 
 def keep_latency(settings: Settings, part: str, name: str, latency_ms: float) -> None:
     """Remember what was measured of one output; written by `Settings.save`."""
-    kept = settings.table(LATENCIES)
+    kept, name = settings.table(LATENCIES), _key(part, name)
     known = {key: 1e3 * value for key, value in table_s(kept, part).items()}
     known.pop(name, None)
     known[name] = latency_ms
@@ -216,11 +233,16 @@ def enter_latency(settings: Settings, name: str, latency_ms: float) -> None:
     """Remember what a person has entered for a device, in place of what was measured."""
     kept = settings.table(LATENCIES)
     measured = {key: 1e3 * value for key, value in table_s(kept, DEVICE).items()}
-    measured.pop(name, None)
+    measured.pop(_key(DEVICE, name), None)
     settings.keep(LATENCIES, {**kept, DEVICE: measured})
     keep_latency(settings, ENTERED, name, latency_ms)
 
 
 def is_known(settings: Settings, part: str, name: str) -> bool:
     """Whether the latency of an output was measured or entered."""
-    return name in table_s(settings.table(LATENCIES), part)
+    return _key(part, name) in table_s(settings.table(LATENCIES), part)
+
+
+def _key(part: str, name: str) -> str:
+    """A device's latency is the same with every gain."""
+    return with_gain(name) if part in (DEVICE, ENTERED) else name

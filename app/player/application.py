@@ -11,7 +11,7 @@ from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.interrupts import closing_on_signals
-from app.bridge.settings import Settings, default_path, outputs_of
+from app.bridge.settings import KeptOutput, Settings, default_path, outputs_of
 from app.player.controls import OUTPUT
 from app.player.remake import OpenWindow, apply_appearance
 from app.player.video_surface import SurfaceSink, VideoSurface
@@ -185,7 +185,7 @@ def _run_until_closed(
 
 
 def restore_outputs(
-    window: PlayerWindow, kept: Mapping[str, bool], record: Path | None = None
+    window: PlayerWindow, kept: Mapping[str, KeptOutput], record: Path | None = None
 ) -> None:
     """Play on what was chosen last; say why where that fails."""
     try:
@@ -193,4 +193,4 @@ def restore_outputs(
     except HapticPlayerError as problem:
         window.session.gateway.report(problem)
     for name in window.player.output_names:
-        window.player.set_output(name, is_muted=kept[name])
+        window.player.set_output(name, **kept[name]._asdict())

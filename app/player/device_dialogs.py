@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.bridge.settings import Settings, keep_outputs
+from app.bridge.settings import Settings, enter_latency, keep_outputs
 from app.player.choices import PluggedFalcons
 from app.player.controls import OUTPUT
 from app.player.session import Session
@@ -66,6 +66,7 @@ class DeviceDialogs(QObject):
         page = SetupPage(
             *(clock, before, self.plugged, self._settings, self._window),
             is_free=lambda: player.are_outputs_free,
+            with_gain=self._with_gain,
             latch=player.latch,
         )
         wanted, shown, others = list[str](), list[str](), list[bool]()
@@ -106,7 +107,7 @@ class DeviceDialogs(QObject):
 
         self._lend()
         latch = self._session.player.latch
-        dialog = DevicePage(clock, device, self._window, latch)
+        dialog = DevicePage(clock, self._with_gain(device), self._window, latch)
         dialog.finished.connect(lambda _: self._take_back())
         dialog.homing_wanted.connect(lambda: self.set_up(clock))
         dialog.finished.connect(dialog.deleteLater)
@@ -122,10 +123,16 @@ class DeviceDialogs(QObject):
             page.changed.connect(
                 lambda: keep_outputs(self._settings, session.player.snapshot().outputs)
             )
+            page.latency_entered.connect(self._enter_latency)
             page.set_up_wanted.connect(lambda name: self.set_up(clock, name))
             self._working.append(page)
             page.finished.connect(lambda _result: self._forget(page))
         page.show()
+
+    def _enter_latency(self, name: str, latency_ms: float) -> None:
+        enter_latency(self._settings, name, latency_ms)
+        self._settings.save()
+        self.settings_taken.emit()
 
     def latencies(self, clock: Clock) -> None:
         """Measure how late video, sound and force reach the person."""
@@ -145,7 +152,13 @@ class DeviceDialogs(QObject):
     def _own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:
         sound = partial(SoundProcess, device=self._settings.text(OUTPUT))
         latch = self._session.player.latch
-        return Player(clock, sink, outputs=[device], audio=sound, latch=latch)
+        outputs = [self._with_gain(device)]
+        return Player(clock, sink, outputs=outputs, audio=sound, latch=latch)
+
+    def _with_gain(self, device: str) -> str:
+        """A device as it plays here, for another that opens it."""
+        now = self._session.player.snapshot()
+        return next((one.device for one in now.outputs if one.name == device), device)
 
     def _lend(self) -> None:
         """Pause, and let go of all devices, so that a dialog can have them."""

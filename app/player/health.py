@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication
 from app.bridge.languages import translated
 from app.widgets.texts import local, titled
 from hapticplayer.devices import NO_DEVICE, find_device, installed_devices
+from hapticplayer.devices.options import with_gain
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.scheduling import Scheduling
@@ -90,7 +91,7 @@ def _with(name: str, state: str) -> str:
 
 def device_name(name: str) -> str:
     """Return a device's name for people."""
-    kind, _, serial = name.partition(":")
+    kind, _, serial = with_gain(name).partition(":")
     if kind == NO_DEVICE:
         return translate("Health", "None")
     entry = installed_devices().get(kind)

@@ -1,12 +1,14 @@
-"""The outputs: all that plays, in order, each with its state, test and mute."""
+"""The outputs: all that plays, in order, each with all that can be chosen of it."""
 
-from PySide6.QtCore import QCoreApplication, QTimer, Signal
+from dataclasses import dataclass
+
+from PySide6.QtCore import QCoreApplication, Qt, QTimer, Signal
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialog,
     QDoubleSpinBox,
-    QGridLayout,
     QLabel,
     QLineEdit,
     QWidget,
@@ -28,7 +30,7 @@ from app.player.latency_field import source_text
 from app.player.session import Session
 from app.player.transport import offer_stop
 from app.widgets import theme
-from app.widgets.buttons import text_button
+from app.widgets.buttons import Button, text_button
 from app.widgets.layout import (
     STRETCH,
     ElidedLabel,
@@ -36,15 +38,16 @@ from app.widgets.layout import (
     column_of,
     fill_page,
     indent,
+    keep_width,
     paragraph,
     resize_within_screen,
     row_of,
     scrolling,
 )
 from app.widgets.level_meter import LevelMeter
-from app.widgets.texts import local, titled
+from app.widgets.texts import titled
 from hapticplayer.clock import Clock
-from hapticplayer.devices import NO_DEVICE
+from hapticplayer.devices import NO_DEVICE, takes_motion
 from hapticplayer.devices.options import GAIN, LATENCY_MS
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.processes import Health
@@ -55,7 +58,8 @@ translate = QCoreApplication.translate
 
 POLL_MS = 100
 GENTLE_GAIN = 0.25
-_WIDTH_PX, _HEIGHT_PX, _RIG = 640, 520, "rig"
+_GAIN_STEP, _LATENCY_STEP_MS = 0.05, 5.0
+_WIDTH_PX, _HEIGHT_PX = 640, 520
 
 
 def state_text(output: OutputSnapshot) -> str:
@@ -69,21 +73,65 @@ def state_text(output: OutputSnapshot) -> str:
     return mode_text(output.mode)
 
 
-def figures_text(output: OutputSnapshot) -> str:
-    sign = "\u2248\u2009" * (output.latency_source is LatencySource.ASSUMED)
-    latency = f"{sign}{1e3 * output.latency_s:.0f}\u00a0ms"
-    return local(f"{latency}, \u00d7\u2009{output.gain:.2f}")
+class NumberBox(QDoubleSpinBox):
+    """A number that takes effect when it is complete, and scrolls with its page."""
+
+    def __init__(self, name: str, decimals: int, step: float) -> None:
+        super().__init__()
+        self.setAccessibleName(name)
+        self.setDecimals(decimals)
+        self.setSingleStep(step)
+        self.setKeyboardTracking(False)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def follow(self, value: float) -> None:
+        """Show what is, but not over what is being typed."""
+        if not self.hasFocus():
+            self.blockSignals(True)
+            self.setValue(value)
+            self.blockSignals(False)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """A turn of the wheel over it is meant for the page."""
+        event.ignore()
+
+
+@dataclass
+class OutputRow:
+    """The widgets of an output."""
+
+    state: QLabel
+    gain: NumberBox
+    latency: NumberBox
+    mute: QCheckBox
+    test: QWidget
+    meter: LevelMeter
+
+    def show_output(self, output: OutputSnapshot, *, may_test: bool) -> None:
+        self.state.setText(state_text(output))
+        self.gain.follow(output.gain)
+        self.latency.follow(1e3 * output.latency_s)
+        source = output.latency_source
+        self.latency.setPrefix("\u2248\u2009" * (source is LatencySource.ASSUMED))
+        self.latency.setEnabled(source is not LatencySource.SETTINGS)
+        tip = translate("OutputsPage", "Latency that is compensated ({source})")
+        self.latency.setToolTip(tip.format(source=source_text(source)))
+        self.mute.setChecked(output.is_muted)
+        self.meter.show_levels(output.levels)
+        self.test.setEnabled(may_test)
 
 
 class OutputsPage(QDialog):
     """Stays beside the window; what stops the force there stops a test here, too.
 
     Signals:
-        changed: a person has chosen others or another order, or muted one.
+        changed: a person has chosen others or another order, gain or mute.
+        latency_entered: of an output, ms.
         set_up_wanted: the set-up page of one is wanted.
     """
 
     changed = Signal()
+    latency_entered = Signal(str, float)
     set_up_wanted = Signal(str)
 
     def __init__(
@@ -94,15 +142,13 @@ class OutputsPage(QDialog):
         session.stopped.connect(self.end_test)
         self._tested = ""
         self.panel = DeviceTestPanel(clock, self._is_free, session.player.latch)
-        self._shown: list[str] = []
-        self.states: dict[str, QLabel] = {}
-        self.figures: dict[str, QLabel] = {}
-        self.tests: dict[str, QWidget] = {}
-        self.mutes: dict[str, QCheckBox] = {}
-        self.meters: dict[str, LevelMeter] = {}
-        self.rows, self.problem = QGridLayout(), paragraph("", theme.DIM, lines=2)
+        self._shown: list[str] | None = None
+        self.rows: dict[str, OutputRow] = {}
+        self._list, self.problem = (
+            column_of(spacing=4),
+            paragraph("", theme.DIM, lines=2),
+        )
         self.kind, self.address = QComboBox(), QLineEdit()
-        self.gain, self.latency = QDoubleSpinBox(), QDoubleSpinBox()
         self._make_form()
         self._lay_out()
         self._timer = QTimer(self)
@@ -117,8 +163,6 @@ class OutputsPage(QDialog):
         """Play on the device of the form as well."""
         choice = str(self.kind.currentData())
         name = put_together(choice, self.address.text().strip())
-        if self._is_rig:
-            name += f",gain={self.gain.value():g},latency_ms={self.latency.value():g}"
         names = self._player.output_names
         if name in names:
             self._say(self.tr("This device is already in use"))
@@ -126,8 +170,8 @@ class OutputsPage(QDialog):
             self._say(self.tr("Settings may contain letters, digits and punctuation"))
         elif len(names) >= MOST_OUTPUTS:
             self._say(self.tr("No more devices can be added; remove one first"))
-        else:
-            self._use([*names, name])
+        elif self._use([*names, name]) and takes_motion(name):
+            self.set_gain(name, GENTLE_GAIN)
 
     def remove(self, name: str) -> None:
         """Bring an output to rest and let go of it."""
@@ -145,11 +189,18 @@ class OutputsPage(QDialog):
         self._player.set_output(name, is_muted=is_muted)
         self.changed.emit()
 
+    def set_gain(self, name: str, gain: float) -> None:
+        """Multiply what an output plays, also while it plays."""
+        self._player.set_output(name, gain=gain)
+        self.look()
+        self.changed.emit()
+
     def test(self, name: str) -> None:
         """Test an output gently, after asking; nothing else plays on it meanwhile."""
         if not self.panel.is_running:
             self._tested = name
-            self.panel.set_device(name)
+            now = self._player.snapshot()
+            self.panel.set_device(next(o.device for o in now.outputs if o.name == name))
             self.panel.ask()
             self._say(self.panel.state.text())
 
@@ -210,31 +261,22 @@ class OutputsPage(QDialog):
         if is_playing or (self.panel.is_running and self._tested not in names):
             self.end_test()
         offer_stop(self.stop_button, is_stopped=now.is_stopped)
+        may_test = not (now.is_playing or self.panel.is_running)
         for output in now.outputs:
-            self.states[output.name].setText(state_text(output))
-            self.figures[output.name].setText(figures_text(output))
-            source = source_text(output.latency_source)
-            tip = self.tr("Latency that is compensated ({source}), and gain")
-            self.figures[output.name].setToolTip(tip.format(source=source))
-            self.mutes[output.name].setChecked(output.is_muted)
-            self.meters[output.name].show_levels(output.levels)
-            may_test = not (now.is_playing or self.panel.is_running)
-            self.tests[output.name].setEnabled(may_test)
+            self.rows[output.name].show_output(output, may_test=may_test)
 
-    @property
-    def _is_rig(self) -> bool:
-        return _is_rig(str(self.kind.currentData()))
-
-    def _use(self, names: list[str]) -> None:
+    def _use(self, names: list[str]) -> bool:
+        """Play on these; return whether that can be."""
         try:
             self._player.set_outputs(names)
         except HapticPlayerError as problem:
             self._say(translated(message_of(problem)))
-            return
+            return False
         self._session.changed.emit()
         self._say("")
         self.look()
         self.changed.emit()
+        return True
 
     def _say(self, text: str) -> None:
         self.problem.setText(text)
@@ -244,21 +286,10 @@ class OutputsPage(QDialog):
             if choice.name != NO_DEVICE:
                 self.kind.addItem(choice.text, choice.name)
         self.kind.currentIndexChanged.connect(self._on_kind)
-        for box, within, value in (
-            (self.gain, GAIN, GENTLE_GAIN),
-            (self.latency, LATENCY_MS, 0.0),
-        ):
-            box.setRange(within.least, within.largest)
-            box.setValue(value)
-            indent(box)
-        self.gain.setSingleStep(0.05)
-        self.latency.setSuffix("\u00a0ms")
         self._on_kind()
 
     def _on_kind(self) -> None:
         choice = str(self.kind.currentData())
-        for widget in (self.gain, self.latency):
-            widget.setEnabled(self._is_rig)
         takes_text = takes_settings(choice)
         self.address.setEnabled(takes_text)
         self.address.setPlaceholderText(example_of(choice))
@@ -278,16 +309,14 @@ class OutputsPage(QDialog):
         close = text_button(self.tr("Close"), self.tr("The devices keep playing"))
         close.clicked.connect(self.accept)
         where = captioned(self.tr("Address or settings"), self.address)
-        gain = captioned(self.tr("Gain"), self.gain)
-        latency = captioned(self.tr("Latency"), self.latency)
         self.kind.setAccessibleName(self.tr("Device to add"))
         self.heading = paragraph(self._text(), lines=2)
-        self._scroll = scrolling(column_of(self.rows, STRETCH))
+        self._list_end = paragraph("", theme.DIM)
+        self._scroll = scrolling(column_of(self._list, self._list_end, STRETCH))
         self._form = QWidget()
         column_of(
-            row_of((self.kind, 1)),
+            row_of((self.kind, 1), add),
             row_of(where[0], (self.address, 1)),
-            row_of(*gain, *latency, STRETCH, add),
             self.problem,
             spacing=12,
             of=self._form,
@@ -315,46 +344,90 @@ class OutputsPage(QDialog):
         )
 
     def _fill_rows(self, now: Snapshot) -> None:
-        while (item := self.rows.takeAt(0)) is not None:
+        while (item := self._list.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.deleteLater()
-        self.states, self.figures, self.tests, self.mutes = {}, {}, {}, {}
-        self.meters = {}
-        for row, output in enumerate(now.outputs):
-            self._add_row(row, output.name)
+        self.rows = {one.name: self._add_row(one.name) for one in now.outputs}
+        is_empty = self.tr("Nothing plays yet. Choose a device below and press Add.")
+        self._list_end.setText("" if now.outputs else is_empty)
+        keep_width(self._scroll)
 
-    def _add_row(self, row: int, name: str) -> None:
+    def _add_row(self, name: str) -> OutputRow:
         text = output_text(name)
-        label, self.states[name] = ElidedLabel(text), paragraph("", theme.DIM)
+        label = ElidedLabel(text, elide=Qt.TextElideMode.ElideMiddle)
         label.setToolTip(text)
-        self.figures[name] = figures = QLabel()
-        self.mutes[name] = mute = QCheckBox(self.tr("Mute"))
-        test = text_button(
-            self.tr("Test\u2026"), self.tr("Moves it gently; asks first")
+        buttons = self._buttons_of(name)
+        made = OutputRow(
+            paragraph("", theme.DIM),
+            self._gain_of(name),
+            self._latency_of(name),
+            QCheckBox(self.tr("Mute")),
+            buttons[2],
+            LevelMeter(text),
         )
-        set_up = text_button(
-            self.tr("Set up\u2026"), self.tr("What it needs, and how it is connected")
+        made.mute.clicked.connect(lambda on: self.mute(name, is_muted=on))
+        for widget in (made.mute, *buttons):
+            widget.setAccessibleName(
+                titled(text, widget.accessibleName() or widget.text())
+            )
+        for box in (made.gain, made.latency):
+            indent(box)
+            box.setAccessibleName(titled(text, box.accessibleName()))
+        gain = captioned(self.tr("Gain"), made.gain)
+        latency = captioned(self.tr("Latency"), made.latency)
+        whole = QWidget()
+        column_of(
+            row_of((label, 1), made.mute, *buttons[:2]),
+            row_of(*gain, *latency, STRETCH, *buttons[2:]),
+            made.state,
+            made.meter,
+            spacing=6,
+            margins=(0, 0, 0, 10),
+            of=whole,
         )
-        remove = text_button(self.tr("Remove"), self.tr("Release this device"))
+        self._list.addWidget(whole)
+        return made
+
+    def _gain_of(self, name: str) -> NumberBox:
+        box = NumberBox(self.tr("Gain"), 2, _GAIN_STEP)
+        box.setRange(GAIN.least, GAIN.largest)
+        box.setPrefix("\u00d7\u2009")
+        box.setToolTip(self.tr("Multiplies everything that this output plays"))
+        box.valueChanged.connect(lambda gain: self.set_gain(name, gain))
+        return box
+
+    def _latency_of(self, name: str) -> NumberBox:
+        box = NumberBox(self.tr("Latency"), 0, _LATENCY_STEP_MS)
+        box.setRange(LATENCY_MS.least, LATENCY_MS.largest)
+        box.setPrefix("\u2248\u2009")  # room for it
+        box.setSuffix("\u00a0ms")
+        box.valueChanged.connect(lambda ms: self.latency_entered.emit(name, ms))
+        return box
+
+    def _buttons_of(self, name: str) -> tuple[Button, ...]:
         up = text_button("\u2191", self.tr("Move up; the first one leads"))
-        up.setEnabled(row > 0)
-        for widget in (mute, test, set_up, remove):
-            widget.setAccessibleName(titled(text, widget.text()))
-        mute.clicked.connect(lambda on: self.mute(name, is_muted=on))
-        test.clicked.connect(lambda: self.test(name))
-        set_up.clicked.connect(lambda: self.set_up_wanted.emit(name))
-        remove.clicked.connect(lambda: self.remove(name))
-        self.tests[name] = test
-        up.setAccessibleName(titled(text, self.tr("Move up")))
-        up.clicked.connect(lambda: self.move_up(name))
-        parts = (label, figures, mute, up, test, set_up, remove)
-        for column, part in enumerate(parts):
-            self.rows.addWidget(part, 3 * row, column)
-        self.rows.addWidget(self.states[name], 3 * row + 1, 0, 1, -1)
-        self.meters[name] = meter = LevelMeter(text)
-        self.rows.addWidget(meter, 3 * row + 2, 0, 1, -1)
-        self.rows.setColumnStretch(0, 1)
-
-
-def _is_rig(name: str) -> bool:
-    return name.partition(":")[0] == _RIG
+        up.setAccessibleName(self.tr("Move up"))
+        up.setEnabled(name != self._player.output_names[0])
+        made = (
+            (up, self.move_up),
+            (
+                text_button(self.tr("Remove"), self.tr("Release this device")),
+                self.remove,
+            ),
+            (
+                text_button(
+                    self.tr("Test\u2026"), self.tr("Moves it gently; asks first")
+                ),
+                self.test,
+            ),
+            (
+                text_button(
+                    self.tr("Set up\u2026"),
+                    self.tr("What it needs, and how it is connected"),
+                ),
+                self.set_up_wanted.emit,
+            ),
+        )
+        for button, does in made:
+            button.clicked.connect(lambda _=False, does=does: does(name))
+        return tuple(button for button, _ in made)

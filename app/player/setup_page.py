@@ -66,7 +66,7 @@ class SetupPage(QDialog):
     others_wanted = Signal()
     latency_changed = Signal()
 
-    def __init__(  # noqa: PLR0913 - two of them only tests and lists have
+    def __init__(  # noqa: PLR0913 - three of them only tests and lists have
         self,
         clock: Clock,
         device: str,
@@ -76,10 +76,11 @@ class SetupPage(QDialog):
         find_reach: Callable[[str], Reach] = reach_of,
         *,
         is_free: Callable[[], bool] = _always,
+        with_gain: Callable[[str], str] = str,
         latch: StopLatch | None = None,
     ) -> None:
         super().__init__(parent)
-        self._is_lent_free = is_free
+        self._is_lent_free, self._with_gain = is_free, with_gain
         self._clock, self._find_reach, self._plugged = clock, find_reach, plugged
         self._jobs = Jobs(self._on_trouble)
         self._progress: Progress | None = None
@@ -293,7 +294,7 @@ class SetupPage(QDialog):
         is_right = problem_of(self.chosen) is None
         self.checks.follow(self.chosen if is_right else "")
         if is_right:
-            self.panel.set_device(self.chosen)
+            self.panel.set_device(self._with_gain(self.chosen))
             self.latency.follow(self.chosen)
         else:
             self.latency.number.setEnabled(False)

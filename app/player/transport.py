@@ -8,10 +8,10 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
     QLabel,
+    QLayout,
     QPushButton,
     QSizePolicy,
     QSlider,
-    QWidget,
 )
 
 from app.player.choices import Choice
@@ -100,12 +100,17 @@ class Transport(QFrame):
         controls = row_of(
             *(self.play, self.stop, self.time, self.speed, STRETCH),
             *(self.mute, self.volume, 6),
-            *(_caption(self.feedback), (self.feedback, _BEFORE_THE_GAP), 6),
-            *(_caption(self.device), (self.device, _BEFORE_THE_GAP), 6),
+            *((_captioned(self.feedback), _BEFORE_THE_GAP), 6),
+            *((_captioned(self.device), _BEFORE_THE_GAP), 6),
             self.fullscreen,
             spacing=10,
             margins=(4, 0, 0, 0),
         )
+        beside = (self.play, self.stop, self.time, self.speed, self.mute, self.volume)
+        for part in (*beside, self.fullscreen):  # captions are only above lists
+            controls.setAlignment(part, Qt.AlignmentFlag.AlignBottom)
+        for one in (self.time, self.speed, self.volume, self.feedback, self.device):
+            one.setMinimumHeight(self.stop.sizeHint().height())
         column_of(self.slider, controls, spacing=4, margins=(8, 4, 12, 8), of=self)
 
     def _combo(self, name: str, tip: str) -> "Combo":
@@ -218,10 +223,12 @@ def _fill(combo: QComboBox, offered: Iterable[Choice]) -> None:
             model.item(row).setEnabled(False)
 
 
-def _caption(combo: QComboBox) -> QWidget:
-    label = ElidedLabel(combo.accessibleName(), theme.DIM)
-    label.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-    return label
+def _captioned(combo: QComboBox) -> QLayout:
+    """A list below its caption, which needs no room beside it on a narrow screen."""
+    label = QLabel(combo.accessibleName())
+    label.setStyleSheet(f"color: {theme.DIM};")
+    label.setFont(theme.scaled(combo.font(), 0.85))
+    return column_of(label, combo, spacing=0)
 
 
 def offer_play(button: QPushButton, *, is_playing: bool) -> None:

@@ -239,7 +239,7 @@ class PlayerWindow(QMainWindow):
         self.player.pause()
         self.player.lend_outputs()
         self.player.wait_released()
-        return self.player.output_names
+        return [one.device for one in self.player.snapshot().outputs]
 
     def _on_study(self, is_on: bool) -> None:
         """Begin stopped after a session: what was stopped there stays so here."""

@@ -106,8 +106,14 @@ def scrolling(layout: QLayout) -> QScrollArea:
     area.setFrameShape(QFrame.Shape.NoFrame)
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # Tab goes to what is inside
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setMinimumWidth(inside.minimumSizeHint().width() + _BAR_PX)
+    keep_width(area)
     return area
+
+
+def keep_width(area: QScrollArea) -> None:
+    """Make such an area as wide as what is in it, after that has changed."""
+    if inside := area.widget():
+        area.setMinimumWidth(inside.minimumSizeHint().width() + _BAR_PX)
 
 
 def captioned(text: str, widget: QWidget) -> tuple[QLabel, QWidget]:

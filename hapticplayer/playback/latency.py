@@ -121,10 +121,13 @@ class Latencies:
         own_s = entry.settings.latency_s
         if own_s and not entry.capabilities.has_own_clock:
             return DeviceLatency(own_s, LatencySource.SETTINGS)
-        if (kept := with_gain(name)) in self.device_s:
-            return DeviceLatency(self.device_s[kept], LatencySource.MEASURED)
-        if kept in self.entered_s:
-            return DeviceLatency(self.entered_s[kept], LatencySource.ENTERED)
+        for known_s, source in (
+            (self.device_s, LatencySource.MEASURED),
+            (self.entered_s, LatencySource.ENTERED),
+        ):
+            for kept in (name, with_gain(name)):
+                if kept in known_s:
+                    return DeviceLatency(known_s[kept], source)
         if own_s:
             return DeviceLatency(own_s, LatencySource.KEPT)
         return DeviceLatency(entry.capabilities.latency_s, LatencySource.ASSUMED)

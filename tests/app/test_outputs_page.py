@@ -6,13 +6,15 @@ import shutil
 import faces
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.languages import translated
 from app.bridge.settings import (
     OUTPUTS,
+    KeptOutput,
     Settings,
     default_path,
     outputs_of,
@@ -57,7 +59,7 @@ def add_rig(page, receiver):
     page.kind.setCurrentIndex(page.kind.findData("rig:outsim"))
     page.address.setText(f"127.0.0.1:{port}")
     page.add()
-    return f"rig:outsim,127.0.0.1:{port},gain=0.25,latency_ms=0"
+    return f"rig:outsim,127.0.0.1:{port}"
 
 
 def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, receiver, wait_for):
@@ -65,12 +67,13 @@ def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, receiver, wa
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
     assert playing_on(window)[name].gain == 0.25
     page.look()
-    assert page.states[name].text() == "at rest"
+    assert page.rows[name].state.text() == "at rest"
     page.add()
     assert page.problem.text() == "This device is already in use"
     page.remove(name)
     assert playing_on(window) == {}
-    assert page.states == {}
+    assert page.rows == {}
+    assert "press Add" in page._list_end.text()
 
 
 @needs("rigs", "shakers")
@@ -84,8 +87,8 @@ def test_an_unreachable_or_forbidden_address_is_named(window, page):
 
 def test_muting_is_seen_by_the_player(window, page, receiver):
     name = add_rig(page, receiver)
-    QTest.mouseClick(page.mutes[name], Qt.MouseButton.LeftButton)
-    assert playing_on(window)[name].is_muted == page.mutes[name].isChecked()
+    QTest.mouseClick(page.rows[name].mute, Qt.MouseButton.LeftButton)
+    assert playing_on(window)[name].is_muted == page.rows[name].mute.isChecked()
     page.mute(name, is_muted=True)
     assert playing_on(window)[name].is_muted
     page.mute(name, is_muted=False)
@@ -104,7 +107,7 @@ def short_test(monkeypatch):
 
 def begin_test(page, name, wait_for):
     """Agree to the test of an output, and wait until it moves."""
-    page.tests[name].click()
+    page.rows[name].test.click()
     assert not page.panel.is_running
     assert "Esc or STOP ends it" in page.panel.question.text.text()
     page.panel.question.yes.click()
@@ -121,8 +124,8 @@ def test_a_test_moves_the_rig_and_leaves_it_in_neutral(
     page.look()
     assert page.panel.isVisible()
     assert page.focusWidget() is page.stop_button
-    assert page.states[name].text() == "in test, or being set up"
-    assert not page.tests[name].isEnabled()
+    assert page.rows[name].state.text() == "in test, or being set up"
+    assert not page.rows[name].test.isEnabled()
     heights = []
 
     def is_over():
@@ -145,7 +148,7 @@ def test_a_person_may_decline(window, page, receiver, wait_for):
     name = add_rig(page, receiver)
     wait_for(lambda: playing_on(window)[name].health is Health.READY)
     page.look()
-    page.tests[name].click()
+    page.rows[name].test.click()
     page.panel.question.no.click()
     assert not page.panel.is_running
     assert playing_on(window)[name].health is Health.READY
@@ -189,15 +192,14 @@ def test_any_kind_takes_the_settings_that_it_has(window, page):
     choose(page, "simulated")
     assert not page.address.isEnabled()
     choose(page, "shaker", "pulse,channels=3+9")
-    assert not page.gain.isEnabled()  # its gain is among its settings
     page.add()
     assert "shaker option 'channels=3+9': channel must be" in page.problem.text()
     choose(page, "tcode", "127.0.0.1:1")
     page.add()
     assert list(playing_on(window)) == ["tcode:127.0.0.1:1"]
-    figures = page.figures["tcode:127.0.0.1:1"]
-    assert figures.text() == "\u2248\u200930\u00a0ms, \u00d7\u20091.00"
-    assert "typical value" in figures.toolTip()
+    latency = page.rows["tcode:127.0.0.1:1"].latency
+    assert latency.text() == "\u2248\u200930\u00a0ms"
+    assert "typical value" in latency.toolTip()
     choose(page, "falcon", "1\u200b2")
     page.add()
     assert page.problem.text() == "Settings may contain letters, digits and punctuation"
@@ -213,7 +215,7 @@ def test_the_problem_of_an_output_is_read_whole(dressed, make_window, wait_for, 
     wait_for(lambda: all(playing_on(window)[name].problem for name in names))
     page.look()
     qtbot.wait(50)
-    assert page.states[names[0]].text() == translated(
+    assert page.rows[names[0]].state.text() == translated(
         playing_on(window)[names[0]].problem
     )
     assert list(faces.cut_off(page)) == []
@@ -252,15 +254,88 @@ def test_escape_and_stop_bring_device_and_output_to_rest(
     assert player.snapshot().phase is Phase.PAUSED
 
 
+def enter(box, text):
+    """Type a number into a box and press Enter."""
+    box.setFocus()
+    box.lineEdit().selectAll()
+    QTest.keyClicks(box.lineEdit(), text)
+    QTest.keyClick(box.lineEdit(), Qt.Key.Key_Return)
+
+
+def test_gain_and_latency_are_changed_in_the_list(window, page, settings):
+    """The same for every output, at once, and after the next start."""
+    names = ["simulated", "falcon"]
+    for name in names:
+        choose(page, name)
+        page.add()
+        enter(page.rows[name].gain, "0.35")
+        enter(page.rows[name].latency, "45")
+        assert playing_on(window)[name].gain == 0.35
+        assert playing_on(window)[name].latency_s == pytest.approx(0.045)
+        assert playing_on(window)[name].latency_source is LatencySource.ENTERED
+        page.kind.setFocus()
+        page.look()
+        assert page.rows[name].gain.value() == 0.35
+        assert page.rows[name].latency.text() == "45\u00a0ms"
+    assert outputs_of(settings) == dict.fromkeys(names, KeptOutput(gain=0.35))
+    page.move_up("falcon")  # what is chosen stays with its output
+    assert {one.gain for one in playing_on(window).values()} == {0.35}
+
+
+@needs("rigs")
+def test_a_latency_among_the_settings_is_not_changed_beside_them(window, page):
+    window.player.set_outputs(["rig:outsim,latency_ms=40"])
+    page.look()
+    box = page.rows["rig:outsim,latency_ms=40"].latency
+    assert not box.isEnabled()
+    assert (box.value(), "in its settings" in box.toolTip()) == (40.0, True)
+
+
+def test_the_wheel_over_a_gain_scrolls_the_page(window, page):
+    choose(page, "simulated")
+    page.add()
+    box = page.rows["simulated"].gain
+    middle = box.rect().center()
+    turn = QWheelEvent(
+        middle,
+        box.mapToGlobal(middle),
+        QPoint(0, 120),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    for has_focus in (False, True):
+        box.setFocus() if has_focus else page.kind.setFocus()
+        QApplication.sendEvent(box, turn)
+        assert playing_on(window)["simulated"].gain == 1.0
+
+
+def test_what_opens_the_device_elsewhere_has_its_gain(window, page, monkeypatch):
+    choose(page, "simulated")
+    page.add()
+    page.set_gain("simulated", 0.5)
+    assert window._release_devices() == ["simulated:gain=0.5"]
+    window._take_back_devices()
+    made = []
+    monkeypatch.setattr(
+        "app.player.device_dialogs.Player", lambda *_a, **k: made.append(k["outputs"])
+    )
+    window.dialogs._own_player(window.clock, None, "simulated")
+    assert made == [["simulated:gain=0.5"]]
+
+
 # --- what is remembered --------------------------------------------------------
 
 
 def test_chosen_and_muted_outputs_are_kept(window, page, receiver, settings, tmp_path):
     name = add_rig(page, receiver)
-    assert outputs_of(settings) == {name: False}
+    assert outputs_of(settings) == {name: KeptOutput(gain=0.25)}
     page.look()
-    page.mutes[name].click()
-    assert Settings(tmp_path / "window.json").table(OUTPUTS) == {name: True}
+    page.rows[name].mute.click()
+    kept = outputs_of(Settings(tmp_path / "window.json"))
+    assert kept == {name: KeptOutput(is_muted=True, gain=0.25)}
     page.remove(name)
     assert Settings(tmp_path / "window.json").table(OUTPUTS) == {}
 
@@ -278,32 +353,34 @@ def test_the_first_output_leads_and_the_order_is_kept(window, page, settings):
     assert list(outputs_of(settings)) == names[::-1]
     window.transport.device_chosen.emit("simulated")  # in the place of what leads
     assert list(playing_on(window)) == ["simulated"]
-    assert outputs_of(settings) == {"simulated": False}
+    assert outputs_of(settings) == {"simulated": KeptOutput(gain=1.0)}
 
 
 @needs("rigs", "wheels")
 def test_only_what_this_version_knows_is_taken_from_settings(settings):
-    kept = {"rig:outsim": True, "teleporter": False, "rig:x": False, "wheel": 1}
-    settings.keep(OUTPUTS, {**kept, "falcon:\0": False, "rumble": "yes"})
+    muted = {"muted": True, "gain": 0.5}
+    kept = {"rig:outsim": muted, "teleporter": {}, "rig:x": {}, "wheel": 1}
+    wrong = {"muted": "yes", "gain": 9}
+    settings.keep(OUTPUTS, {**kept, "falcon:\0": {}, "rumble": wrong})
     assert outputs_of(settings) == {
-        "rig:outsim": True,
-        "wheel": False,
-        "rumble": False,
+        "rig:outsim": KeptOutput(is_muted=True, gain=0.5),
+        "wheel": KeptOutput(),
+        "rumble": KeptOutput(),
     }
 
 
 def test_addresses_neither_leave_nor_come_with_settings(settings, tmp_path):
-    settings.keep(OUTPUTS, {"rig:outsim,192.0.2.1:4123": False})
+    settings.keep(OUTPUTS, {"rig:outsim,192.0.2.1:4123": {}})
     settings.save()
     settings.export(tmp_path / "out.json")
     assert "192.0.2.1" not in (tmp_path / "out.json").read_text()
     other = Settings(tmp_path / "other.json")
     (tmp_path / "in.json").write_text(
-        '{"version": 1, "volume": 7, "outputs": {"rig:outsim,192.0.2.1:4123": false}}'
+        '{"version": 1, "volume": 7, "outputs": {"rig:outsim,192.0.2.1:4123": {}}}'
     )
     other.take(tmp_path / "in.json")
     assert other.number("volume", 0) == 7
-    assert outputs_of(other) == {"simulated": False}  # as at first
+    assert outputs_of(other) == {"simulated": KeptOutput()}  # as at first
 
 
 def test_the_window_begins_with_what_was_chosen(
@@ -312,7 +389,7 @@ def test_the_window_begins_with_what_was_chosen(
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     shutil.copytree(sequence, storage.cache_home() / f"demo-{__version__}")
     kept = Settings(default_path())
-    kept.keep(OUTPUTS, {"simulated": True})
+    kept.keep(OUTPUTS, {"simulated": {"muted": True, "gain": 0.5}})
     kept.save()
     seen = []
 
@@ -327,12 +404,14 @@ def test_the_window_begins_with_what_was_chosen(
     timer.start(50)
     assert cli.main([], program.run) == 0
     timer.stop()
-    assert [(one.name, one.is_muted) for one in seen] == [("simulated", True)]
+    assert [(one.device, one.is_muted) for one in seen] == [
+        ("simulated:gain=0.5", True)
+    ]
 
 
 @needs("rigs")
 def test_kept_outputs_that_clash_are_said_and_the_window_opens(window, settings):
-    alike = {"rig:outsim": False, "rig:outsim,gain=0.5": False}
+    alike = {"rig:outsim": {}, "rig:outsim,gain=0.5": {}}
     settings.keep(OUTPUTS, alike)
     settings.save()
     program.restore_outputs(window, outputs_of(settings))

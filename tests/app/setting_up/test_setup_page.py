@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from app.bridge.settings import outputs_of
+from app.bridge.settings import KeptOutput, outputs_of
 from app.player import check_list
 from app.player.outputs_page import OutputsPage
 from app.player.setup_page import SetupPage
@@ -121,7 +121,7 @@ def test_a_rig_may_take_the_place_of_the_leading_device(make_window, wait_for):
     page.use.click()
     name = "rig:outsim,127.0.0.1:9"
     wait_for(lambda: window.player.output_names == [name])
-    wait_for(lambda: outputs_of(window.settings) == {name: False})
+    wait_for(lambda: outputs_of(window.settings) == {name: KeptOutput(gain=1.0)})
     wait_for(lambda: window.player.snapshot().leading.health is Health.READY)
 
 
@@ -153,7 +153,7 @@ def test_the_first_page_leads_here_and_the_choice_is_taken(make_window, wait_for
     wait_for(page.use.isEnabled)
     page.use.click()
     wait_for(lambda: window.player.snapshot().leading.name == "simulated")
-    assert outputs_of(window.settings) == {"simulated": False}
+    assert list(outputs_of(window.settings)) == ["simulated"]
 
 
 def test_closing_it_gives_the_device_from_before_back(make_window, wait_for):

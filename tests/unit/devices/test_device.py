@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from hapticplayer.devices import DEVICES, find_device
+from hapticplayer.devices import DEVICES, NO_DEVICE, device_names, find_device
 from hapticplayer.devices.capabilities import FALCON
+from hapticplayer.devices.options import with_gain
 from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.falcon.parameters import Electronics
 from tests.doubles import SimulatedFalcon
@@ -53,6 +54,26 @@ def test_one_of_several_falcons_is_found_by_its_number_only():
         DeviceError, match="nothing but gain= can follow; use simulated"
     ):
         find_device("simulated:12PZ657E")
+
+
+@pytest.mark.parametrize("name", [one for one in device_names() if one != NO_DEVICE])
+def test_every_device_takes_a_gain(name):
+    entry = find_device(f"{name}:gain=0.25")
+    assert entry.settings.gain == 0.25
+    assert entry.settings.address == find_device(name).settings.address
+    assert (entry.chosen, entry.capabilities) == ("", find_device(name).capabilities)
+    for wrong in ("-1", "nan", "4.5", ""):
+        with pytest.raises(DeviceError, match="gain must be between 0 and 4"):
+            find_device(f"{name}:gain={wrong}")
+    with pytest.raises(DeviceError, match="say it once"):
+        find_device(f"{name}:gain=1,gain=2")
+
+
+def test_another_gain_leaves_the_other_settings():
+    assert with_gain("simulated", 0.5) == "simulated:gain=0.5"
+    assert with_gain("simulated:gain=0.5") == "simulated"
+    assert with_gain("falcon:A1,gain=2", 0.25) == "falcon:A1,gain=0.25"
+    assert with_gain("rig:outsim,gain=2,rate=90") == "rig:outsim,rate=90"
 
 
 def test_a_force_acts_from_the_exchange_that_brought_it():

@@ -154,6 +154,39 @@ def test_an_output_has_its_own_condition_or_is_mute(outputs):
     assert {one.processes.published[-1][1] for one in outputs} == {""}
 
 
+def test_a_gain_multiplies_what_each_plays_from_then_on(outputs):
+    def largest():
+        rig, rumble = (processes_of(outputs, one).tracks for one in (RIG, "rumble"))
+        force = {name: float(track.force_n.max()) for name, track in rumble.items()}
+        return float(np.abs(rig["realistic"].motion).max()), force
+
+    full, _ = largest()  # with the gain of 0.5 that its settings say
+    for name in (RIG, "rumble"):
+        outputs[name].set_gain(0.25)
+    assert largest() == (pytest.approx(full / 2), {"realistic": 0.25, "random": 0.25})
+    outputs.replace("realistic", ForceTrack([0.0, 3.0], [[0, 2.0, 0]] * 2))
+    assert largest()[1]["realistic"] == 0.5
+    outputs.load({"realistic": TRACKS["realistic"]}, MOTION)
+    assert largest() == (pytest.approx(full / 2), {"realistic": 0.25})
+    for wrong in (-0.1, 4.1, float("nan")):
+        with pytest.raises(UsageError, match="between 0 and 4"):
+            outputs[RIG].set_gain(wrong)
+    assert outputs.states("")[0].device == "rig:outsim,latency_ms=40,gain=0.25"
+
+
+def test_what_was_chosen_is_there_when_a_device_is_opened_again(outputs):
+    chosen = outputs["rumble"]
+    chosen.feedback, chosen.is_muted = "random", True
+    chosen.set_gain(0.5)
+    lost = chosen.processes
+    lost.health = Health.FAILED
+    outputs.use([RIG, "rumble"])
+    again = outputs["rumble"]
+    assert again.processes is not lost
+    assert (again.feedback, again.is_muted, again.gain) == ("random", True, 0.5)
+    assert again.processes.tracks["realistic"].force_n.max() == 0.5
+
+
 def test_levels_are_shown_and_the_loudest_reported(outputs, manual_clock):
     processes, quiet = processes_of(outputs, "rumble"), ChannelLevel(3, 0.1, False)
     for now in (quiet, ChannelLevel(3, 0.5, True), quiet):
