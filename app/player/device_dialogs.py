@@ -142,14 +142,14 @@ class DeviceDialogs(QObject):
         self._lend()
         latch = self._session.player.latch
         page = LatencyPage(
-            *(clock, device, self._settings, self._own_player), latch, self._window
+            *(clock, device, self._settings, self.own_player), latch, self._window
         )
         page.measured.connect(self.settings_taken)
         page.finished.connect(lambda _: self._take_back())
         page.finished.connect(page.deleteLater)
         page.open()
 
-    def _own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:
+    def own_player(self, clock: Clock, sink: SurfaceSink, device: str) -> Player:
         sound = partial(SoundProcess, device=self._settings.text(OUTPUT))
         latch = self._session.player.latch
         outputs = [self._with_gain(device)]

@@ -155,7 +155,7 @@ class Dialogs(DeviceDialogs):
 
         device = self._session.player.snapshot().leading.name
         self._lend()
-        setup = PlayerSetup(clock, device, self._settings, self._own_player)
+        setup = PlayerSetup(clock, device, self._settings, self.own_player)
         page = EditorPage(folder, setup, self._window)
         page.saved.connect(self._show_again)
         page.finished.connect(lambda _: self._take_back())

@@ -311,8 +311,8 @@ class OutputsPage(QDialog):
         where = captioned(self.tr("Address or settings"), self.address)
         self.kind.setAccessibleName(self.tr("Device to add"))
         self.heading = paragraph(self._text(), lines=2)
-        self._list_end = paragraph("", theme.DIM)
-        self._scroll = scrolling(column_of(self._list, self._list_end, STRETCH))
+        self.list_end = paragraph("", theme.DIM)
+        self._scroll = scrolling(column_of(self._list, self.list_end, STRETCH))
         self._form = QWidget()
         column_of(
             row_of((self.kind, 1), add),
@@ -349,7 +349,7 @@ class OutputsPage(QDialog):
                 widget.deleteLater()
         self.rows = {one.name: self._add_row(one.name) for one in now.outputs}
         is_empty = self.tr("Nothing plays yet. Choose a device below and press Add.")
-        self._list_end.setText("" if now.outputs else is_empty)
+        self.list_end.setText("" if now.outputs else is_empty)
         keep_width(self._scroll)
 
     def _add_row(self, name: str) -> OutputRow:

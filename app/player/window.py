@@ -117,7 +117,7 @@ class PlayerWindow(QMainWindow):
             self,
             self.clock,
             self.session.gateway.report,
-            (self._release_devices, self._take_back_devices),
+            (self.release_devices, self.take_back_devices),
             self.settings,
         )
         self.stage = QStackedWidget()
@@ -233,7 +233,7 @@ class PlayerWindow(QMainWindow):
         self.session.choose_leading(name)
         keep_outputs(self.settings, self.player.snapshot().outputs)
 
-    def _release_devices(self) -> list[str]:
+    def release_devices(self) -> list[str]:
         """Leave sound and devices to a session; return which devices these are."""
         self.player.latch.refuse()
         self.player.pause()
@@ -246,7 +246,7 @@ class PlayerWindow(QMainWindow):
         if not is_on:
             self.stop()
 
-    def _take_back_devices(self) -> None:
+    def take_back_devices(self) -> None:
         self.player.take_back_outputs()
         self.session.changed.emit()
 

@@ -200,4 +200,4 @@ def test_the_window_is_stopped_after_a_session(
 @pytest.mark.realtime
 def test_a_study_does_not_begin_during_a_stop(stopped):
     with pytest.raises(UsageError, match="re-arm"):
-        stopped._release_devices()
+        stopped.release_devices()

@@ -73,7 +73,7 @@ def test_a_rig_is_added_with_a_small_gain_and_removed(window, page, receiver, wa
     page.remove(name)
     assert playing_on(window) == {}
     assert page.rows == {}
-    assert "press Add" in page._list_end.text()
+    assert "press Add" in page.list_end.text()
 
 
 @needs("rigs", "shakers")
@@ -316,13 +316,13 @@ def test_what_opens_the_device_elsewhere_has_its_gain(window, page, monkeypatch)
     choose(page, "simulated")
     page.add()
     page.set_gain("simulated", 0.5)
-    assert window._release_devices() == ["simulated:gain=0.5"]
-    window._take_back_devices()
+    assert window.release_devices() == ["simulated:gain=0.5"]
+    window.take_back_devices()
     made = []
     monkeypatch.setattr(
         "app.player.device_dialogs.Player", lambda *_a, **k: made.append(k["outputs"])
     )
-    window.dialogs._own_player(window.clock, None, "simulated")
+    window.dialogs.own_player(window.clock, None, "simulated")
     assert made == [["simulated:gain=0.5"]]
 
 
