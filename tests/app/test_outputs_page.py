@@ -312,7 +312,7 @@ def test_the_wheel_over_a_gain_scrolls_the_page(window, page):
         assert playing_on(window)["simulated"].gain == 1.0
 
 
-def test_what_opens_the_device_elsewhere_has_its_gain(window, page, monkeypatch):
+def test_another_that_opens_the_device_has_its_gain(window, page, monkeypatch):
     choose(page, "simulated")
     page.add()
     page.set_gain("simulated", 0.5)

@@ -174,7 +174,7 @@ def test_a_gain_multiplies_what_each_plays_from_then_on(outputs):
     assert outputs.states("")[0].device == "rig:outsim,latency_ms=40,gain=0.25"
 
 
-def test_what_was_chosen_is_there_when_a_device_is_opened_again(outputs):
+def test_a_device_that_is_opened_again_keeps_its_choices(outputs):
     chosen = outputs["rumble"]
     chosen.feedback, chosen.is_muted = "random", True
     chosen.set_gain(0.5)
