@@ -58,7 +58,7 @@ By three taps:
 By the frames, beside three taps: clips of 28 s, log at 200 and 30 Hz; errors of confident results in
 the middle of the clip, ms: median, p95, largest (results that are confident, of all).
 
-{pictures}
+{frames}
 """
 
 
@@ -96,7 +96,7 @@ def pats(found: dict[str, Any]) -> Table:
     return [*header, "right, flagged %", "ms", "600 s: RMS at the end, ms"], rows
 
 
-def pictures(found: dict[str, Any]) -> Table:
+def frames(found: dict[str, Any]) -> Table:
     """Return the errors of each method side by side."""
     by_clips: dict[str, dict[str, str]] = {}
     for clips, method, logs, confident, *errors in found["rows"]:
@@ -123,7 +123,7 @@ TABLES: dict[str, Callable[[dict[str, Any]], Table]] = {
     "faults": faults,
     "outside": outside,
     "pats": pats,
-    "pictures": pictures,
+    "frames": frames,
     "loop": loop,
 }
 

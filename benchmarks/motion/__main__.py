@@ -12,6 +12,6 @@ PLACES = {
     "numerics": "motion.numerics",
     "budget": "motion.budget",
     "sensitivity": "motion.sensitivity",
-    "pictures": "motion.pictures",
+    "suggested": "motion.suggested",
 }
 sys.exit(command("motion", __doc__, PLACES))

@@ -8,7 +8,7 @@ around them are left out. Figures are the RMS of the error vector in mN, over al
 
 Five chains: *paper* (30 Hz means, pats found to half a frame, each value held), *lines*
 (the same log, pats to the 8 ms that event matching reaches at 30 Hz, straight lines),
-*today* (the same, and what `rendering.window_means` puts between the means), *pictures* (the
+*today* (the same, and what `rendering.window_means` puts between the means), *frames* (the
 same, synchronised by the frames) and *camera* (200 Hz beside the clip, embedded clock).
 `python -m tools.result_figures` draws the saved result.
 
@@ -59,7 +59,7 @@ SCENARIOS = ("bike", "horse", "car-turning", "car-braking")
 SEEDS = (1, 2, 3)
 QUICK_SCENES = ("walk", "handheld-quiet")
 BEGIN_S = 6.0
-SYNC_S = {"camera": 0.0015, "pictures, 30 Hz": 0.0015,
+SYNC_S = {"camera": 0.0015, "frames, 30 Hz": 0.0015,
           "event pattern, 200 Hz": 0.002, "event pattern, 30 Hz": 0.008,
           "half a frame, 30 Hz": 1.0 / 60.0, "a frame, 30 Hz": 1.0 / 30.0}  # fmt: skip
 """Errors of synchronisation by where they are met; the sign does not matter."""
@@ -286,7 +286,7 @@ def chains(ride: Ride) -> dict[str, float]:
         ("paper", SYNC_S["half a frame, 30 Hz"], plain, held),
         ("lines", SYNC_S["event pattern, 30 Hz"], plain, linear),
         ("today", SYNC_S["event pattern, 30 Hz"], track, linear),
-        ("pictures", SYNC_S["pictures, 30 Hz"], track, linear),
+        ("frames", SYNC_S["frames, 30 Hz"], track, linear),
     ):
         found[name] = _sent(ride, one, media_s + late_s, between)
     camera = LoggerBoard(sensor=replace(CAMERA, averaged_to_hz=None))

@@ -8,6 +8,6 @@ PLACES = {
     "outputs": "sync.outputs",
     "outside": "sync.outside",
     "pats": "sync.pats",
-    "pictures": "sync.pictures",
+    "frames": "sync.frames",
 }
 sys.exit(command("sync", __doc__, PLACES))

@@ -3,7 +3,7 @@
 Sway is what a turn presses to the side: speed over the ground times rotation about the
 vertical. Bounce is how the camera goes up and down at each step. Both are in heights of the
 camera above the ground, which no picture shows: one gain is set by hand. Neither is a
-measurement. `benchmarks.motion pictures` says where they are right and where not.
+measurement. `benchmarks.motion suggested` says where they are right and where not.
 """
 
 import os

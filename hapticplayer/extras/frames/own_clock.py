@@ -13,7 +13,9 @@ from hapticplayer.capture.clock_lag import CORI, FRAMES, ClockLag, unstamped
 from hapticplayer.capture.frames import FrameRotation
 from hapticplayer.capture.sync.result import Synchronisation, SyncInput
 from hapticplayer.errors import InputError, Message, UsageError
-from hapticplayer.extras.frames.pictures import (
+from hapticplayer.extras.frames.rotation_line import Line, fit_line
+from hapticplayer.extras.frames.rotation_match import Gyro, RotationFit, fit_at
+from hapticplayer.extras.frames.synchronizing import (
     find_mounting,
     finding,
     refuse_without_gyro,
@@ -21,8 +23,6 @@ from hapticplayer.extras.frames.pictures import (
     synchronize_frames,
     usable,
 )
-from hapticplayer.extras.frames.rotation_line import Line, fit_line
-from hapticplayer.extras.frames.rotation_match import Gyro, RotationFit, fit_at
 from hapticplayer.model import ClockMap, ImuLog
 
 MOST_LAG_S = 0.05

@@ -8,8 +8,8 @@ from scipy.spatial.transform import Rotation
 
 from hapticplayer.capture.frames import FeatureKind, FrameRotation
 from hapticplayer.capture.mounting import axes_matrix
-from hapticplayer.extras.frames.pictures import synchronize_frames
 from hapticplayer.extras.frames.rotation import rotation
+from hapticplayer.extras.frames.synchronizing import synchronize_frames
 from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ImuLog
 from tests.unit.extras.frames.conftest import FRAME_RATE_HZ, film, turning

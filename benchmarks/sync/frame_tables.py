@@ -7,12 +7,12 @@ import numpy as np
 
 from benchmarks.common import Report
 from benchmarks.motion.budget import make_ride, shifted
-from benchmarks.sync.picture_clips import RATES_HZ
+from benchmarks.sync.frame_clips import RATES_HZ
 from hapticplayer.capture.frames import FrameRotation
 from hapticplayer.capture.mounting import gravity_agrees, mean_up
 from hapticplayer.capture.sync.result import CLEAR_RATIO, Synchronisation
 from hapticplayer.errors import InputError
-from hapticplayer.extras.frames.pictures import synchronize_frames
+from hapticplayer.extras.frames.synchronizing import synchronize_frames
 from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 

@@ -14,7 +14,7 @@ from hapticplayer.capture.sync.synchronize import automatic, joined_findings
 from hapticplayer.cli.recording_options import sync_text
 from hapticplayer.errors import InputError, MediaError, UsageError
 from hapticplayer.extras.frames import own_clock
-from hapticplayer.extras.frames.pictures import (
+from hapticplayer.extras.frames.synchronizing import (
     LONG_S,
     find_mounting,
     spans_to_watch,

@@ -37,7 +37,7 @@ _LEAST_S = 5.0
 _CHECKED_S = 6.0  # parts of this length are compared by themselves
 _APART_S = 0.05  # nearer shifts are the same
 
-# thresholds at which the confidence is a half; see benchmarks.sync pictures
+# thresholds at which the confidence is a half; see benchmarks.sync frames
 _MARGIN = 2.3  # of many windows: logs of other rides reach 2.4, right ones 4.4 or more
 _EXPLAINED = 0.6
 _SECOND_AXIS = 0.85  # logs of other rides in cars reach 0.75, right ones 0.93 or more

@@ -1,6 +1,6 @@
 """Motion suggested by frames alone, beside the truth, no force and random force.
 
-Films of simulated rides (those of `benchmarks.sync pictures`) and real clips with telemetry
+Films of simulated rides (those of `benchmarks.sync frames`) and real clips with telemetry
 of their own. Seeds 11 and 12 were used to build the estimate, all others and the real clips
 were not. Per part and band: correlation, RMS error with the gain as it is and with the one
 that fits the clip, the share of the clip in which the part is kept. Baselines have the truth's
@@ -19,7 +19,7 @@ import numpy as np
 from scipy import signal
 
 from benchmarks.common import DATA, Report, on_one_thread, rms
-from benchmarks.sync.picture_clips import SCENES, film_of
+from benchmarks.sync.frame_clips import SCENES, film_of
 from hapticplayer.capture import read_recording
 from hapticplayer.extras.frames.estimate import RATE_HZ, TOP_HZ, suggest_motion
 from hapticplayer.extras.rides.catalogue import RIDES
@@ -253,7 +253,6 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(chosen: argparse.Namespace, report: Report) -> None:
     """Compare all clips."""
     on_one_thread()
-    report.name = "motion_pictures"  # another one is named pictures
     seeds = range(13, 14) if chosen.quick else SEEDS
     scenes = ("bike", "horse") if chosen.quick else SCENES
     found, start, seconds = [], time.process_time(), 0.0

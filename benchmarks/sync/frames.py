@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.common import DATA, Report, on_one_thread
-from benchmarks.sync.picture_clips import (
+from benchmarks.sync.frame_clips import (
     RATES_HZ,
     SCENES,
     Filmed,
@@ -31,7 +31,7 @@ from benchmarks.sync.picture_clips import (
     stabilised,
     still,
 )
-from benchmarks.sync.picture_tables import (
+from benchmarks.sync.frame_tables import (
     METHODS,
     MIRRORED,
     Found,
@@ -44,10 +44,10 @@ from hapticplayer.capture.frames import FeatureKind, FrameRotation
 from hapticplayer.capture.sync.result import ClipSound, Synchronisation, SyncInput
 from hapticplayer.capture.sync.synchronize import by_pats, joined_findings
 from hapticplayer.errors import InputError
-from hapticplayer.extras.frames.pictures import synchronize_frames, usable
 from hapticplayer.extras.frames.rotation import rotation
 from hapticplayer.extras.frames.rotation_line import Line, fit_line
 from hapticplayer.extras.frames.rotation_match import Gyro, fit_at
+from hapticplayer.extras.frames.synchronizing import synchronize_frames, usable
 from hapticplayer.extras.rides.film.sound import RATE_HZ as SOUND_RATE_HZ
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ImuLog
@@ -76,24 +76,24 @@ def outcome(film: Filmed, log: Logged, frames: FrameRotation) -> Outcome:
     """Synchronise by frames, pats and both."""
     sound = ClipSound(film.audio.mean(axis=1), SOUND_RATE_HZ)
     start = time.process_time()
-    pictures = synchronize_frames(log.imu, frames)
+    by_frames = synchronize_frames(log.imu, frames)
     fit_s = time.process_time() - start
     pats = by_pats(SyncInput(log.imu, lambda: sound))
-    both = joined_findings(pats, pictures)
-    found = dict(zip(METHODS, (pictures, pats, both), strict=True))
+    both = joined_findings(pats, by_frames)
+    found = dict(zip(METHODS, (by_frames, pats, both), strict=True))
     one = Outcome(
         film.scene,
         200 if log.imu.rate_hz > 100 else 30,
         {name: middle_error_s(film, log, result) for name, result in found.items()},
         {name: result.clock_map.confidence for name, result in found.items()},
-        pictures.drift_ppm - 1e6 * (log.clock_map.rate - 1.0),
+        by_frames.drift_ppm - 1e6 * (log.clock_map.rate - 1.0),
         fit_s,
         window_error_s=window_errors_s(film, log, frames),
     )
-    if pictures.frames is not None:
-        told_s = pictures.frames.read_out_s
+    if by_frames.frames is not None:
+        told_s = by_frames.frames.read_out_s
         one = replace(one, read_out_error_s=told_s - film.read_out_s)
-    if (mounting := pictures.mounting) is not None:
+    if (mounting := by_frames.mounting) is not None:
         is_right = mounting.axes == log.axes
         one = replace(one, mounting_ratio=mounting.ratio, mounting_is_right=is_right)
     return one
