@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.unit.extras.frames.test_synchronizing import CLIP_S, NOISE_RAD, Ride
 
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.clock_lag import unstamped
@@ -18,6 +17,7 @@ from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 from tests.unit.capture.conftest import recorded
+from tests.unit.extras.frames.test_synchronizing import CLIP_S, NOISE_RAD, Ride
 
 
 def refined(imu: ImuLog, frames: FrameRotation) -> Synchronisation:
