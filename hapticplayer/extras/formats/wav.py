@@ -1,7 +1,8 @@
 """Force as audio (WAV): three channels for transducers, the newton scale in its metadata.
 
 32-bit float samples of force / scale; the scale and the axes are in a LIST INFO comment
-of the form `hapticplayer force; newton = sample * 4.5; x, y, z`.
+of the form `hapticplayer force; newton = sample * 4.5; x, y, z`. Other formats than PCM
+have an extension size and a `fact` chunk (Multimedia Programming Interface 1.0).
 """
 
 import math
@@ -36,9 +37,10 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
             "the track is too long for this format",
             remedy="choose a lower sample rate, or another format",
         )
-    form = struct.pack("<HHIIHH", FLOAT, 3, rate, 12 * rate, 12, 32)
+    form = struct.pack("<HHIIHHH", FLOAT, 3, rate, 12 * rate, 12, 32, 0)
     info = b"INFO" + _chunk(b"ICMT", comment)
-    head = b"WAVE" + _chunk(b"fmt ", form) + _chunk(b"LIST", info)
+    head = b"WAVE" + _chunk(b"fmt ", form) + _chunk(b"fact", struct.pack("<I", count))
+    head += _chunk(b"LIST", info)
     size = len(head) + 8 + 12 * count
     out.write(b"RIFF" + struct.pack("<I", size) + head)
     out.write(b"data" + struct.pack("<I", 12 * count))

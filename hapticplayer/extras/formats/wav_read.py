@@ -1,7 +1,9 @@
 """Reads audio (WAV) as force: our own, and PCM or float of up to 8 channels.
 
 Three channels are x, y, z, others act together along the chosen direction. The newton of full
-scale is in the comment of our own files (see `wav`), else it is chosen.
+scale is in the comment of our own files (see `wav`), wherever other programs have put it,
+else it is chosen. Samples of fewer bits than their bytes have lie at the upper end of them,
+by the format, or at the lower, as some programs write them: the samples themselves tell.
 """
 
 import math
@@ -9,7 +11,7 @@ import os
 import re
 import struct
 from pathlib import Path
-from typing import Any, BinaryIO, NamedTuple
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,14 +29,11 @@ MAX_BYTES, MAX_SAMPLES = 160 << 20, 9_000_000
 MARK = b"hapticplayer force; newton = sample * "
 _SCALE = re.compile(re.escape(MARK) + rb"([0-9.e+-]{1,24}); x, y, z")
 FLOAT, _PCM, _EXTENSIBLE = 3, 1, 0xFFFE
-_KINDS = {
-    (_PCM, 8): "u1",
-    (_PCM, 16): "<i2",
-    (_PCM, 24): "u1",
-    (_PCM, 32): "<i4",
-    (FLOAT, 32): "<f4",
-    (FLOAT, 64): "<f8",
-}
+_SUBFORMAT = bytes.fromhex("000000001000800000AA00389B71")
+"""What follows the code in the GUID of the extensible format."""
+
+_STREAMED = 0xFFFFFFFF
+_MAX_COMMENT_BYTES = 1 << 16
 SAMPLES_AT_ONCE = 1 << 18
 """Of each channel."""
 
@@ -54,8 +53,7 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
 
 def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
     data = _data(reader, str(path))
-    notes: list[Message] = []
-    unread: list[Message] = []
+    notes, unread = list(data.assumed), list(data.unread)
     scale_n = data.scale_n
     if scale_n is None:
         scale_n = choices.full_scale_n
@@ -84,12 +82,23 @@ def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
 
 
 class _Form(NamedTuple):
-    """What `fmt ` says."""
+    """What `fmt ` says.
+
+    Attributes:
+        code: FLOAT or PCM.
+        channels: of a frame.
+        rate_hz: frames per second.
+        bits: of a sample.
+        width: bytes of a sample.
+        unit: what full scale is, as a number of PCM.
+    """
 
     code: int
     channels: int
     rate_hz: int
     bits: int
+    width: int
+    unit: float
 
 
 class _Data(NamedTuple):
@@ -100,12 +109,16 @@ class _Data(NamedTuple):
         at: their first byte in the file.
         frames: samples of each channel.
         scale_n: of full scale; None where the file does not say it.
+        assumed: what the file does not say.
+        unread: what is missing.
     """
 
     form: _Form
     at: int
     frames: int
     scale_n: float | None
+    assumed: tuple[Message, ...] = ()
+    unread: tuple[Message, ...] = ()
 
 
 def _data(reader: BinaryIO, where: str) -> _Data:
@@ -121,34 +134,75 @@ def _data(reader: BinaryIO, where: str) -> _Data:
     if head[:4] != b"RIFF" or head[8:12] != b"WAVE":
         raise InputError("is not a WAV file", where=where, remedy=ANOTHER)
     at, form, scale_n = 12, None, None
+    samples: list[tuple[int, int]] = []
     while len(head := reader.read(8)) == 8:
         name, size = head[:4], struct.unpack_from("<I", head, 4)[0]
+        body = b"" if name == b"data" else reader.read(min(size, _MAX_COMMENT_BYTES))
         if name == b"data":
-            if form is None:
-                break
-            width = form.channels * form.bits // 8
-            count = min(size, size_bytes - at - 8) // width
-            if not count:
-                break
-            return _Data(form, at + 8, count, scale_n)
-        body = reader.read(min(size, 1024))
-        if name == b"fmt " and len(body) >= 16:
+            samples.append((at + 8, size))
+        elif name == b"fmt " and len(body) >= 16 and not samples:
             form = _form(body, where)
-        elif name == b"LIST" and (found := _SCALE.search(body)):
+        elif found := _SCALE.search(body):
             scale_n = _number(found[1])
         at += 8 + size + size % 2
         reader.seek(at)
-    raise InputError("holds no samples", where=where, remedy=ANOTHER)
+    begin, said = samples[0] if samples else (0, 0)
+    size = min(said, size_bytes - begin)
+    if form is None or size < form.channels * form.width:
+        raise InputError("holds no samples", where=where, remedy=ANOTHER)
+    frames, unread = size // (form.channels * form.width), []
+    if size < said < _STREAMED:
+        lost = said // (form.channels * form.width) - frames
+        unread.append(Message("the last {count} samples are missing", count=lost))
+    if len(samples) > 1:
+        unread.append(
+            Message("not read: {what} ({count})", what="data", count=len(samples) - 1)
+        )
+    data = _Data(form, begin, frames, scale_n, (), tuple(unread))
+    return data if form.bits == 8 * form.width else _justified(reader, data)
 
 
 def _form(body: bytes, where: str) -> _Form:
-    code, channels, rate, _, _, bits = struct.unpack_from("<HHIIHH", body)
-    if code == _EXTENSIBLE and len(body) >= 26:
-        code = struct.unpack_from("<H", body, 24)[0]
+    code, channels, rate, _, block, bits = struct.unpack_from("<HHIIHH", body)
+    if code == _EXTENSIBLE and len(body) >= 40 and body[26:40] == _SUBFORMAT:
+        valid, code = (struct.unpack_from("<H", body, place)[0] for place in (18, 24))
+        bits = valid or bits
     is_usual = 1 <= channels <= 8 and 100 <= rate <= 192_000
-    if not is_usual or (code, bits) not in _KINDS:
-        raise InputError("has no usual format", where=where, remedy=ANOTHER)
-    return _Form(code, channels, rate, bits)
+    width = block // channels if is_usual and block % channels == 0 else 0
+    is_known = (code == FLOAT and (width, bits) in ((4, 32), (8, 64))) or (
+        code == _PCM and 1 <= width <= 4 and 2 <= bits <= 8 * width
+    )
+    if not is_known:
+        raise InputError(
+            "has no usual format ({bits} bits in {block} bytes for {channels} channels)",
+            where=where,
+            remedy=ANOTHER,
+            bits=bits,
+            block=block,
+            channels=channels,
+        )
+    return _Form(code, channels, rate, bits, width, 2.0 ** (8 * width - 1))
+
+
+def _justified(reader: BinaryIO, data: _Data) -> _Data:
+    """Tell by the samples at which end of their bytes the bits are."""
+    form, below = data.form, 1 << (8 * data.form.width - data.form.bits)
+    frame = form.channels * form.width
+    reader.seek(data.at)
+    for first in range(0, data.frames, SAMPLES_AT_ONCE):
+        count = min(SAMPLES_AT_ONCE, data.frames - first)
+        raw = _whole(form, reader.read(count * frame))
+        if (raw % below).any():
+            if np.abs(raw).max() >> (form.bits - 1) > 1:
+                break  # more bits than it says
+            said = Message(
+                "samples of {bits} bits were taken from the lower end of {width} bytes",
+                bits=form.bits,
+                width=form.width,
+            )
+            low = form._replace(unit=2.0 ** (form.bits - 1))
+            return data._replace(form=low, assumed=(said,))
+    return data
 
 
 def _number(text: bytes) -> float | None:
@@ -171,7 +225,7 @@ def _force_n(
     count = -(-data.frames * up // down)
     if count > MAX_SAMPLES:
         raise InputError("holds too many values", where=where, remedy=ANOTHER)
-    width = data.form.channels * data.form.bits // 8
+    width = data.form.channels * data.form.width
     force_n = np.zeros((count, 3), dtype=np.float32)
     size = down * max(1, SAMPLES_AT_ONCE // down)
     for first in range(0, data.frames, size):
@@ -195,19 +249,24 @@ def _force_n(
 
 def _samples(form: _Form, data: bytes) -> Floats:
     """Return samples (n, channels), full scale is 1."""
-    raw: NDArray[Any] = np.frombuffer(data, _KINDS[form.code, form.bits])
     if form.code == FLOAT:
         with np.errstate(invalid="ignore"):  # what is no number is refused later
-            values: Floats = raw.astype(np.float64)
-    elif form.bits == 24:
-        low, mid, high = raw.reshape(-1, 3).astype(np.int32).T
-        whole = low | mid << 8 | high << 16
-        values = (whole - (whole >> 23 << 24)) / float(1 << 23)
-    elif form.bits == 8:
-        values = (raw.astype(np.float64) - 128.0) / 128.0
+            kind = f"<f{form.width}"
+            values: Floats = np.frombuffer(data, kind).astype(np.float64)
     else:
-        values = raw / float(1 << (form.bits - 1))
-    return np.asarray(values).reshape(-1, form.channels)
+        values = _whole(form, data) / form.unit
+    return values.reshape(-1, form.channels)
+
+
+def _whole(form: _Form, data: bytes) -> NDArray[np.int64]:
+    """Return the whole numbers of PCM, each in its bytes."""
+    if form.width == 1:
+        return np.frombuffer(data, "u1").astype(np.int64) - 128
+    if form.width == 3:
+        low, mid, high = np.frombuffer(data, "u1").reshape(-1, 3).astype(np.int64).T
+        whole = low | mid << 8 | high << 16
+        return np.asarray(whole - (whole >> 23 << 24))
+    return np.frombuffer(data, f"<i{form.width}").astype(np.int64)
 
 
 def _slower(samples: Floats, up: int, down: int) -> Floats:

@@ -100,6 +100,125 @@ def test_wav_is_slowed_down_in_blocks_as_in_one(tmp_path, rng, monkeypatch, rate
     np.testing.assert_allclose(found.time_s, np.arange(len(whole)) / 1000.0)
 
 
+def chunk(name, content):
+    return name + struct.pack("<I", len(content)) + content + b"\0" * (len(content) % 2)
+
+
+def sound(form, data, *after, before=()):
+    """A WAV file of chunks."""
+    body = b"WAVE" + chunk(b"fmt ", form) + b"".join(before) + chunk(b"data", data)
+    body += b"".join(after)
+    return b"RIFF" + struct.pack("<I", len(body)) + body
+
+
+def form_of(code, channels, bits, block, extension=b""):
+    return (
+        struct.pack("<HHIIHH", code, channels, 1000, 1000 * block, block, bits)
+        + extension
+    )
+
+
+def extensible(channels, bits, block, valid, code=1):
+    tail = bytes.fromhex("000000001000800000AA00389B71")
+    more = struct.pack("<HHIH", 22, valid, 0, code) + tail
+    return form_of(0xFFFE, channels, bits, block, more)
+
+
+WAVE = 0.5 * np.sin(np.arange(300).reshape(-1, 3) / 9.0)
+FORMS = {
+    "12 bits above in 2": (form_of(1, 3, 12, 6), 2, 12, 4),
+    "12 bits below in 2": (form_of(1, 3, 12, 6), 2, 12, 0),
+    "16 bits": (form_of(1, 3, 16, 6), 2, 16, 0),
+    "20 bits above in 3": (form_of(1, 3, 20, 9), 3, 20, 4),
+    "24 bits": (form_of(1, 3, 24, 9), 3, 24, 0),
+    "24 bits above in 4": (form_of(1, 3, 24, 12), 4, 24, 8),
+    "24 bits below in 4": (form_of(1, 3, 24, 12), 4, 24, 0),
+    "32 bits that say 24": (form_of(1, 3, 24, 12), 4, 32, 0),
+    "extensible, 16 bits": (extensible(3, 16, 6, 16), 2, 16, 0),
+    "extensible, 24 above in 4": (extensible(3, 32, 12, 24), 4, 24, 8),
+    "extensible, 24 below in 4": (extensible(3, 32, 12, 24), 4, 24, 0),
+    "extensible, no valid bits": (extensible(3, 16, 6, 0), 2, 16, 0),
+}
+
+
+@pytest.mark.parametrize("kind", FORMS)
+def test_wav_samples_are_where_their_bits_are(read, kind):
+    form, width, bits, shift = FORMS[kind]
+    whole = np.round(WAVE * (1 << (bits - 1))).astype(np.int64) << shift
+    data = whole.astype("<i8").tobytes()
+    packed = np.frombuffer(data, "u1").reshape(-1, 8)[:, :width].tobytes()
+    silence = b"\0" * (len(packed) // len(WAVE)) * 7
+    found = read(sound(form, silence + packed), ".wav", full_scale_n=2.0)
+    np.testing.assert_allclose(found.track.force_n[7:], 2.0 * WAVE, atol=2e-3)
+    assert any("lower end" in str(note) for note in found.assumed) == ("below" in kind)
+
+
+@pytest.mark.parametrize(
+    ("form", "says"),
+    [
+        (form_of(1, 3, 24, 10), "24 bits in 10 bytes for 3 channels"),
+        (form_of(1, 3, 24, 6), "24 bits in 6 bytes"),
+        (form_of(1, 3, 16, 0), "no usual format"),
+        (form_of(1, 0, 16, 2), "no usual format"),
+        (form_of(3, 3, 16, 6), "no usual format"),
+        (form_of(2, 3, 4, 12), "no usual format"),
+        (extensible(3, 16, 6, 24), "no usual format"),
+        (extensible(3, 16, 6, 16)[:-1] + b"x", "no usual format"),
+    ],
+)
+def test_wav_that_contradicts_itself_is_refused(read, form, says):
+    with pytest.raises(InputError, match=says):
+        read(sound(form, b"\1" * 120), ".wav")
+
+
+def test_extensible_wav_of_floats_is_read(read):
+    data = WAVE.astype("<f4").tobytes()
+    found = read(sound(extensible(3, 32, 12, 32, 3), data), ".wav")
+    np.testing.assert_allclose(found.track.force_n, WAVE, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", [b"LIST", b"id3 "])
+@pytest.mark.parametrize("filler", [0, 5001])
+def test_our_own_scale_is_found_behind_the_samples(read, name, filler):
+    comment = b"INFOICMT\0\0" + b" " * filler
+    comment += b"hapticplayer force; newton = sample * 8.000; x, y, z"
+    content = sound(
+        form_of(3, 3, 32, 12), WAVE.astype("<f4").tobytes(), chunk(name, comment)
+    )
+    found = read(content, ".wav")
+    np.testing.assert_allclose(found.track.force_n, 8.0 * WAVE, atol=1e-5)
+    assert found.notes == ()
+
+
+def test_samples_that_are_missing_at_the_end_are_said(read):
+    content = sound(form_of(3, 3, 32, 12), WAVE.astype("<f4").tobytes())
+    (note,) = read(content[:-120], ".wav").unread
+    assert str(note) == "the last 10 samples are missing"
+
+
+def test_a_streamed_wav_has_no_length_and_is_whole(read):
+    content = sound(form_of(3, 3, 32, 12), WAVE.astype("<f4").tobytes())
+    size = struct.pack("<I", 12 * len(WAVE))
+    found = read(content.replace(b"data" + size, b"data\xff\xff\xff\xff"), ".wav")
+    assert len(found.track.time_s) == len(WAVE)
+    assert found.unread == ()
+
+
+def test_our_wav_has_what_its_format_requires(written):
+    content, chunks, at_byte = written("wav").read_bytes(), {}, 12
+    while at_byte < len(content):
+        name = content[at_byte : at_byte + 4]
+        size = struct.unpack_from("<I", content, at_byte + 4)[0]
+        chunks[name] = content[at_byte + 8 : at_byte + 8 + size]
+        at_byte += 8 + size + size % 2
+    assert list(chunks) == [b"fmt ", b"fact", b"LIST", b"data"]
+    assert at_byte == len(content) == 8 + struct.unpack_from("<I", content, 4)[0]
+    assert len(chunks[b"fmt "]) == 18
+    assert struct.unpack("<H", chunks[b"fmt "][16:]) == (0,)  # nothing is added to it
+    frames = len(chunks[b"data"]) // 12
+    assert struct.unpack("<I", chunks[b"fact"]) == (frames,)
+
+
 def test_wav_of_too_many_samples_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr("hapticplayer.extras.formats.wav_read.MAX_SAMPLES", 99)
     wavfile.write(tmp_path / "a.wav", 1000, np.zeros(100, dtype=np.float32))
