@@ -5,7 +5,6 @@ rates, and a person is asked if it fails.
 """
 
 import dataclasses
-import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -26,10 +25,10 @@ from hapticplayer.capture.mounting import axes_matrix, mounted
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, Samples, SensorStream, on_common_times
+from hapticplayer.capture.stuck import Repeats, working
 from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.limits import MIN_RATE_HZ, PLAUSIBLE_NORM_MPS2
 
 if TYPE_CHECKING:
     from hapticplayer.motion.repair.timestamps import Repair
@@ -75,7 +74,7 @@ def only_one(found: list[str], source: LogSource) -> str:
 def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
     """Return the recording that a raw log holds, in SI and frame A."""
     raw = _decided(raw, choices)
-    samples = _common(raw, where)
+    samples, found = _common(raw, where)
     # ten hours take half a gigabyte: free early
     raw = _without_samples(raw)
     stream_notes = samples.notes
@@ -121,6 +120,7 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
             log_checks.how_read(raw, figures),
             *notes,
             *raw.notes,
+            *found.notes,
             *stream_notes,
             *texts,
         ),
@@ -129,6 +129,7 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
             "force_unit": raw.accel_unit,
             "rate_unit": raw.rate_unit,
             "axes": raw.axes,
+            **found.provenance,
             **figures,
         },
         is_gravity_free=raw.is_gravity_free,
@@ -157,9 +158,11 @@ def as_answered(recording: Recording, choices: LogChoices) -> Recording:
     return dataclasses.replace(recording, imu=mounted(imu, choices.take("axes")))
 
 
-def _common(raw: RawLog, where: str) -> Samples:
+def _common(raw: RawLog, where: str) -> tuple[Samples, Repeats]:
     if raw.rate is not None and not raw.is_gravity_free:
-        return on_common_times(raw.accel, raw.rate, raw.field, where)
+        streams = working(raw.accel, raw.rate, raw.field, where)
+        common = on_common_times(streams.accel, streams.rate, streams.field, where)
+        return common, streams.repeats
     if not raw.is_gravity_free:
         raise InputError(
             "holds no angular rate; gravity cannot be removed without it",
@@ -168,7 +171,8 @@ def _common(raw: RawLog, where: str) -> Samples:
         )
     # gravity-free motion needs no rotation
     stationary = np.zeros_like(raw.accel.values)
-    return Samples(raw.accel.time_s, raw.accel.values, stationary, None, ())
+    samples = Samples(raw.accel.time_s, raw.accel.values, stationary, None, ())
+    return samples, Repeats()
 
 
 def _beginning(samples: Samples) -> Samples:
@@ -220,85 +224,16 @@ def _finite(values: Floats) -> Floats:
 def _cleaned(
     samples: Samples, raw: RawLog, choices: LogChoices, where: str
 ) -> tuple[ImuLog, tuple["Repair", ...]]:
-    time_s, accel, rate, field, _ = samples
-    imu, repairs = clean(
-        time_s,
-        accel,
-        rate,
-        field,
-        source=where,
-        is_rate_unit_known=bool(choices.rate_unit),
+    from hapticplayer.motion import repair_samples  # brings scipy along
+
+    imu, repairs = repair_samples(
+        *samples[:4], source=where, is_rate_unit_known=bool(choices.rate_unit)
     )
     if not raw.is_gravity_free:
         return imu, repairs
     free = np.asarray(imu.specific_force_mps2 - _ONE_G)
     repairs = tuple(one for one in repairs if one.kind != "no rotation")
     return dataclasses.replace(imu, specific_force_mps2=free), repairs
-
-
-def clean(
-    time_s: Floats,
-    accel: Reals,
-    rate: Reals,
-    field: Reals | None = None,
-    *,
-    source: str = "",
-    is_rate_unit_known: bool = False,
-) -> tuple[ImuLog, tuple["Repair", ...]]:
-    """Return the log with outliers, gaps and dropouts repaired or marked, and notes.
-
-    A log without any noise (from a program or a stuck sensor) is kept, with a note.
-
-    Args:
-        time_s: (N,).
-        accel: (N, 3) specific force in m/s2, frame A; NaN where missing.
-        rate: (N, 3) rad/s, frame A; NaN where missing.
-        field: (N, 3) uT, frame A, or None.
-        source: for messages and provenance.
-        is_rate_unit_known: see `motion.repair_samples`.
-
-    Raises:
-        InputError: for what cannot be repaired, see `motion.repair_samples`.
-    """
-    from hapticplayer.motion import repair_samples  # brings scipy along
-    from hapticplayer.motion.repair.timestamps import Repair, RepairKind
-
-    if not _is_constant(time_s, accel, rate):
-        done = repair_samples(
-            time_s,
-            accel,
-            rate,
-            field,
-            source=source,
-            is_rate_unit_known=is_rate_unit_known,
-        )
-        return done.imu, done.repairs
-    has_field = field is not None and np.isfinite(field).all()
-    text = Message("all samples are the same: was the sensor stuck?")
-    imu = ImuLog(
-        time_s,
-        np.asarray(accel, np.float64),
-        np.asarray(rate, np.float64),
-        np.asarray(field, np.float64) if has_field else None,
-        source=source,
-    )
-    return imu, (Repair(RepairKind.STUCK, len(time_s), 0, text),)
-
-
-def _is_constant(time_s: Floats, accel: Reals, rate: Reals) -> bool:
-    """Whether times are in order and every sample is like the first, about 1 g."""
-    low, high = PLAUSIBLE_NORM_MPS2
-    return bool(
-        len(time_s) > 1
-        and (accel[:2] == accel[0]).all()  # fails early for nearly all logs
-        and low <= math.hypot(*accel[0]) <= high
-        and np.isfinite(time_s).all()
-        and (np.diff(time_s) > 0.0).all()
-        and np.median(np.diff(time_s)) <= 1.0 / MIN_RATE_HZ
-        and np.isfinite(rate[0]).all()
-        and (accel == accel[0]).all()
-        and (rate == rate[0]).all()
-    )
 
 
 def _other_units(

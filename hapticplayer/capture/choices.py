@@ -60,6 +60,7 @@ class LogChoices:
         rate_hz: samples per second, for a log without timestamps.
         sampling: "averaged" if each sample is a mean over a window around its time,
             "instant" if not.
+        stuck: "no-force" for a log whose sensors were stuck: no force there.
         taken: names of the answers that were applied.
     """
 
@@ -73,6 +74,7 @@ class LogChoices:
     accel_sign: str = ""
     rate_hz: str = ""
     sampling: str = ""
+    stuck: str = ""
     taken: set[str] = field(default_factory=set, init=False, repr=False, compare=False)
 
     def take(self, name: str) -> str:
@@ -119,6 +121,7 @@ _WHY_UNTAKEN: Mapping[str, Message] = {
     "accel-unit": _UNITS_ARE_KNOWN,
     "rate-unit": _UNITS_ARE_KNOWN,
     "field-unit": _UNITS_ARE_KNOWN,
+    "stuck": Message("no sensor of it was stuck"),
     "rate-hz": Message("its samples have times, or a rate of their own"),
 }
 
@@ -168,6 +171,8 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
         raise UsageError("accel-sign must be + or -")
     if values.get("sampling", "") not in {"", *(kind.value for kind in Sampling)}:
         raise UsageError("sampling must be averaged or instant")
+    if values.get("stuck", "") not in {"", "no-force"}:
+        raise UsageError("stuck must be no-force")
     return LogChoices(**values)
 
 

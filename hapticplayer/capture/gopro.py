@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hapticplayer.capture.assemble import Reals, as_answered, clean
+from hapticplayer.capture.assemble import Reals, as_answered
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.clock_lag import ClockLag, unstamped
 from hapticplayer.capture.formats import Confidence, Reader
@@ -35,7 +35,12 @@ from hapticplayer.capture.gpmf import GpmfEntry, text_of
 from hapticplayer.capture.log_checks import norm_at_rest
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.streams import mean_rate_with_holes
+from hapticplayer.capture.streams import (
+    SensorStream,
+    interpolated,
+    mean_rate_with_holes,
+)
+from hapticplayer.capture.stuck import working
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media.telemetry import (
     HANDLER,
@@ -49,7 +54,6 @@ from hapticplayer.model.limits import (
     MAX_ACCELERATION_MPS2,
     MAX_ANGULAR_RATE_RADPS,
     MAX_RAW_GPMF_BYTES,
-    MAX_REACH_S,
     REST_MPS2,
 )
 from hapticplayer.untrusted import read_regular
@@ -115,6 +119,8 @@ def read_gopro(
 def _read(
     packets: Sequence[TelemetryPacket], source: str, *, is_raw: bool
 ) -> Recording:
+    from hapticplayer.motion import repair_samples  # brings scipy along
+
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"
     # without stamps of the frames: the accelerometer begins within 5 ms of frame 0
@@ -122,17 +128,26 @@ def _read(
     accel = _sensor(payloads, _ACCEL, camera, clock)
     rate = _sensor(payloads, _RATE, camera, clock)
     times, accel_first = accel.times, accel.first
-    rows, mean = mean_rate_with_holes(times.time_s, rate.times.time_s, rate.values)
+    field, field_notes = _magnetic_field(payloads, clock)
+    gyro_rate_hz = rate.times.rate_hz
+    streams = working(accel.stream, rate.stream, field, source)
+    at_s, gyro = streams.accel.time_s, streams.rate
+    rows, mean = mean_rate_with_holes(at_s, gyro.time_s, gyro.values)
     if len(rows) < 2:
         raise TelemetryError("its accelerometer and gyro do not overlap in time")
     covered = slice(rows[0], rows[-1] + 1)  # they follow one another
-    time_s, gyro_rate_hz = times.time_s[covered], rate.times.rate_hz
-    field, field_notes = _magnetic_field(payloads, time_s, clock)
+    time_s = at_s[covered]
+    compass = None
+    if streams.field is not None:
+        compass = interpolated(time_s, streams.field, source)
     # float32: no sensor has 24 bits, and ten hours take half a gigabyte
-    small_accel: Reals = accel.values[covered].astype(np.float32)
+    small_accel: Reals = streams.accel.values[covered].astype(np.float32)
     small_rate: Reals = mean.astype(np.float32)
-    del accel, rate, mean
-    imu, repairs = clean(time_s, small_accel, small_rate, field, source=source)
+    repeats = streams.repeats
+    del accel, rate, gyro, mean, streams
+    imu, repairs = repair_samples(
+        time_s, small_accel, small_rate, compass, source=source
+    )
     clock_map, lag = _own_clock(payloads, imu, times, clock)
     return Recording(
         imu=imu,
@@ -143,6 +158,7 @@ def _read(
             *((lag.text,) if lag else ()),
             *_notes(accel_first, camera, damaged),
             *field_notes,
+            *repeats.notes,
             *(repair.text for repair in repairs),
             *gap_notes(imu),
         ),
@@ -151,6 +167,7 @@ def _read(
             "accelerometer_rate_hz": round(times.rate_hz, 3),
             "gyro_rate_hz": round(gyro_rate_hz, 3),
             **({"clock_lag": lag.described()} if lag else {}),
+            **repeats.provenance,
         },
         lag=lag,
     )
@@ -186,6 +203,10 @@ class _SensorSamples(NamedTuple):
     times: SampleTimes
     values: Floats
     first: GpmfEntry
+
+    @property
+    def stream(self) -> SensorStream:
+        return SensorStream(self.times.time_s, self.values)
 
 
 def _sensor(
@@ -243,8 +264,8 @@ def _largest(values: Floats) -> float:
 
 
 def _magnetic_field(
-    payloads: Sequence[GpmfPayload], time_s: Floats, clock: TimeReference
-) -> tuple[Floats | None, tuple[str, ...]]:
+    payloads: Sequence[GpmfPayload], clock: TimeReference
+) -> tuple[SensorStream | None, tuple[str, ...]]:
     """Return the field of the GoPros that have a compass (Fusion, MAX), and notes.
 
     MAGN has three components in uT, or four on the MAX: another quantity before x, y
@@ -255,8 +276,7 @@ def _magnetic_field(
     Source: gopro/gpmf-parser, README (Fusion, MAX); measured.
 
     Returns:
-        (N, 3) uT in frame A at the times of the log, NaN where there was none near; or
-        None.
+        uT in frame A, or None.
     """
     try:
         stream = collect(payloads, "MAGN")
@@ -273,9 +293,7 @@ def _magnetic_field(
         return None, (Message("The compass is ignored: {what}.", what=error.what),)
     xyz = stream.values[:, -3:]
     values = np.where(np.isfinite(xyz), xyz, np.nan) @ rotation.T
-    field = np.stack([np.interp(time_s, at_s, axis) for axis in values.T], axis=1)
-    field[(time_s < at_s[0] - MAX_REACH_S) | (time_s > at_s[-1] + MAX_REACH_S)] = np.nan
-    return field, ()
+    return SensorStream(at_s, values), ()
 
 
 def _how_read(imu: ImuLog) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from hapticplayer.capture.foreign import refuse_foreign, unknown, why_unreadable
 from hapticplayer.capture.formats import Confidence, RecordingFormat
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.source import LogPath, LogSource, open_source
+from hapticplayer.capture.stuck import ask_about_stuck
 from hapticplayer.errors import (
     MediaError,
     Message,
@@ -44,6 +45,7 @@ def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording
     imu, sampling = recording.imu, choices.take("sampling")
     if sampling:
         imu = replace(imu, sampling=Sampling(sampling))
+    ask_about_stuck(recording, choices, str(source.path))
     choices.refuse_untaken(form.text, str(source.path))
     answers = choices.given()
     if not answers:

@@ -8,11 +8,12 @@ note (`motion.repair_samples`).
 """
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.capture.assemble import as_answered, clean
+from hapticplayer.capture.assemble import as_answered
 from hapticplayer.capture.choices import (
     ACCEL_UNITS,
     FIELD_UNITS,
@@ -33,6 +34,8 @@ from hapticplayer.capture.csv_table import (
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.streams import on_common_times, split
+from hapticplayer.capture.stuck import working
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import (
     ClockMap,
@@ -82,44 +85,48 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
             values[:, first : first + 3] *= factor(given, known, unit.replace("_", "-"))
     _check_accel(values[:, 1:4], where)
     _check_rate(values[:, 4:7], where)
+    from hapticplayer.motion import repair_samples  # brings scipy along
+
+    sensors = split(values, values[:, 0], range(1, len(values[0]), 3))
+    streams = working(*sensors, where)
+    samples = on_common_times(streams.accel, streams.rate, streams.field, where)
+
+    def line_of(row: int) -> int:
+        return numbers.line(int(streams.rows[min(row, len(streams.rows) - 1)]))
+
     try:
-        imu, repairs = clean(
-            values[:, 0],
-            values[:, 1:4],
-            values[:, 4:7],
-            values[:, 7:10] if values.shape[1] == 10 else None,
-            source=where,
-            is_rate_unit_known=bool(choices.rate_unit),
+        imu, repairs = repair_samples(
+            *samples[:4], source=where, is_rate_unit_known=bool(choices.rate_unit)
         )
     except InputError as error:
         raise InputError(
-            _in_lines(error.what, numbers),
+            _in_lines(error.what, line_of),
             where=error.where or where,
             remedy=error.remedy,
         ) from error
     notes = []
     for repair in repairs:
-        note = _in_lines(repair.text, numbers)
+        note = _in_lines(repair.text, line_of)
         if note == repair.text and repair.count < len(values):
-            line = numbers.line(repair.first_row)
-            note = Message("{note} (first in line {line})", note=note, line=line)
+            first = line_of(repair.first_row)
+            note = Message("{note} (first in line {line})", note=note, line=first)
         notes.append(note)
     recording = Recording(
         imu=imu,
         clock_map=ClockMap(confidence=0.0),
         camera=Message("CSV log"),
-        notes=(*gap_notes(imu), *notes),
-        provenance={"reader": Message("CSV log")},
+        notes=(*gap_notes(imu), *streams.repeats.notes, *samples.notes, *notes),
+        provenance={"reader": Message("CSV log"), **streams.repeats.provenance},
     )
     return as_answered(recording, choices)
 
 
-def _in_lines(message: Message, numbers: Numbers) -> Message:
+def _in_lines(message: Message, line_of: Callable[[int], int]) -> Message:
     """Replace rows of the array by lines of the file."""
     if message.template == "row {number}":
-        return Message("line {number}", number=numbers.line(message.values["number"]))
+        return Message("line {number}", number=line_of(message.values["number"]))
     values = {
-        name: _in_lines(value, numbers) if isinstance(value, Message) else value
+        name: _in_lines(value, line_of) if isinstance(value, Message) else value
         for name, value in message.values.items()
     }
     return Message(message.template, **values)

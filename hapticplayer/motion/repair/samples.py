@@ -5,7 +5,6 @@ marked as not valid; what would make every number wrong (units, a clock set back
 refused with the remedy.
 """
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +21,7 @@ from hapticplayer.model.limits import (
     MAX_SAMPLES,
     are_unpaired,
 )
+from hapticplayer.motion.repair.frozen import LEAST_REPEATS
 from hapticplayer.motion.repair.timestamps import (
     Repair,
     RepairKind,
@@ -42,8 +42,7 @@ SIDE_S = 0.25
 PLACEHOLDER_MPS2 = 0.3 * STANDARD_GRAVITY_MPS2
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Repaired:
+class Repaired(NamedTuple):
     """A valid log, and what was repaired.
 
     Attributes:
@@ -325,17 +324,24 @@ def _check_motion(
     repairs: list[Repair],
     source: str,
 ) -> None:
-    """Refuse stuck sensors and a wrong unit of the specific force; report a gyro that reads 0."""
+    """Refuse stuck sensors and a wrong unit of the specific force; report a gyro that reads 0.
+
+    A program's log of something at rest is the same throughout, and its gyro reads 0.
+    """
     check_force_unit(line.time_s, specific_force_mps2, source)
     sensors = specific_force_mps2, angular_rate_radps
-    if all((values == values[0]).all() for values in sensors):
+    is_constant = all((values == values[0]).all() for values in sensors)
+    is_rest = len(angular_rate_radps) <= LEAST_REPEATS or not angular_rate_radps.any()
+    if is_constant and not is_rest:
         raise InputError(
             "all samples are the same, so the sensor was stuck",
             where=source,
             remedy="give a recording of a sensor that worked",
         )
-    if not angular_rate_radps.any():
+    if is_constant or not angular_rate_radps.any():
         what = Message("the angular rate is zero throughout, so no rotation is assumed")
+        if is_constant:
+            what = Message("all samples are the same: was the sensor stuck?")
         repairs.append(
             Repair(RepairKind.NO_ROTATION, len(line.time_s), int(line.rows[0]), what)
         )

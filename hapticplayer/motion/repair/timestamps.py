@@ -50,7 +50,6 @@ class RepairKind(enum.StrEnum):
     FIELD_FILLED = "field filled"
     FIELD_DROPPED = "field dropped"
     NO_ROTATION = "no rotation"
-    STUCK = "stuck"
     UNIT_IN_DOUBT = "unit in doubt"
 
 

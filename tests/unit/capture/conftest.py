@@ -18,6 +18,14 @@ def recorded(name: str) -> Path:
     return path
 
 
+def case_file(*parts: str) -> Path:
+    """Return a file of the cases of other programs, or skip the test."""
+    path = DATA.parent.joinpath("cases", *parts)
+    if not path.exists():
+        pytest.skip(f"needs ../shared/data/cases/{'/'.join(parts)}")
+    return path
+
+
 def klv(key: str, kind: str, payload: bytes, struct_bytes: int = 1) -> bytes:
     """Return one entry, padded to four bytes."""
     head = struct.pack(

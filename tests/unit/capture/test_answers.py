@@ -66,7 +66,7 @@ def test_every_format_and_every_answer_is_tried(written):
     }
     rows = {one.name for one in formats.recording_formats()}
     assert tried == rows - WITHOUT_A_LIBRARY
-    assert {*ANSWERS, "format"} == set(KEYS)
+    assert {*ANSWERS, "format", "stuck"} == set(KEYS)
 
 
 @pytest.mark.parametrize("answer", ANSWERS)

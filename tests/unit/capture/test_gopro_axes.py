@@ -212,8 +212,12 @@ def test_unknown_camera_without_axes_is_noted():
     from hapticplayer.media.telemetry import TelemetryPacket
     from tests.unit.capture.conftest import device
 
-    streams = [sensor(key, np.full((200, 3), 5.7), orin="") for key in ("ACCL", "GYRO")]
-    packets = [
-        TelemetryPacket(float(k), 1.0, device("Mystery", *streams)) for k in range(4)
-    ]
+    rng = np.random.default_rng(1)
+
+    def payload():
+        values = rng.normal(5.7, 0.01, (2, 200, 3))
+        pairs = zip(("ACCL", "GYRO"), values, strict=True)
+        return device("Mystery", *(sensor(key, rows, orin="") for key, rows in pairs))
+
+    packets = [TelemetryPacket(float(k), 1.0, payload()) for k in range(4)]
     assert any("those of a HERO5" in note for note in read_gopro(packets).notes)
