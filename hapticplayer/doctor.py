@@ -46,6 +46,8 @@ PYTHON_PACKAGES = {
     "vqf": "vqf",
 }
 OPENCV = "opencv-python-headless"  # of the extra vision
+CAMERAS = "telemetry-parser"  # of the extra cameras
+NEWEST_FOR_CAMERAS = (3, 12)
 
 LOOP_PRIORITY = 80  # what the haptics process asks for
 OLDEST_SLICE_KERNEL = (6, 12)  # first Linux that grants a time slice on request
@@ -149,6 +151,7 @@ def check() -> list[MachineCheck]:
         *_check_apt(),
         _check_python_packages(),
         _check_opencv(),
+        _check_cameras(),
         _check_display(),
         _check_sound(),
         _check_scheduling(),
@@ -240,6 +243,28 @@ def _check_opencv() -> MachineCheck:
         if version
         else "synchronising by frames is coarse, no motion is suggested from the picture",
         remedy=f"{shlex.join([str(python), '-m', 'pip', 'install', OPENCV])} (150 MB)",
+    )
+
+
+def how_to_get_cameras() -> str:
+    """What reads the motion of cameras beyond GoPro, as a remedy."""
+    if sys.version_info[:2] > NEWEST_FOR_CAMERAS:
+        newest = "{}.{}".format(*NEWEST_FOR_CAMERAS)
+        return f"{CAMERAS} exists for Python up to {newest} only"
+    python = ROOT / ".venv/bin/python" if _is_beside_venv() else sys.executable
+    return shlex.join([str(python), "-m", "pip", "install", CAMERAS])
+
+
+def _check_cameras() -> MachineCheck:
+    version = _version("telemetry_parser", CAMERAS)
+    return MachineCheck(
+        "cameras",
+        version is not None,
+        required=False,
+        detail=f"{CAMERAS} {version}"
+        if version
+        else "the motion in clips of Sony and Insta360 is not read",
+        remedy=how_to_get_cameras(),
     )
 
 

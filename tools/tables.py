@@ -28,6 +28,7 @@ from hapticplayer.sequence.events import event_detectors
 from hapticplayer.sequence.presets import PRESETS
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.study_export import study_exporters
+from tools.media_tried import rows as media_tried_rows
 
 ROOT = Path(__file__).resolve().parents[1]
 MARKED = re.compile(
@@ -60,6 +61,11 @@ def recording_formats() -> str:
             for f in formats.recording_formats()
         ),
     )
+
+
+def media_tried() -> str:
+    """Containers and codecs, as they play."""
+    return table("container | files | video | sound", media_tried_rows())
 
 
 def sync_methods() -> str:
@@ -263,6 +269,7 @@ TABLES: dict[str, Callable[[], str]] = {
     one.__name__.replace("_", "-"): one
     for one in (
         recording_formats,
+        media_tried,
         sync_methods,
         gravity_methods,
         conditions,

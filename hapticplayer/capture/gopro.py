@@ -45,7 +45,7 @@ from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media.telemetry import (
     HANDLER,
     TelemetryPacket,
-    data_track_names,
+    data_tracks,
     read_telemetry_packets,
 )
 from hapticplayer.model import ClockMap, ImuLog
@@ -71,8 +71,8 @@ def recognises(source: LogSource) -> Confidence:
     """A GoPro telemetry track in a video, or the magic of a raw dump."""
     if source.is_one_file and _is_raw(source):
         return Confidence.CERTAIN
-    names = data_track_names(source.path) if source.is_binary else ()
-    is_own = any(HANDLER in name for name in names)
+    tracks = data_tracks(source.path) if source.is_binary else ()
+    is_own = any(HANDLER in track.name for track in tracks)
     return Confidence.CERTAIN if is_own else Confidence.NO
 
 

@@ -11,7 +11,7 @@ import contextlib
 import math
 from collections.abc import Iterator
 from pathlib import Path
-from typing import BinaryIO, NamedTuple, cast
+from typing import BinaryIO, cast
 
 import av
 import av.error
@@ -28,6 +28,8 @@ from hapticplayer.media.clip_bytes import (
     open_clip,
     size_of,
 )
+from hapticplayer.media.containers import CONTAINERS, refuse_others
+from hapticplayer.media.mp4 import TOP, boxes
 from hapticplayer.model.limits import (
     INDEX_TAIL,
     MAX_PIXELS,
@@ -39,7 +41,7 @@ from hapticplayer.untrusted import COPY_AGAIN, MAX_ATTACHED_BYTES, resolve_regul
 
 OPTIONS = {
     "protocol_whitelist": "file",
-    "format_whitelist": "mov,matroska,webm,avi,wav",
+    "format_whitelist": ",".join(name for c in CONTAINERS for name in c.demuxers),
 }
 CONVERT = Message(
     "copy it again, convert it to MP4 (H.264 and AAC), or choose another file"
@@ -49,12 +51,13 @@ CONVERT = Message(
 def open_media(path: AnyClip) -> InputContainer:
     """Open a media file; the container closes at the end of a `with` block.
 
-    It is MP4, MOV, Matroska, WebM, AVI or WAV; symbolic links are followed.
+    It is one of `CONTAINERS`; symbolic links are followed.
     """
     file = path if isinstance(path, ClipBytes) else resolve_regular(path)
     with media_errors(
         file, Message("it is not a video or sound file that can be read"), CONVERT
     ):
+        refuse_others(file)
         _check_tables(file)
         container = _opened(file)
     try:
@@ -225,9 +228,6 @@ def read_only(container: InputContainer, wanted: Stream) -> None:
 _RIFF_UNKNOWN = (0, 0xFFFFFFFF)
 _EBML, _SEGMENT = b"\x1a\x45\xdf\xa3", b"\x18\x53\x80\x67"
 _HEAD_BYTES = 64
-_TOP = frozenset(
-    b"ftyp moov mdat free skip wide pnot moof mfra sidx styp uuid udta meta".split()
-)
 _NESTED = frozenset(b"moov trak mdia minf stbl moof traf".split())
 _COUNT_AT = {b"stsz": 8, b"stz2": 8, b"trun": 4}
 """Where the number of samples stands behind the box's header."""
@@ -235,20 +235,11 @@ _COUNT_AT = {b"stsz": 8, b"stz2": 8, b"trun": 4}
 MAX_BOXES = 1_000_000  # 48 h in fragments of 2 s
 
 
-class _Box(NamedTuple):
-    """A box of an MP4 file: its kind, where it begins, its content, and where it ends."""
-
-    kind: bytes
-    at: int
-    content_at: int
-    end: int
-
-
 def declared_bytes(clip: AnyClip) -> int:
     """Return the length that a file declares, 0 where it does not."""
     with open_clip(clip) as stream:
         head = stream.read(_HEAD_BYTES)
-        if head[4:8] in _TOP:
+        if head[4:8] in TOP:
             return _end_of_boxes(stream, size_of(stream))
     if head.startswith(b"RIFF") and len(head) >= 8:
         size = int.from_bytes(head[4:8], "little")
@@ -265,10 +256,10 @@ def declared_samples(clip: AnyClip) -> float:
     """
     total = 0
     with open_clip(clip) as stream:
-        if stream.read(8)[4:] not in _TOP:
+        if stream.read(8)[4:] not in TOP:
             return 0
-        boxes = _boxes(stream, size_of(stream), _NESTED)
-        for number, box in enumerate(boxes):
+        found = boxes(stream, size_of(stream), _NESTED)
+        for number, box in enumerate(found):
             if number == MAX_BOXES:
                 return math.inf
             if box.kind in _COUNT_AT:
@@ -280,33 +271,13 @@ def declared_samples(clip: AnyClip) -> float:
 def _end_of_boxes(stream: BinaryIO, size_bytes: int) -> int:
     """Return where the last box of an MP4 file ends, 0 for one without an end."""
     end = 0
-    for box in _boxes(stream, size_bytes, frozenset()):
-        if box.kind not in _TOP:
+    for box in boxes(stream, size_bytes, frozenset()):
+        if box.kind not in TOP:
             return box.at  # some cameras append data that is no box
         if box.end < box.content_at:  # 0: to the end of the file, else it is damaged
             return 0
         end = box.end
     return end
-
-
-def _boxes(
-    stream: BinaryIO, size_bytes: int, nested: frozenset[bytes]
-) -> Iterator[_Box]:
-    """Step over boxes and into the nested ones, whose ends are not trusted."""
-    at = 0
-    while at < size_bytes:
-        stream.seek(at)
-        header = stream.read(16)
-        if len(header) < 8:
-            return
-        length, content_at = int.from_bytes(header[:4], "big"), at + 8
-        if length == 1:
-            length, content_at = int.from_bytes(header[8:], "big"), at + 16
-        box = _Box(header[4:8], at, content_at, at + length)
-        yield box
-        if box.end < content_at:
-            return
-        at = content_at if box.kind in nested else box.end
 
 
 def _segment_end(head: bytes) -> int:

@@ -12,6 +12,7 @@ from av.packet import Packet
 from av.stream import DataStream, Stream
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.mp4 import ClipTrack, tracks_of
 from hapticplayer.media.opening import media_errors, open_media, origin_s, read_only
 from hapticplayer.model.limits import (
     MAX_TELEMETRY_BYTES,
@@ -47,11 +48,10 @@ def find_telemetry(container: InputContainer) -> DataStream | None:
     return None
 
 
-def data_track_names(path: str | os.PathLike[str]) -> tuple[str, ...]:
-    """Return the names of a clip's data tracks; raises MediaError if unreadable."""
-    with open_media(path) as container:
-        names = [s.metadata.get("handler_name", "") for s in container.streams.data]
-    return tuple(name.strip("\t\v\0 ") for name in names)
+def data_tracks(path: str | os.PathLike[str]) -> tuple[ClipTrack, ...]:
+    """The tracks of an MP4 that are neither video nor sound; MediaError if unreadable."""
+    open_media(path).close()
+    return tuple(t for t in tracks_of(path) if t.kind not in {"vide", "soun"})
 
 
 def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket]:

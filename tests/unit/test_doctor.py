@@ -134,13 +134,24 @@ def test_opencv_may_be_missing(monkeypatch, lack, capsys) -> None:
     assert f"{sys.executable} -m pip install gone-package" in capsys.readouterr().out
 
 
+def test_cameras_that_are_not_read_are_named(monkeypatch, lack, capsys) -> None:
+    lack()
+    monkeypatch.setattr(doctor, "CAMERAS", "gone-package")
+
+    assert doctor.main([]) == 0
+    said = capsys.readouterr().out
+    assert "Sony and Insta360 is not read" in said
+    assert f"{sys.executable} -m pip install gone-package" in said
+
+
 def test_python_packages_are_those_of_the_project() -> None:
     project = tomllib.loads((doctor.ROOT / "pyproject.toml").read_text())["project"]
     wanted = {re.split(r"[<>=;]", each)[0] for each in project["dependencies"]}
 
     assert set(doctor.PYTHON_PACKAGES.values()) == wanted
-    extra = project["optional-dependencies"]["vision"]
-    assert [re.split(r"[<>=;]", each)[0] for each in extra] == [doctor.OPENCV]
+    for name, package in (("vision", doctor.OPENCV), ("cameras", doctor.CAMERAS)):
+        extra = project["optional-dependencies"][name]
+        assert [re.split(r"[<>=;]", each)[0] for each in extra] == [package]
 
 
 def test_the_file_runs_alone_on_a_bare_python(tmp_path) -> None:

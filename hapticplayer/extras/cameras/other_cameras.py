@@ -7,7 +7,6 @@ separate folder, because it reads side-car files next to a video. Its known erro
 samples mean wrong times. It declares no frame, so a person gives the axes.
 """
 
-import importlib.util
 import json
 import os
 import shutil
@@ -26,8 +25,8 @@ from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message, TelemetryError
+from hapticplayer.extras.cameras.makers import has_library, how_to_read, maker_of
 from hapticplayer.extras.cameras.telemetry_child import COLUMNS
-from hapticplayer.media.telemetry import data_track_names
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import (
     MAX_ANSWER_BYTES,
@@ -40,6 +39,11 @@ from hapticplayer.untrusted import open_regular
 _COMMAND = (sys.executable, "-P", "-m", "hapticplayer.extras.cameras.telemetry_child")
 _MIN_SHARE = 0.98
 """Of the samples that must have acceleration and rate."""
+_LOG = Message("give the log with --imu LOG, and {option} if asked", option=OPTION)
+_BY_OTHERS = Message(
+    "give the log with --imu LOG, or have the motion estimated from the picture with "
+    "--suggest-motion"
+)
 
 
 def recognises(source: LogSource) -> Confidence:
@@ -53,20 +57,16 @@ def read(source: LogSource, choices: LogChoices) -> RawLog:
     Raises:
         TelemetryError: when it holds none, or telemetry-parser is not installed.
     """
-    reason = ""
-    if any("dji" in name.lower() for name in data_track_names(source.path)):
-        reason = Message(
-            "holds no accelerometer samples (DJI stores orientations only)"
-        )
-    elif importlib.util.find_spec("telemetry_parser") is None:
-        reason = Message("holds no motion telemetry")
-    if reason:
-        raise TelemetryError(
-            reason,
-            where=str(source.path),
-            remedy="give the log with --imu LOG, or have the motion estimated from the "
-            "picture with --suggest-motion",
-        )
+    maker = maker_of(source.path)
+    if maker is None and not has_library():
+        raise _refusal(source.path, Message("holds no motion telemetry"), _BY_OTHERS)
+    if maker is not None and (maker.why_not or not has_library()):
+        mark = Message("holds telemetry of {maker}", maker=maker.name)
+        if maker.why_not:
+            what = Message("{what}, {why}", what=mark, why=maker.why_not)
+            raise _refusal(source.path, what, _BY_OTHERS)
+        remedy = Message("{how}; or {others}", how=how_to_read(), others=_BY_OTHERS)
+        raise _refusal(source.path, mark, remedy)
     return read_other_camera(source.path, choices)
 
 
@@ -199,12 +199,5 @@ def _checked(answer: Path, name: str) -> dict[str, Floats]:
     return arrays
 
 
-def _refusal(video: Path, what: str) -> TelemetryError:
-    return TelemetryError(
-        what,
-        where=str(video),
-        remedy=Message(
-            "give the log with --imu LOG, and {option} if asked",
-            option=OPTION,
-        ),
-    )
+def _refusal(video: Path, what: str, remedy: str = _LOG) -> TelemetryError:
+    return TelemetryError(what, where=str(video), remedy=remedy)

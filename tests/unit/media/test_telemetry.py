@@ -12,7 +12,7 @@ from hapticplayer.media.clip_info import probe
 from hapticplayer.media.telemetry import (
     TelemetryPacket,
     add_telemetry,
-    data_track_names,
+    data_tracks,
     read_telemetry_packets,
 )
 
@@ -73,12 +73,14 @@ def test_copy_keeps_pictures_and_sound(with_telemetry: Path, clip: Path) -> None
     assert after.duration_s == pytest.approx(before.duration_s, abs=1e-3)
     assert (after.width, after.frame_count) == (before.width, before.frame_count)
     assert after.has_audio
-    assert data_track_names(with_telemetry) == ("GoPro MET",)
+    assert [(t.name, t.mark) for t in data_tracks(with_telemetry)] == [
+        ("GoPro MET", "gpmd")
+    ]
 
 
 def test_clip_without_telemetry_gives_no_packets(clip: Path) -> None:
     assert read_telemetry_packets(clip) == []
-    assert data_track_names(clip) == ()
+    assert data_tracks(clip) == ()
 
 
 @pytest.mark.parametrize(

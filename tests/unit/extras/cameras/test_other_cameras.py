@@ -3,7 +3,9 @@
 import os
 import sys
 import textwrap
+from fractions import Fraction
 
+import av
 import numpy as np
 import pytest
 
@@ -120,13 +122,61 @@ def test_the_scratch_copy_is_removed(camera, tmp_path, monkeypatch):
     assert list(scratch.iterdir()) == []
 
 
-def test_dji_is_refused_with_the_reason(tmp_path, monkeypatch):
-    """No DJI clip is at hand: its data track is known by the name in its handler."""
-    path = tmp_path / "dji.mp4"
-    path.write_bytes(b"\0\0\0\x18ftypmp42" + bytes(300))
-    for module in ("capture.gopro", "extras.cameras.other_cameras"):
-        name = f"hapticplayer.{module}.data_track_names"
-        monkeypatch.setattr(name, lambda _path: ("DJI meta",))
-    with pytest.raises(TelemetryError, match="stores orientations only") as caught:
+def marked(path, name="", mark="", end=b""):
+    """Write an MP4 with a track of data that has a name and a mark, and a sound."""
+    with av.open(str(path), "w", format="mp4") as file:
+        sound = file.add_stream("aac", rate=48_000)
+        data = file.add_data_stream("bin_data")
+        data.codec_tag = "gpmd"
+        data.metadata["handler_name"] = "handler-name-here"
+        data.time_base = Fraction(1, 1000)
+        frame = av.AudioFrame.from_ndarray(np.zeros((2, 1024), np.float32), "fltp")
+        frame.sample_rate = 48_000
+        file.mux(sound.encode(frame))
+        packet = av.Packet(bytes(64))
+        packet.stream, packet.pts, packet.dts, packet.duration = data, 0, 0, 20
+        packet.time_base = Fraction(1, 1000)
+        file.mux(packet)
+        file.mux(sound.encode(None))
+    content = path.read_bytes().replace(b"gpmd", (mark or "data").encode())
+    content = content.replace(b"handler-name-here", name.ljust(17).encode())
+    path.write_bytes(content + end)
+    return path
+
+
+INSTA360 = b"8db42d694ccc418790edff439fe026bf"
+
+
+@pytest.mark.parametrize(
+    ("made", "says"),
+    [
+        ({"mark": "rtmd"}, r"telemetry of Sony.*install hapticplayer\[cameras\]"),
+        (
+            {"end": bytes(40) + INSTA360},
+            r"of Insta360.*install hapticplayer\[cameras\]",
+        ),
+        ({"mark": "camm"}, "Google's CAMM, which nothing here reads"),
+        ({"mark": "djmd"}, "DJI, .*stores orientations only"),
+        ({"name": "DJI meta"}, "DJI, .*stores orientations only"),
+        ({"mark": "CTMD"}, "Canon, which has no motion"),
+        ({}, "holds no motion telemetry"),
+    ],
+)
+def test_clips_of_other_makers_name_what_they_hold(tmp_path, made, says):
+    path = marked(tmp_path / "clip.mp4", **made)
+    with pytest.raises(TelemetryError, match=says) as caught:
         read_recording(path)
     assert "--imu LOG" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("rtmd.mp4", r"telemetry of Sony.*install hapticplayer\[cameras\]"),
+        ("insta.insv", r"of Insta360.*install hapticplayer\[cameras\]"),
+        ("camm.mp4", "Google's CAMM, which nothing here reads"),
+    ],
+)
+def test_real_marks_of_other_makers_are_known(case, name, says):
+    with pytest.raises(TelemetryError, match=says):
+        read_recording(case(f"other-camera/{name}"))

@@ -1,0 +1,108 @@
+"""The containers that are read, and the common ones that are not, with what to do."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+from hapticplayer.errors import MediaError, Message, shell_line
+from hapticplayer.media.clip_bytes import AnyClip, ClipBytes, open_clip
+from hapticplayer.media.mp4 import TOP
+
+
+class Container(NamedTuple):
+    """One that is read.
+
+    Attributes:
+        name: for people.
+        demuxers: of FFmpeg.
+        endings: of files.
+    """
+
+    name: str
+    demuxers: tuple[str, ...]
+    endings: tuple[str, ...]
+
+
+CONTAINERS = (
+    Container("MP4, MOV", ("mov",), (".mp4", ".mov")),
+    Container("Matroska", ("matroska",), (".mkv",)),
+    Container("WebM", ("webm",), (".webm",)),
+    Container("AVI", ("avi",), (".avi",)),
+    Container("WAV", ("wav",), (".wav",)),
+)
+
+
+class OtherContainer(NamedTuple):
+    """One that is not read: FFmpeg seeks in it by guessing, or follows what it names.
+
+    Attributes:
+        name: for people.
+        endings: of files, for documents.
+        options: of ffmpeg, which make an MP4 of it.
+        magic: what it begins with, at `offset`.
+        every: the magic comes again after so many bytes.
+    """
+
+    name: str
+    endings: tuple[str, ...]
+    options: tuple[str, ...]
+    magic: bytes
+    offset: int = 0
+    every: int = 0
+
+
+_COPY, _ENCODE = ("-c", "copy"), ("-c:v", "libx264", "-c:a", "aac")
+_TRANSPORT = ("MPEG-TS", (".ts", ".mts", ".m2ts"), _COPY, b"G")
+OTHERS = (
+    OtherContainer(*_TRANSPORT, every=188),
+    OtherContainer(*_TRANSPORT, offset=4, every=192),
+    OtherContainer("MPEG-PS", (".mpg", ".vob"), _COPY, b"\0\0\1\xba"),
+    OtherContainer("MPEG video", (".m2v",), _COPY, b"\0\0\1\xb3"),
+    OtherContainer("raw H.264 or H.265", (".h264", ".h265"), _COPY, b"\0\0\0\1"),
+    OtherContainer("MXF", (".mxf",), ("-c:v", "copy", "-c:a", "aac"), b"\6\x0e\x2b\x34"),
+    OtherContainer("FLV", (".flv",), _ENCODE, b"FLV\1"),
+    OtherContainer("Windows Media", (".wmv", ".asf"), _ENCODE, b"\x30\x26\xb2\x75\x8e\x66"),
+    OtherContainer("Ogg", (".ogv", ".ogg"), _ENCODE, b"OggS"),
+    OtherContainer("RealMedia", (".rm", ".rmvb"), _ENCODE, b".RMF"),
+    OtherContainer("IVF", (".ivf",), _COPY, b"DKIF"),
+    OtherContainer("GIF", (".gif",), _ENCODE, b"GIF8"),
+)  # fmt: skip
+
+_HEAD_BYTES = 1024
+
+
+def refuse_others(clip: AnyClip) -> None:
+    """Reject a container that is known and not read.
+
+    Raises:
+        MediaError: with the command that makes an MP4 of it.
+    """
+    with open_clip(clip) as stream:
+        head = stream.read(_HEAD_BYTES)
+    if head[4:8] in TOP:
+        return
+    found = next((one for one in OTHERS if _is(one, head)), None)
+    if found is None:
+        return
+    path = Path(clip.name if isinstance(clip, ClipBytes) else clip)
+    raise MediaError(
+        "it is {container}, which is not read",
+        where=str(path),
+        remedy=Message(
+            "make an MP4 of it with: {command}", command=command(path, found)
+        ),
+        container=found.name,
+    )
+
+
+def command(path: Path, container: OtherContainer) -> str:
+    """What makes an MP4 beside a file, to be pasted."""
+    target = path.with_name(f"{path.stem}.mp4")
+    words = ("-fflags", "+genpts", "-i", path, *container.options, target)
+    return shell_line("ffmpeg", *words)
+
+
+def _is(one: OtherContainer, head: bytes) -> bool:
+    places = range(one.offset, len(head), one.every) if one.every else [one.offset]
+    return len(head) > one.offset and all(
+        head[at : at + len(one.magic)] == one.magic for at in places
+    )

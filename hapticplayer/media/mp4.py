@@ -1,0 +1,167 @@
+"""The boxes of an MP4 file: its tracks with their marks and edit lists.
+
+What FFmpeg does not tell: the mark (four letters) of tracks that it does not know, and
+the edit list, which it rounds to whole packets in a track of telemetry.
+"""
+
+import dataclasses
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import BinaryIO, NamedTuple
+
+from hapticplayer.media.clip_bytes import AnyClip, open_clip, size_of
+
+TOP = frozenset(
+    b"ftyp moov mdat free skip wide pnot moof mfra sidx styp uuid udta meta".split()
+)
+_NESTED = frozenset(b"moov trak edts mdia minf stbl".split())
+_MAX_BOXES = 20_000
+_MAX_EDITS = 10_000
+_MAX_NAME_BYTES = 100
+
+
+class Box(NamedTuple):
+    """A box: its kind, where it begins, its content, and where it ends."""
+
+    kind: bytes
+    at: int
+    content_at: int
+    end: int
+
+
+class Edit(NamedTuple):
+    """A part of a track as it is shown.
+
+    Attributes:
+        length_s: of what is shown.
+        media_s: the track's own time of its beginning; None where nothing is shown.
+        rate: of playback; 0 for a frame that stands still.
+    """
+
+    length_s: float
+    media_s: float | None
+    rate: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class ClipTrack:
+    """A track of an MP4 file.
+
+    Attributes:
+        number: its id.
+        kind: of its handler: "vide", "soun", "meta" ...
+        name: of its handler.
+        mark: of its samples, such as "avc1" or "rtmd".
+        ticks_per_s: of its own time.
+        edits: its edit list; empty where all is shown.
+    """
+
+    number: int = 0
+    kind: str = ""
+    name: str = ""
+    mark: str = ""
+    ticks_per_s: int = 0
+    edits: tuple[Edit, ...] = ()
+
+
+def boxes(stream: BinaryIO, size_bytes: int, nested: frozenset[bytes]) -> Iterator[Box]:
+    """Step over boxes and into the nested ones, whose ends are not trusted."""
+    at = 0
+    while at < size_bytes:
+        stream.seek(at)
+        header = stream.read(16)
+        if len(header) < 8:
+            return
+        length, content_at = int.from_bytes(header[:4], "big"), at + 8
+        if length == 1:
+            length, content_at = int.from_bytes(header[8:], "big"), at + 16
+        box = Box(header[4:8], at, content_at, at + length)
+        yield box
+        if box.end < content_at:
+            return
+        at = content_at if box.kind in nested else box.end
+
+
+def tracks_of(clip: AnyClip) -> tuple[ClipTrack, ...]:
+    """The tracks of an MP4 file, in their order; none of another container."""
+    found: list[ClipTrack] = []
+    with open_clip(clip) as stream:
+        if stream.read(8)[4:] not in TOP:
+            return ()
+        movie_ticks = 0
+        for number, box in enumerate(boxes(stream, size_of(stream), _NESTED)):
+            if number == _MAX_BOXES:
+                break
+            if box.kind == b"trak":
+                found.append(ClipTrack())
+            elif box.kind == b"mvhd":
+                movie_ticks = _ticks_per_s(stream, box)
+            elif box.kind in _FIELDS and found:
+                found[-1] = _with_field(found[-1], stream, box, movie_ticks)
+    return tuple(map(_in_seconds, found))
+
+
+def _in_seconds(track: ClipTrack) -> ClipTrack:
+    tick_s = 1.0 / max(1, track.ticks_per_s)
+    edits = tuple(
+        e if e.media_s is None else e._replace(media_s=e.media_s * tick_s)
+        for e in track.edits
+    )
+    return dataclasses.replace(track, edits=edits)
+
+
+_FIELDS = frozenset(b"tkhd mdhd hdlr stsd elst".split())
+
+
+def _with_field(
+    track: ClipTrack, stream: BinaryIO, box: Box, movie_ticks: int
+) -> ClipTrack:
+    if box.kind == b"elst":
+        return dataclasses.replace(track, edits=_edits(stream, box, movie_ticks))
+    if box.kind == b"mdhd":
+        return dataclasses.replace(track, ticks_per_s=_ticks_per_s(stream, box))
+    content = _content(stream, box, 20 + _MAX_NAME_BYTES)
+    if box.kind == b"tkhd":
+        at = 20 if content[:1] == b"\1" else 12
+        number = int.from_bytes(content[at : at + 4], "big")
+        return dataclasses.replace(track, number=number)
+    if box.kind == b"stsd":
+        return dataclasses.replace(track, mark=_text(content[12:16]))
+    if track.kind:  # a second handler, of where the data are
+        return track
+    kind, name = _text(content[8:12]), _text(content[24:])
+    return dataclasses.replace(track, kind=kind, name=name)
+
+
+def _content(stream: BinaryIO, box: Box, most: int) -> bytes:
+    stream.seek(box.content_at)
+    return stream.read(max(0, min(box.end - box.content_at, most)))
+
+
+def _text(content: bytes) -> str:
+    text = content.decode("utf-8", "replace")
+    return "".join(c for c in text if c.isprintable()).strip()
+
+
+def _ticks_per_s(stream: BinaryIO, box: Box) -> int:
+    content = _content(stream, box, 32)
+    at = 20 if content[:1] == b"\1" else 12
+    return int.from_bytes(content[at : at + 4], "big")
+
+
+def _edits(stream: BinaryIO, box: Box, movie_ticks: int) -> tuple[Edit, ...]:
+    """The edits of a list whose own times are still in ticks of the track."""
+    content = _content(stream, box, 8 + 20 * _MAX_EDITS)
+    wide = 8 if content[:1] == b"\1" else 4
+    size, found = 2 * wide + 4, []
+    count = int.from_bytes(content[4:8], "big")
+    for number in range(min(count, (len(content) - 8) // size)):
+        entry = content[8 + number * size : 8 + (number + 1) * size]
+        length = int.from_bytes(entry[:wide], "big")
+        begin = int.from_bytes(entry[wide : 2 * wide], "big", signed=True)
+        rate = int.from_bytes(entry[2 * wide :], "big", signed=True) / 65536
+        is_empty = begin == -1
+        found.append(
+            Edit(length / max(1, movie_ticks), None if is_empty else float(begin), rate)
+        )
+    return tuple(found)
