@@ -1,4 +1,4 @@
-"""Typed structures from the JSON of untrusted files; errors name the field."""
+"""Typed structures from the JSON of untrusted files and services; errors name the field."""
 
 import re
 from collections.abc import Iterable
@@ -17,7 +17,7 @@ from typing import (
 import msgspec
 from msgspec import Struct
 
-from hapticplayer.errors import InputError, Message, joined, message_of
+from hapticplayer.errors import DeviceError, InputError, Message, joined, message_of
 from hapticplayer.untrusted import PathLike, parse_json, read_regular
 
 MAX_JSON_BYTES = 4 << 20
@@ -27,6 +27,8 @@ MAX_COMMAS, MAX_BRACKETS = 3_000_000, 1_000_000
 MAX_TEXT = 20_000
 KEY = "^[a-z0-9_-]{1,40}$"
 FILLED = r"\S"
+SHOWN = 80
+"""So much of a name or text of a service is shown to people."""
 _MAX_SHOWN, _MAX_SAID = 40, 200
 
 _KINDS = {
@@ -123,6 +125,23 @@ def read_json(
     return decode(content, kind, str(path), error, remedy, most_bytes)
 
 
+def understood(value: Any, kind: type[Kind], where: str) -> Kind:
+    """What a service said, as a typed structure; raises DeviceError with the field."""
+    try:
+        return convert(value, kind, where, remedy="update it")
+    except InputError as problem:
+        raise DeviceError(message_of(problem)) from None
+
+
+def message_in(text: str | bytes, where: str) -> Any:
+    """The JSON of a message; raises DeviceError."""
+    content = text.encode() if isinstance(text, str) else text
+    try:
+        return parse_json(content, where, InputError, "update it")
+    except InputError as problem:
+        raise DeviceError(message_of(problem)) from None
+
+
 def check_schema(
     content: Any,
     schema: tuple[str, int],
@@ -213,7 +232,7 @@ def _entry(value: Any, kind: Any, place: str) -> tuple[str, Any]:
     for name, number in re.findall(r"\.(\w+)|\[([\d.]+)\]", place):
         kind = _meant(kind, value)
         if name:
-            kind, value = get_type_hints(kind, include_extras=True)[name], value[name]
+            kind, value = _hint(kind, name), value[name]
             field = f"{field}.{name}" if field else name
         elif number == "...":
             kind = get_args(kind)[1]
@@ -228,6 +247,14 @@ def _entry(value: Any, kind: Any, place: str) -> tuple[str, Any]:
             kind, value = kinds[0 if is_alike else int(number)], value[int(number)]
             field = f"{field}[{number}]"
     return field, _meant(kind, value)
+
+
+def _hint(kind: Any, name: str) -> Any:
+    """The type of an entry, by its name in the file."""
+    if issubclass(kind, Struct):
+        names = zip(kind.__struct_encode_fields__, kind.__struct_fields__, strict=True)
+        name = dict(names)[name]
+    return get_type_hints(kind, include_extras=True)[name]
 
 
 def _fits(value: Any, kind: Any) -> bool:

@@ -121,7 +121,7 @@ class BenchMechanics:
 class DirectWriter:
     """Writes to a paced device in the caller's thread, which may have to wait."""
 
-    is_waiting = False
+    is_waiting, taken = False, 0
 
     def __init__(self, port: Port) -> None:
         self._port = port

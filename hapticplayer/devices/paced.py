@@ -18,11 +18,18 @@ from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
 _MOST_READ = 16
 _STOP_S = 0.5
+TAKING_S = 0.15
+"""A device that has not taken a command for so long is silent. Until then it plays at its
+own rate: nothing that is decided meanwhile would reach it any earlier."""
 _MIDDLE: Vector = (0.0, 0.0, 0.0)
 SPLIT_HZ = 10.0
 HOLD_S = 0.03
 """A short jolt stays on the small motor for so long, or it would not spin up."""
 FULL_LEVEL = 255
+
+
+STOPPED_S = 0.02
+"""A stop does not wait for its turn; a force that only passes zero is none."""
 
 
 class Port(Protocol):
@@ -32,6 +39,8 @@ class Port(Protocol):
         translator: of forces and reports, for as long as the port is open.
         is_quiet: whether its silence means nothing: it says nothing by itself, and owes
             no answer; then accepting a command is the sign of life.
+        pace_s: shortest time from one command to the next that it can take.
+        notice: what it has reported last and a person should read.
     """
 
     @property
@@ -42,6 +51,14 @@ class Port(Protocol):
     def is_quiet(self) -> bool:
         """See above."""
 
+    @property
+    def pace_s(self) -> float:
+        """See above."""
+
+    @property
+    def notice(self) -> str:
+        """See above."""
+
     def write(self, command: bytes) -> None:
         """Send a command; may take as long as the device takes it, some ms."""
 
@@ -50,6 +67,12 @@ class Port(Protocol):
 
     def close(self) -> None:
         """Let go of the device; may be called again."""
+
+
+class QuietPort:
+    """What says nothing by itself, and is as fast as its `rate_hz`."""
+
+    is_quiet, pace_s, notice = True, 0.0, ""
 
 
 class Translator(Protocol):
@@ -69,7 +92,10 @@ class Writer(Protocol):
 
     Attributes:
         is_waiting: whether the device has not yet taken the last command.
+        taken: how many it has taken.
     """
+
+    taken: int
 
     @property
     def is_waiting(self) -> bool:
@@ -90,7 +116,7 @@ class NewestWriter:
         self._newest: bytes | None = None
         self._problem: DeviceError | None = None
         self._is_stopping = False
-        self.is_waiting = False
+        self.is_waiting, self.taken = False, 0
         self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._write, name="device", daemon=True)
         self._thread.start()
@@ -125,6 +151,7 @@ class NewestWriter:
             except DeviceError as problem:
                 self._problem = problem
                 return
+            self.taken += 1
 
 
 class PacedDriver:
@@ -154,6 +181,7 @@ class PacedDriver:
         self._writer: Writer | None = None
         self._reading: DeviceReading | None = None
         self._sent, self._sent_s = b"", 0.0
+        self._taken, self._taken_s, self._off_s = 0, 0.0, math.inf
 
     def open(self) -> None:
         """Find the device; raises DeviceError with what to do."""
@@ -172,10 +200,13 @@ class PacedDriver:
         if writer is None:  # not earlier, so that it runs with the loop's scheduling
             writer = self._writer = self.make_writer(port)
         reading = self._listen(port, writer, now_s)
-        command = port.translator.command(force_n, now_s)
+        command, off = port.translator.command(force_n, now_s), port.translator.off
         age_s = now_s - self._sent_s
-        is_refreshing = command != port.translator.off and age_s >= self._refresh_s
-        if (command != self._sent or is_refreshing) and age_s >= self._period_s:
+        is_refreshing = command != off and age_s >= self._refresh_s
+        self._off_s = min(self._off_s, now_s) if command == off else math.inf
+        is_stop = now_s - self._off_s >= STOPPED_S
+        is_due = is_stop or age_s >= max(self._period_s, port.pace_s)
+        if (command != self._sent or is_refreshing) and is_due:
             writer.post(command)
             self._sent, self._sent_s = command, now_s
         return reading
@@ -198,7 +229,7 @@ class PacedDriver:
 
     def _listen(self, port: Port, writer: Writer, now_s: float) -> DeviceReading:
         reading = self._reading or DeviceReading(_MIDDLE, 0, False, now_s)
-        if port.is_quiet and not writer.is_waiting:
+        if port.is_quiet and self._is_taking(writer, now_s):
             reading = reading._replace(is_homed=True, replied_s=now_s)
         for _ in range(_MOST_READ):
             report = port.read()
@@ -209,8 +240,16 @@ class PacedDriver:
                 reading = DeviceReading(_MIDDLE, buttons, True, now_s)
             else:
                 reading = reading._replace(malformed=reading.malformed + 1)
+        if reading.notice is not port.notice:
+            reading = reading._replace(notice=port.notice)
         self._reading = reading
         return reading
+
+    def _is_taking(self, writer: Writer, now_s: float) -> bool:
+        """Whether the device takes its commands, at its own rate."""
+        if not writer.is_waiting or writer.taken != self._taken:
+            self._taken, self._taken_s = writer.taken, now_s
+        return now_s - self._taken_s < TAKING_S
 
 
 def silencer(open_port: Callable[[], Port]) -> Callable[[], bool]:

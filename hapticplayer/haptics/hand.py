@@ -40,7 +40,7 @@ def observe(
     if reading is None or reading.replied_s <= hand.replied_s:
         bad = reading.malformed if reading is not None else 0
         return hand._replace(pressed=0, malformed=max(bad, hand.malformed))
-    position_m, buttons, is_homed, replied_s, malformed, _ = reading
+    position_m, buttons, is_homed, replied_s, malformed, *_ = reading
     x, y, z = position_m
     if math.hypot(x, y, z) > FARTHEST * limits.workspace_m:
         return hand._replace(pressed=0, malformed=hand.malformed + 1)

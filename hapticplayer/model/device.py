@@ -82,6 +82,8 @@ class DeviceReading(NamedTuple):
             still while nothing (well-formed) comes back.
         malformed: answers in a row, up to now, that made no sense.
         levels: of the channels of a sound card; the same object until they change.
+        notice: what the device has reported last and a person should read, "" for
+            nothing.
     """
 
     position_m: Vector
@@ -90,6 +92,7 @@ class DeviceReading(NamedTuple):
     replied_s: float
     malformed: int = 0
     levels: tuple[ChannelLevel, ...] = ()
+    notice: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,53 +1,56 @@
 """Vibrating toys through Intiface, by the Buttplug protocol (versions 4 and 3).
 
-Source: docs.buttplug.io. Every message is a list of objects with one key. The newest
-strength counts; a device is commanded no faster than it accepts. The server stops all
-devices when its client is gone, or does not ping in time: pings come from the loop, and
-the guard shuts the connection down.
+The newest strength counts; a device is commanded no faster than it accepts. The server
+stops all devices when its client is gone, or does not ping in time: pings come from the
+loop, and the guard shuts the connection down.
 """
 
-import json
 import os
 import socket
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.descriptor_passing import hand_over, take_over
 from hapticplayer.devices.options import DeviceOptions, service_options
 from hapticplayer.devices.paced import FULL_LEVEL, PacedDriver, Rumble
 from hapticplayer.devices.websocket import OPENING_S, Connection
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message, message_of
 from hapticplayer.extras.toys.extension import BUTTPLUG
+from hapticplayer.extras.toys.messages import (
+    VIBRATE,
+    Motor,
+    Removed,
+    ServerInfo,
+    Toy,
+    error_text,
+    is_list,
+    messages_in,
+    text_of,
+    toys_of,
+)
 from hapticplayer.model.device import Vector
-from hapticplayer.model.ranges import finite_number
+from hapticplayer.structures import understood
 
 DEFAULT = "127.0.0.1:12345"
 TITLE = "Intiface"
 REFRESH_S = 1.0
 OVERDUE_S = 0.3
 """An answer comes when a device has taken its strength, which Bluetooth delays."""
-_VIBRATE = "Vibrate"
-_ID = 1
+MOST_ERRORS = 3
+"""So many answers in a row that are errors: nothing is felt any more."""
 _PINGS_PER_LIMIT = 3.0
-
-
-class Motor(NamedTuple):
-    """A motor that vibrates: of which device, which of its features, how many steps."""
-
-    device: int
-    feature: int
-    steps: int
+_MOST_SAID = 120
 
 
 class ButtplugTranslator:
     """A force as messages for all motors (`paced.Translator`)."""
 
     def __init__(self, motors: list[Motor], version: int) -> None:
-        self._motors, self._version = motors, version
+        self.motors, self._version = motors, version
         self._rumble = Rumble()
         stop = ("StopCmd", {"Inputs": True, "Outputs": True})
-        self.off = _text([stop if version >= 4 else ("StopAllDevices", {})])
+        self.off = text_of(stop if version >= 4 else ("StopAllDevices", {}))
 
     def command(self, force_n: Vector, now_s: float) -> bytes:
         """Return the messages for a force."""
@@ -56,21 +59,21 @@ class ButtplugTranslator:
             return self.off
         share = level / FULL_LEVEL
         say = self._newer if self._version >= 4 else self._older
-        return _text([say(motor, share) for motor in self._motors])
+        return text_of(*(say(motor, share) for motor in self.motors))
 
     def buttons(self, report: bytes) -> int | None:
         """Return that none is pressed; None for what is no list of messages."""
-        return 0 if _messages(report) else None
+        return 0 if is_list(report) else None
 
     @staticmethod
     def _newer(motor: Motor, share: float) -> tuple[str, dict[str, Any]]:
-        command = {_VIBRATE: {"Value": round(share * motor.steps)}}
+        command = {VIBRATE: {"Value": round(share * motor.steps)}}
         at = {"DeviceIndex": motor.device, "FeatureIndex": motor.feature}
         return "OutputCmd", {**at, "Command": command}
 
     @staticmethod
     def _older(motor: Motor, share: float) -> tuple[str, dict[str, Any]]:
-        scalar = {"Index": motor.feature, "Scalar": share, "ActuatorType": _VIBRATE}
+        scalar = {"Index": motor.feature, "Scalar": share, "ActuatorType": VIBRATE}
         return "ScalarCmd", {"DeviceIndex": motor.device, "Scalars": [scalar]}
 
 
@@ -90,21 +93,38 @@ class ButtplugPort:
     def __init__(
         self, where: str, line: int, clock: Clock, overdue_s: float = OVERDUE_S
     ) -> None:
-        self._where, self._clock, self._overdue_s = where, clock, overdue_s
+        self._where, self._clock = where, clock
         self._owed_since_s: float | None = None
+        self._errors, self.notice = 0, Message("")
         try:
-            self._socket, self._version, self._ping_s = self._greeted(4)
+            self._socket, info = self._greeted(4)
         except _OlderServerError:
-            self._socket, self._version, self._ping_s = self._greeted(3)
+            self._socket, info = self._greeted(3)
+        self._version, self._ping_s = min(4, info.version), 1e-3 * info.max_ping_time
         try:
             listed = self._asked(self._socket, "RequestDeviceList", {}, "DeviceList")
-            motors, self._gap_s = motors_of(listed, self._version)
+            self._toys = self._vibrating(listed)
         except DeviceError:
             self._socket.close()
             raise
+        self.pace_s = max(toy.gap_s for toy in self._toys.values())
+        self._overdue_s = overdue_s + self.pace_s
+        motors = [motor for toy in self._toys.values() for motor in toy.motors]
         self.translator = ButtplugTranslator(motors, self._version)
         self._pinged_s = self._clock.now_s()
         hand_over(line, self._socket.fileno())
+
+    def _vibrating(self, listed: Any) -> dict[int, Toy]:
+        if found := toys_of(listed, self._version, self._name):
+            return found
+        raise DeviceError(
+            "Intiface has no device that vibrates; connect one in Intiface and choose "
+            "the device again"
+        )
+
+    @property
+    def _name(self) -> str:
+        return f"{TITLE} at {self._where}"
 
     @property
     def is_quiet(self) -> bool:
@@ -113,146 +133,128 @@ class ButtplugPort:
         return since_s is None or self._clock.now_s() - since_s < self._overdue_s
 
     def write(self, command: bytes) -> None:
-        """Send messages, and wait for the timing gap of the devices."""
+        """Send messages."""
         if self._owed_since_s is None:
             self._owed_since_s = self._clock.now_s()
         self._socket.send(command.decode())
-        self._clock.sleep_until(self._clock.now_s() + self._gap_s)
 
     def read(self) -> bytes:
         """Return the next message; pings the server when it is time."""
         now_s = self._clock.now_s()
         if self._ping_s and now_s - self._pinged_s >= self._ping_s / _PINGS_PER_LIMIT:
             self._pinged_s = now_s
-            self._socket.send(_text([("Ping", {})]).decode())
+            self._socket.send(text_of(("Ping", {})).decode())
         received = self._socket.receive()
-        if received:
-            self._owed_since_s = None
+        if not received:
+            return b""
+        self._owed_since_s = None
+        for kind, left, reason in self._heard(received):
+            self._keep(left)
+            self._count_error(reason, is_error=kind == "Error")
         return received.encode() if isinstance(received, str) else received
 
     def close(self) -> None:
         """Let go; the server stops all devices."""
         self._socket.close()
 
-    def _greeted(self, version: int) -> tuple[Connection, int, float]:
-        """Return a connection, its version, and the longest time between pings, s."""
+    def _heard(self, received: str | bytes) -> list[tuple[str, set[int], str]]:
+        """Of each message its kind, the toys after it, and its reason.
+
+        None of nonsense, which the loop counts.
+        """
+        try:
+            return [
+                (kind, self._left(kind, content), error_text(content))
+                for kind, content in messages_in(received, self._name)
+            ]
+        except DeviceError:
+            return []
+
+    def _left(self, kind: str, content: dict[str, Any]) -> set[int]:
+        """The numbers of the toys that are there after a message."""
+        if kind == "DeviceList":
+            return {*toys_of(content, self._version, self._name)}
+        if kind == "DeviceRemoved":
+            return {*self._toys} - {
+                understood(content, Removed, self._name).device_index
+            }
+        return {*self._toys}
+
+    def _keep(self, left: set[int]) -> None:
+        """Go on with these toys; raises DeviceError when there is none any more."""
+        gone = {n: toy for n, toy in self._toys.items() if n not in left}
+        if not gone:
+            return
+        names = ", ".join(toy.name or str(number) for number, toy in gone.items())
+        self._toys = {n: toy for n, toy in self._toys.items() if n in left}
+        what = Message(
+            "{toy} has left Intiface; connect it there and choose the device again",
+            toy=names[:_MOST_SAID],
+        )
+        if not self._toys:
+            raise DeviceError(what)
+        self.notice = what
+        self.translator.motors = [
+            motor for motor in self.translator.motors if motor.device in left
+        ]
+
+    def _count_error(self, reason: str, *, is_error: bool) -> None:
+        """Report an error; raises DeviceError when there are too many in a row."""
+        self._errors = self._errors + 1 if is_error else 0
+        if not is_error:
+            return
+        self.notice = Message(
+            "{where} reports an error ({reason}); see whether the toy is connected and "
+            "charged, and choose the device again",
+            where=self._name,
+            reason=reason,
+        )
+        if self._errors >= MOST_ERRORS:
+            raise DeviceError(self.notice)
+
+    def _greeted(self, version: int) -> tuple[Connection, ServerInfo]:
+        """Return a connection and what the server says of itself."""
         opened = Connection(f"ws://{self._where}", TITLE)
         newer = {"ProtocolVersionMajor": 4, "ProtocolVersionMinor": 0}
         wanted = newer if version >= 4 else {"MessageVersion": 3}
         try:
-            info = self._asked(
+            said = self._asked(
                 opened,
                 "RequestServerInfo",
                 {"ClientName": "hapticplayer", **wanted},
                 "ServerInfo",
             )
+            return opened, understood(said, ServerInfo, self._name)
         except DeviceError as problem:
             opened.close()
             if version >= 4:
-                raise _OlderServerError(str(problem)) from problem
+                raise _OlderServerError(message_of(problem)) from problem
             raise
-        named = info.get("ProtocolVersionMajor", info.get("MessageVersion", 3))
-        speaks, ping_ms = (
-            finite_number(named),
-            finite_number(info.get("MaxPingTime", 0)),
-        )
-        if speaks is None or ping_ms is None:
-            opened.close()
-            raise DeviceError(
-                "Intiface at {where} gives no version or no ping time; update it",
-                where=self._where,
-            )
-        return opened, min(version, int(speaks)), ping_ms / 1000.0
 
     def _asked(
         self, opened: Connection, name: str, more: dict[str, Any], answer: str
     ) -> dict[str, Any]:
         """Ask, and return the answer of that name."""
-        opened.send(_text([(name, more)]).decode())
+        opened.send(text_of((name, more)).decode())
         until_s = self._clock.now_s() + OPENING_S
         while (left_s := until_s - self._clock.now_s()) > 0.0:
-            for kind, content in _messages(opened.receive(left_s)):
+            received = opened.receive(left_s)
+            for kind, content in messages_in(received, self._name) if received else ():
                 if kind == answer:
                     return content
                 if kind == "Error":
                     raise DeviceError(
-                        "Intiface at {where} refuses: {reason}; update it",
-                        where=self._where,
-                        reason=str(content.get("ErrorMessage", ""))[:200],
+                        "{where} refuses: {reason}; update it",
+                        where=self._name,
+                        reason=error_text(content),
                     )
         raise DeviceError(
-            "Intiface at {where} does not answer {name}; restart it",
-            where=self._where,
-            name=name,
+            "{where} does not answer {name}; restart it", where=self._name, name=name
         )
 
 
 class _OlderServerError(DeviceError):
     """The server does not speak version 4."""
-
-
-def motors_of(listed: dict[str, Any], version: int) -> tuple[list[Motor], float]:
-    """Return the motors of a DeviceList, and the longest gap between messages, s."""
-    motors, gap_s = [], 0.0
-    try:
-        devices = listed["Devices"]
-        for device in devices.values() if isinstance(devices, dict) else devices:
-            if found := (_newer if version >= 4 else _older)(device):
-                motors += found
-                gap_ms = float(device.get("DeviceMessageTimingGap") or 0.0)
-                gap_s = max(gap_s, min(1.0, 1e-3 * gap_ms))
-    except (
-        AttributeError,
-        KeyError,
-        IndexError,
-        OverflowError,
-        TypeError,
-        ValueError,
-    ) as problem:
-        raise DeviceError(
-            "Intiface describes a device in a way that is not known: {reason}; update it",
-            reason=str(problem)[:200],
-        ) from problem
-    if not motors:
-        raise DeviceError(
-            "Intiface has no device that vibrates; connect one in Intiface and choose "
-            "the device again"
-        )
-    return motors, gap_s
-
-
-def _newer(device: dict[str, Any]) -> list[Motor]:
-    number = int(device["DeviceIndex"])
-    features = device["DeviceFeatures"].items()
-    return [
-        Motor(number, int(key), int(feature["Output"][_VIBRATE]["Value"][1]))
-        for key, feature in features
-        if _VIBRATE in feature.get("Output", {})
-    ]
-
-
-def _older(device: dict[str, Any]) -> list[Motor]:
-    number = int(device["DeviceIndex"])
-    scalars = device["DeviceMessages"].get("ScalarCmd", [])
-    return [
-        Motor(number, index, int(scalar["StepCount"]))
-        for index, scalar in enumerate(scalars)
-        if scalar.get("ActuatorType") == _VIBRATE
-    ]
-
-
-def _text(messages: list[tuple[str, dict[str, Any]]]) -> bytes:
-    found = [{name: {"Id": _ID, **content}} for name, content in messages]
-    return json.dumps(found, separators=(",", ":")).encode()
-
-
-def _messages(text: str | bytes) -> list[tuple[str, dict[str, Any]]]:
-    """Return the messages in a text; none for nonsense."""
-    try:
-        found = json.loads(text)
-        return [(name, dict(one[name])) for one in found for name in one]
-    except (OverflowError, RecursionError, TypeError, ValueError):
-        return []
 
 
 def buttplug_options(text: str) -> DeviceOptions:

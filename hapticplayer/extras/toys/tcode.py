@@ -8,6 +8,7 @@ for ever, so `DSTOP` is sent on every way out, and by the guard.
 import contextlib
 import os
 import re
+import select
 import socket
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -18,7 +19,13 @@ from hapticplayer.devices.options import (
     fields_of,
     host_and_port,
 )
-from hapticplayer.devices.paced import FULL_LEVEL, PacedDriver, Rumble, silencer
+from hapticplayer.devices.paced import (
+    FULL_LEVEL,
+    PacedDriver,
+    QuietPort,
+    Rumble,
+    silencer,
+)
 from hapticplayer.errors import DeviceError
 from hapticplayer.extras.toys.extension import TCODE
 from hapticplayer.model.device import DeviceCapabilities, Vector
@@ -26,6 +33,7 @@ from hapticplayer.model.device import DeviceCapabilities, Vector
 DEFAULT = "127.0.0.1:8000"
 REFRESH_S = 0.5
 STOP = b"DSTOP\n"
+FULL_S = 0.25
 _FULL, _RAMP_MS = 9999, 20
 _MOST_READ = 256
 _SERIAL_BAUD = "B115200"
@@ -60,10 +68,8 @@ class TcodeTranslator:
         return 0 if report.isascii() else None
 
 
-class TCodePort:
+class TCodePort(QuietPort):
     """A board at the other end of a descriptor (`paced.Port`)."""
-
-    is_quiet = True
 
     def __init__(
         self, descriptor: int, where: str, translator: TcodeTranslator
@@ -73,9 +79,12 @@ class TCodePort:
         os.set_blocking(descriptor, False)
 
     def write(self, command: bytes) -> None:
-        """Send lines; what a full buffer refuses is sent again later."""
-        with self._failing_at_once(), contextlib.suppress(BlockingIOError):
-            os.write(self._open(), command)
+        """Send whole lines; a board that takes none for `FULL_S` has gone."""
+        with self._failing_at_once():
+            while command:
+                if not select.select([], [self._open()], [], FULL_S)[1]:
+                    raise TimeoutError
+                command = command[os.write(self._open(), command) :]
 
     def read(self) -> bytes:
         """The decoded reply."""

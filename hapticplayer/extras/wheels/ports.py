@@ -1,19 +1,21 @@
 """Devices under /dev/input that can exert a force: the only place that opens them."""
 
 import contextlib
+import errno
 import fcntl
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from hapticplayer.devices.paced import Translator
+from hapticplayer.devices.paced import QuietPort, Translator
 from hapticplayer.errors import DeviceError
 from hapticplayer.extras.wheels import effects
 
 DEVICES = Path("/dev/input")
 CLASS = Path("/sys/class/input")
 _WORD_BITS = 64
+_GONE = (errno.ENODEV, errno.ENOENT, errno.ENXIO, errno.EIO)
 _READ = 16 * effects.EVENT_SIZE
 
 
@@ -44,14 +46,12 @@ def _has_bit(words: str, bit: int) -> bool:
     return word < len(numbers) and bool(numbers[-1 - word] >> place & 1)
 
 
-class EventPort:
+class EventPort(QuietPort):
     """An open device (`paced.Port`); the kernel erases its effect when it is closed.
 
     Raises:
         DeviceError: when it cannot be opened.
     """
-
-    is_quiet = True
 
     def __init__(self, path: Path, title: str, translator: Translator) -> None:
         self.translator, self._title = translator, title
@@ -67,7 +67,7 @@ class EventPort:
                 path=str(path),
             ) from problem
         except OSError as problem:
-            raise self._gone() from problem
+            raise self._failed(problem) from problem
 
     def write(self, command: bytes) -> None:
         """Upload an effect and start it, or stop it; a blocking call of some ms."""
@@ -80,7 +80,7 @@ class EventPort:
             self._tell(effects.FF_GAIN, effects.FULL_GAIN)
             self._tell(self._number, count)
         except OSError as problem:
-            raise self._gone() from problem
+            raise self._failed(problem) from problem
 
     def read(self) -> bytes:
         """Return the events that have come."""
@@ -89,7 +89,7 @@ class EventPort:
         except BlockingIOError:
             return b""
         except OSError as problem:
-            raise self._gone() from problem
+            raise self._failed(problem) from problem
 
     def close(self) -> None:
         """Erase the effect and let go."""
@@ -110,6 +110,17 @@ class EventPort:
         data = effects.event_bytes(effects.EV_FF, code, value)
         os.write(self._descriptor(), data)
 
+    def _failed(self, problem: OSError) -> DeviceError:
+        """Why a call failed: unplugged, or what the driver says."""
+        if problem.errno in _GONE:
+            return self._gone()
+        return DeviceError(
+            "{title} refuses the effect ({reason}); close other programs that use it, and "
+            "choose the device again",
+            title=self._title,
+            reason=problem.strerror or str(problem),
+        )
+
     def _gone(self) -> DeviceError:
         return DeviceError(
             "{title} was unplugged; plug it in and choose the device again",
@@ -129,7 +140,7 @@ class GainPort(EventPort):
         try:
             self._tell(effects.FF_GAIN, 0)
         except OSError as problem:
-            raise self._gone() from problem
+            raise self._failed(problem) from problem
 
 
 def open_first(

@@ -102,7 +102,7 @@ def read_reply(data: bytes) -> tuple[int, DeviceReading] | None:
     is_sound = kind == _REPLY_MAGIC and zlib.crc32(data[:-4]) == checksum
     if not (is_sound and math.isfinite(stamp_s + x + y + z)):
         return None
-    fields = ((x, y, z), buttons, bool(homed), stamp_s, 0, ())
+    fields = ((x, y, z), buttons, bool(homed), stamp_s, 0, (), "")
     return serial, tuple.__new__(DeviceReading, fields)  # at 1 kHz
 
 

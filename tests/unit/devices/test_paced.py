@@ -7,10 +7,12 @@ import threading
 
 import pytest
 
+from hapticplayer.clock import ManualClock
 from hapticplayer.devices.capabilities import VIBRATION
 from hapticplayer.devices.paced import (
     NewestWriter,
     PacedDriver,
+    QuietPort,
     Rumble,
     silencer,
 )
@@ -21,10 +23,10 @@ ZERO = (0.0, 0.0, 0.0)
 REFRESH_S = 0.5
 
 
-class FakePad:
+class FakePad(QuietPort):
     """Two motors whose command is two bytes (`paced.Port` and its translator)."""
 
-    is_quiet, off = True, bytes(2)
+    off = bytes(2)
 
     def __init__(self):
         self.written, self.is_plugged, self.is_open = [], True, True
@@ -145,6 +147,7 @@ def test_the_guard_switches_off_beside_the_loop_and_after_it():
 
 def test_a_program_that_ends_without_closing_leaves_no_motor_on():
     code = """
+from hapticplayer.clock import ManualClock
 from hapticplayer.devices.capabilities import VIBRATION
 from hapticplayer.devices.paced import PacedDriver
 from tests.unit.devices.test_paced import FakePad
@@ -166,3 +169,72 @@ raise RuntimeError("something else is broken")
     )
     assert "RuntimeError" in done.stderr
     assert done.stdout.splitlines()[-1] == "motors 0 0"
+
+
+class SlowWriter:
+    """A device that takes each command after so many milliseconds."""
+
+    def __init__(self, port, takes_ms):
+        self._port, self._takes_ms, self._left = port, takes_ms, 0
+        self._newest, self.taken = None, 0
+
+    @property
+    def is_waiting(self):
+        return self._left > 0
+
+    def post(self, command):
+        self._newest = command
+        self._left = self._left or self._takes_ms
+
+    def pass_1_ms(self):
+        if self._left:
+            self._left -= 1
+            if not self._left:
+                command, self._newest = self._newest, None
+                self._port.write(command)
+                self.taken += 1
+
+    def stop(self):
+        pass
+
+
+@pytest.mark.parametrize(
+    ("takes_ms", "is_fresh"), [(30, True), (120, True), (300, False)]
+)
+def test_a_device_that_is_slow_to_take_a_command_is_not_silent(takes_ms, is_fresh):
+    clock, pad, made = ManualClock(), FakePad(), []
+
+    def writer(port):
+        made.append(SlowWriter(port, takes_ms))
+        return made[0]
+
+    device = PacedDriver("pad", VIBRATION, lambda: pad, REFRESH_S, writer)
+    device.open()
+    ages_s = []
+    for k in range(1000):
+        force_n = (2.0 + math.sin(k / 20.0), 0.0, 0.0)
+        now_s = clock.now_s()
+        ages_s.append(now_s - device.exchange(force_n, now_s).replied_s)
+        made[0].pass_1_ms()
+        clock.advance(0.001)
+    assert (max(ages_s) < 0.02) is is_fresh
+    period_ms = max(takes_ms, 1000 / VIBRATION.rate_hz)
+    assert len(pad.written) == pytest.approx(1000 / period_ms, rel=0.25, abs=1)
+    device.close()
+
+
+def test_a_force_that_passes_zero_sends_no_stop():
+    clock, pad = ManualClock(), FakePad()
+    device = PacedDriver("pad", VIBRATION, lambda: pad, REFRESH_S, DirectWriter)
+    device.open()
+    for k in range(1000):
+        force_n = (0.0, 0.0, 0.0) if k % 100 < 4 else (2.0, 0.0, 0.0)
+        pad.pace_s = 0.09
+        device.exchange(force_n, clock.now_s())
+        clock.advance(0.001)
+    assert pad.written.count(bytes(2)) <= 2
+    for _ in range(25):
+        device.exchange(ZERO, clock.now_s())
+        clock.advance(0.001)
+    assert pad.motors == (0, 0)
+    device.close()

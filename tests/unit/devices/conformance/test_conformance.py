@@ -133,7 +133,7 @@ def test_buttons_are_a_mask_of_sixteen_bits():
 
 def test_a_silent_device_is_an_old_answer_and_not_an_error(world):
     world.fall_silent()
-    world.tick(PUSH, 30)
+    world.tick(PUSH, 200)
     last_s = world.tick(PUSH).replied_s
     reading = world.tick(PUSH, 100)
     assert reading.replied_s == last_s

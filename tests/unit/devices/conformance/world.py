@@ -72,6 +72,7 @@ class Stuckable(DirectWriter):
             self.is_waiting = True
         else:
             super().post(command)
+            self.taken += 1
 
 
 class Process(World):

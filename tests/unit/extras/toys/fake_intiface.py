@@ -39,7 +39,9 @@ OLD_TOY = {
 
 
 class FakeIntiface:
-    def __init__(self, version=4, max_ping_ms=0, toys=1):
+    def __init__(self, version=4, max_ping_ms=0, toys=1, gap_ms=0, info=None):
+        self.gap_ms, self.info = gap_ms, info or {}
+        self.errors = 0
         self.version, self.max_ping_ms, self.toys = version, max_ping_ms, toys
         self.strength, self.heard, self.arrived_s = {}, [], []
         self.answers, self.nonsense, self.pings = True, False, 0
@@ -63,6 +65,16 @@ class FakeIntiface:
         for connection in self.connections:
             for _ in range(count):
                 connection.send("}{")
+
+    def leave(self):
+        """The toy is switched off: the server says so, and refuses its commands."""
+        self.toys = 0
+        number = {"Id": 0, "DeviceIndex": 3}
+        removed, listed = {"DeviceRemoved": number}, {"Id": 0, "Devices": {}}
+        for connection in self.connections:
+            said = removed if self.version == 3 else {"DeviceList": listed}
+            with contextlib.suppress(ConnectionClosed):  # that of a first greeting
+                connection.send(json.dumps([said]))
 
     def _talk(self, connection):
         self.connections.append(connection)
@@ -91,6 +103,10 @@ class FakeIntiface:
             return self._greeting(content, number)
         if name == "RequestDeviceList":
             return {"DeviceList": {"Id": number, "Devices": self._devices()}}
+        if self.errors and name in ("OutputCmd", "ScalarCmd"):
+            self.errors -= 1
+            text = "Device 3 not available"
+            return {"Error": {"Id": number, "ErrorMessage": text, "ErrorCode": 4}}
         if name == "OutputCmd":
             ((kind, value),) = content["Command"].items()
             feature = NEW_TOY["DeviceFeatures"][str(content["FeatureIndex"])]
@@ -111,15 +127,19 @@ class FakeIntiface:
 
     def _greeting(self, content, number):
         value = {"Id": number, "ServerName": "fake", "MaxPingTime": self.max_ping_ms}
+        value |= self.info
         if self.version == 3:
             if "MessageVersion" not in content:
                 text = "missing field `MessageVersion`"
                 return {"Error": {"Id": 0, "ErrorMessage": text, "ErrorCode": 3}}
-            return {"ServerInfo": {**value, "MessageVersion": 3}}
+            return {"ServerInfo": {"MessageVersion": 3, **value}}
         versions = {"ProtocolVersionMajor": 4, "ProtocolVersionMinor": 0}
-        return {"ServerInfo": {**value, **versions}}
+        return {"ServerInfo": {**versions, **value}}
 
     def _devices(self):
         if self.version == 3:
-            return [OLD_TOY][: self.toys]
-        return dict([("3", NEW_TOY)][: self.toys])
+            return [OLD_TOY | self._gap()][: self.toys]
+        return dict([("3", NEW_TOY | self._gap())][: self.toys])
+
+    def _gap(self):
+        return {"DeviceMessageTimingGap": self.gap_ms}

@@ -6,7 +6,7 @@ from functools import partial
 import pytest
 
 from hapticplayer.errors import DeviceError
-from hapticplayer.extras.toys.buttplug import motors_of
+from hapticplayer.extras.toys.messages import toys_of
 from tests.unit.test_spoilt_documents import refusal, spoilt
 
 DEVICES = {
@@ -32,12 +32,14 @@ OLDER = {
 
 @pytest.mark.parametrize(("version", "document"), [(4, DEVICES), (3, OLDER)])
 def test_a_spoilt_list_of_toys_is_refused(version, document):
-    assert motors_of(document, version)[0]
+    assert toys_of(document, version, "Intiface")[0].motors
     for what, text in spoilt(document):
         try:
             listed = json.loads(text)
         except (ValueError, RecursionError):
             continue
         if isinstance(listed, dict):
-            said = refusal(partial(motors_of, listed, version), what, DeviceError)
+            said = refusal(
+                partial(toys_of, listed, version, "Intiface"), what, DeviceError
+            )
             assert not said or "Intiface" in said, what

@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices.paced import PacedDriver
 from hapticplayer.errors import DeviceError, HapticPlayerError
-from hapticplayer.extras.toys import buttplug, tcode
-from hapticplayer.extras.toys.extension import TCODE
+from hapticplayer.extras.toys import buttplug, messages, tcode
+from hapticplayer.extras.toys.extension import BUTTPLUG, TCODE
 from tests.doubles import DirectWriter
-from tests.unit.extras.toys.fake_intiface import NEW_TOY, FakeIntiface
+from tests.unit.extras.toys.fake_intiface import FakeIntiface
 
 ZERO = (0.0, 0.0, 0.0)
 HALF = (0.0, 2.25, 0.0)
@@ -62,22 +62,108 @@ def test_both_versions_shake_all_motors_and_nothing_else(intiface, toy):
     assert {name for name, _ in intiface.heard} & stops
 
 
-def test_a_toy_is_told_no_faster_than_it_can_take(intiface, monkeypatch):
-    monkeypatch.setitem(NEW_TOY, "DeviceMessageTimingGap", 80)
-    device = buttplug.make(-1, buttplug.buttplug_options(intiface.where))
-    device.open()
-    count = len(intiface.heard)
-    forces = iter(range(10**9))
+@pytest.mark.parametrize(
+    "intiface",
+    [{"gap_ms": 100}, {"gap_ms": 100, "version": 3}, {"gap_ms": 40}],
+    ids=["100", "100-v3", "40"],
+    indirect=True,
+)
+def test_a_toy_plays_at_its_own_rate_and_is_not_silent(intiface, toy):
+    """Waiting for its turn is no silence; each answer is as fresh as without a gap."""
+    clock, oldest_s = SystemClock(), 0.0
+    wait_until(lambda: intiface.strength, toy, HALF)
+    begun_s, count = clock.now_s(), len(intiface.arrived_s)
+    while (now_s := clock.now_s()) < begun_s + 1.5:
+        reading = toy.exchange((2.0 + math.sin(50.0 * now_s), 0.0, 0.0), now_s)
+        oldest_s = max(oldest_s, now_s - reading.replied_s)
+        clock.sleep_until(now_s + 0.001)
+    firsts = intiface.arrived_s[count::2]  # two motors
+    gap_s = max(1e-3 * intiface.gap_ms, 1.0 / BUTTPLUG.rate_hz)
+    assert oldest_s < 0.02
+    assert len(firsts) <= 1.5 / gap_s + 2
+    assert len(firsts) > 0.5 * 1.5 / gap_s
+    assert not reading.notice
 
-    def six():
-        device.exchange((2.0 + math.sin(next(forces)), 0.0, 0.0), SystemClock().now_s())
-        return len(intiface.heard) - count >= 12
 
-    wait_until(six)
-    device.close()
-    firsts = intiface.arrived_s[count:][::2]
-    # two motors a time; the sixth comes no earlier than five gaps after the first
-    assert firsts[5] - firsts[0] >= 5 * 0.08 - 0.02
+@pytest.mark.parametrize("intiface", [{"gap_ms": 60_000}], indirect=True)
+def test_a_stop_does_not_wait_for_its_turn(intiface, toy):
+    wait_until(lambda: intiface.strength, toy, HALF)
+    wait_until(lambda: not intiface.strength, toy)
+
+
+@pytest.mark.parametrize(
+    "intiface", [{"version": 4}, {"version": 3}], ids=["v4", "v3"], indirect=True
+)
+def test_a_toy_that_leaves_is_named(intiface, toy):
+    wait_until(lambda: intiface.strength, toy, HALF)
+    intiface.leave()
+    with pytest.raises(DeviceError, match=r"^Toy has left Intiface; connect it there"):
+        wait_until(lambda: False, toy, HALF)
+
+
+def test_errors_in_a_row_end_it_and_one_is_only_said(intiface, toy):
+    wait_until(lambda: intiface.strength, toy, HALF)
+    intiface.errors = 10**6
+    said = r"Intiface at .* reports an error \(Device 3 not available\); see whether"
+    with pytest.raises(DeviceError, match=said):
+        wait_until(lambda: False, toy, HALF)
+
+
+def test_one_error_among_answers_is_a_notice(intiface, toy):
+    intiface.errors, said = 1, []
+    wait_until(lambda: intiface.strength, toy, HALF)
+
+    def is_said():
+        said.append(toy.exchange(HALF, SystemClock().now_s()).notice)
+        return said[-1]
+
+    wait_until(is_said)
+    assert "Device 3 not available" in said[-1]
+
+
+HOSTILE = ["4", None, [4], 10**400, math.inf, -1, 2.5, {}, "n" * 70_000]
+
+
+@pytest.mark.parametrize("value", HOSTILE, ids=lambda value: str(value)[:9])
+@pytest.mark.parametrize(
+    "field", ["MaxPingTime", "ProtocolVersionMajor", "MessageVersion"]
+)
+def test_a_strange_greeting_is_one_sentence(field, value):
+    server = FakeIntiface(
+        version=3 if field == "MessageVersion" else 4, info={field: value}
+    )
+    try:
+        made = buttplug.make(-1, buttplug.buttplug_options(server.where))
+        with pytest.raises(DeviceError, match=r"^Intiface at .*; ") as raised:
+            made.open()
+        assert len(str(raised.value)) < 300
+    finally:
+        server.close()
+
+
+@pytest.mark.parametrize("value", [*HOSTILE, True], ids=lambda value: str(value)[:9])
+@pytest.mark.parametrize("field", ["steps", "index", "gap", "name", "features"])
+def test_a_strange_toy_is_refused_in_a_sentence_or_read(field, value):
+    steps = value if field == "steps" else 20
+    device = {
+        "DeviceName": value if field == "name" else "Toy",
+        "DeviceIndex": value if field == "index" else 0,
+        "DeviceMessageTimingGap": value if field == "gap" else 10,
+        "DeviceFeatures": value
+        if field == "features"
+        else {"0": {"Output": {"Vibrate": {"Value": [0, steps]}}}},
+    }
+    listed = {"Devices": {"0": device}}
+    found, said = {}, "Intiface"
+    try:
+        found = messages.toys_of(listed, 4, "Intiface")
+    except DeviceError as problem:
+        said = str(problem)
+    assert said.startswith("Intiface")
+    assert len(said) < 300
+    for toy in found.values():
+        assert len(toy.name) <= 80
+        buttplug.ButtplugTranslator(list(toy.motors), 4).command(HALF, 0.0)
 
 
 @pytest.mark.parametrize("intiface", [{"max_ping_ms": 200}], indirect=True)
@@ -118,7 +204,7 @@ def test_without_a_server_it_says_what_to_do():
 )
 def test_a_device_that_is_described_wrongly_is_refused(devices):
     with pytest.raises(DeviceError):
-        buttplug.motors_of({"Devices": devices}, 4)
+        messages.toys_of({"Devices": devices}, 4, "Intiface")
 
 
 @given(st.text() | st.binary())
