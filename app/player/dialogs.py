@@ -23,7 +23,6 @@ from hapticplayer import __version__
 from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.playback.video_check import ANOTHER_VIDEO
 from hapticplayer.rendering import FEEDBACKS
 
 translate = QCoreApplication.translate
@@ -295,10 +294,11 @@ def load() -> None:
 
 def video_question(source: Source, parent: QWidget | None) -> QMessageBox:
     """Return the question; declined, the video plays on without force."""
+    assert source.check is not None
     box = QMessageBox(
         QMessageBox.Icon.Warning,
         translate("VideoQuestion", "Another video"),
-        capitalised(translated(ANOTHER_VIDEO)) + ".",
+        capitalised(translated(source.check.notice)) + ".",
         parent=parent,
     )
     box.setInformativeText(
@@ -317,6 +317,5 @@ def video_question(source: Source, parent: QWidget | None) -> QMessageBox:
     box.setDefaultButton(without)
     box.setEscapeButton(without)
     box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    if source.check is not None:
-        felt.clicked.connect(source.check.accept)
+    felt.clicked.connect(source.check.accept)
     return box

@@ -5,6 +5,8 @@ import json
 from pathlib import Path
 from typing import Any
 
+from msgspec import to_builtins
+
 from hapticplayer.cli.common import add_overwrite, interruptible, say, shown_progress
 from hapticplayer.sequence.contents import Contents
 from hapticplayer.sequence.pack import container_of, is_packed, outputs_of
@@ -57,7 +59,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
                 is_ours=is_ours,
                 progress=progress,
             )
-        report["video"] = {**report["video"], **payload._asdict()}
+        report["video"] = {**report["video"], **to_builtins(payload)}
         report["written_bytes"] = sum(
             path.stat().st_size for path in outputs_of(target)
         )

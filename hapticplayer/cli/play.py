@@ -21,7 +21,7 @@ from hapticplayer.cli.common import (
     shown_progress,
 )
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.records import is_record
 from hapticplayer.haptics.scheduling import Scheduling
@@ -33,7 +33,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict
+from hapticplayer.playback.video_check import Verdict
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.storage import FILE, make_way, refuse_existing
 
@@ -169,7 +169,7 @@ def play(options: argparse.Namespace) -> int:
             player.open(source, feedback)
             if options.speed != 1.0:
                 player.set_speed(options.speed)
-            advise_of_video(source)
+            said = advise_of_video(source)
             _play_headless(
                 player,
                 clock,
@@ -185,7 +185,7 @@ def play(options: argparse.Namespace) -> int:
     say(json.dumps(report) if options.json else _summary_text(source, feedback, report))
     now = player.snapshot()
     for sentence in (*now.notices, *notes):
-        if sentence not in {problem, ANOTHER_VIDEO}:
+        if sentence not in {problem, said}:
             say_aside(sentence)
     problem = problem or now.leading.record_problem
     problem = problem or now.log_problem
@@ -222,10 +222,13 @@ def _opened_remotely(options: argparse.Namespace) -> Source:
         raise
 
 
-def advise_of_video(source: Source) -> None:
-    """Wait until the checksum of the video is known, and say if it is another one."""
-    if source.check and source.check.wait() is Verdict.ANOTHER:
-        say_aside(f"{ANOTHER_VIDEO}; {ACCEPT_IT}")
+def advise_of_video(source: Source) -> Message | None:
+    """Wait until the video is known; say, and return, that it is another one."""
+    check = source.check
+    if check is None or check.glance() is not Verdict.ANOTHER:
+        return None
+    say_aside(f"{check.notice}; {ACCEPT_IT}")
+    return check.notice
 
 
 def advise(source: Source, feedback: str) -> None:

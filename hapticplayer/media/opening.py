@@ -219,10 +219,12 @@ def origin_s(container: InputContainer) -> float:
     return float(stream.start_time * stream.time_base)
 
 
-def read_only(container: InputContainer, wanted: Stream) -> None:
+def read_only(container: InputContainer, *wanted: Stream) -> None:
     """Let the demuxer skip all other streams, so that they are not even read."""
+    kept = {stream.index for stream in wanted}
     for stream in container.streams:
-        stream.discard = _Discard.default if stream is wanted else _Discard.all
+        is_wanted = stream.index in kept
+        stream.discard = _Discard.default if is_wanted else _Discard.all
 
 
 _RIFF_UNKNOWN = (0, 0xFFFFFFFF)

@@ -33,7 +33,7 @@ from hapticplayer.playback.snapshot import Measurements, Snapshot, SyncTraces
 from hapticplayer.playback.sound import AudioFactory
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source
-from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict
+from hapticplayer.playback.video_check import Verdict
 from hapticplayer.playback.video_output import POLL_S, FrameSink
 
 __all__ = ["FASTEST", "SLOWEST", "Player"]
@@ -425,7 +425,7 @@ class Player:
             self._verdict = verdict
             self._reporter.event("video_check", verdict=verdict.name.lower())
             if verdict is Verdict.ANOTHER:
-                self._reporter.notify(ANOTHER_VIDEO)
+                self._reporter.notify(source.check.notice)
         own = source.description.feedbacks if source.description else {}
         return self._feedback in own and not source.check.allows_force
 

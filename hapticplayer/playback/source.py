@@ -28,8 +28,8 @@ class Source:
     """A clip with the force tracks that can go with it, by name of the feedback.
 
     `motion` is gravity-free acceleration in media time, where it is known; `path` is
-    what was opened, `description` that of the sequence. With a `check`, the force is
-    withheld until the video is found to be its own; `notice` is for a person.
+    what was opened, `description` that of the sequence. The `check` withholds the force
+    from another video than its own; `notice` is for a person.
     """
 
     title: str
@@ -73,7 +73,9 @@ def open_source(
 
 def _from_sequence(folder: Path) -> Source:
     sequence = open_sequence(folder)
-    return _source_of(sequence, folder, probe(sequence.clip))
+    entry = sequence.description.files[sequence.clip.name]
+    check = VideoCheck(sequence.clip.resolve(), entry.sha256)
+    return _source_of(sequence, folder, probe(sequence.clip), check)
 
 
 def _source_of(

@@ -6,6 +6,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from msgspec import to_builtins
+
 from hapticplayer import __version__, storage
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import (
@@ -17,6 +19,7 @@ from hapticplayer.errors import (
 )
 from hapticplayer.media import remux
 from hapticplayer.media.clip_info import POINTER
+from hapticplayer.media.identity import VideoDigest
 from hapticplayer.media.matroska import EBML, Attachment
 from hapticplayer.sequence import store
 from hapticplayer.sequence.contents import attachment_of, files_to_pack
@@ -61,7 +64,7 @@ def pack(
     extras: Iterable[Attachment] = (),
     is_ours: IsOurs | None = None,
     progress: Progress = no_progress,
-) -> remux.VideoDigest:
+) -> VideoDigest:
     """Write a sequence as one video file with its force, for others to play.
 
     Video and sound are copied bit for bit, and read back to make sure.
@@ -104,7 +107,7 @@ def is_packed(head: bytes) -> bool:
 
 
 def _manifest(
-    sequence: store.Sequence, payload: remux.VideoDigest, attached: Iterable[Attachment]
+    sequence: store.Sequence, payload: VideoDigest, attached: Iterable[Attachment]
 ) -> Attachment:
     content: dict[str, Any] = {
         "schema": SCHEMA,
@@ -112,7 +115,7 @@ def _manifest(
         "program": f"hapticplayer {__version__}",
         "created_utc": utc_now_iso(),
         "title": sequence.title,
-        "video": payload._asdict(),
+        "video": to_builtins(payload),
         "files": {
             one.name: {
                 "media_type": one.media_type,
@@ -125,7 +128,7 @@ def _manifest(
     return attachment_of(MANIFEST, storage.json_text(content))
 
 
-def _pointer(payload: remux.VideoDigest, manifest: Attachment) -> str:
+def _pointer(payload: VideoDigest, manifest: Attachment) -> str:
     return (
         f"video sha256 {payload.sha256}, {MANIFEST} sha256 "
         f"{hashlib.sha256(manifest.content).hexdigest()}"
@@ -161,7 +164,7 @@ def _copy(
     part: Path,
     kind: str,
     additions: remux.Additions,
-    payload: remux.VideoDigest,
+    payload: VideoDigest,
     progress: Progress,
 ) -> None:
     """Copy a clip and read the copy back."""
@@ -175,9 +178,9 @@ def _copy(
         progress(before + _COPY + left * share, Message("reading the copy"))
 
     copied = remux.remux(clip, part, kind, additions, copying)
-    if copied != payload:
+    if copied.difference(payload):
         raise store.changed(clip)
-    if remux.video_payload(part, reading) != payload:
+    if payload.difference(remux.video_payload(part, reading)):
         raise SequenceError(
             "cannot be copied into {kind} without changing its video",
             where=str(clip),

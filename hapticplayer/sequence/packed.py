@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from msgspec import Struct, structs
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from hapticplayer.errors import MediaError, Message, SequenceError
 from hapticplayer.media.clip_bytes import ClipBytes, path_of
+from hapticplayer.media.identity import VideoDigest
 from hapticplayer.media.matroska import Attachment, read_attachments
-from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import store
 from hapticplayer.sequence.arrays import arrays_in
 from hapticplayer.sequence.description import (
@@ -58,18 +58,11 @@ class Packed:
     small: Mapping[str, bytes]
 
 
-class _Video(Struct):
-    sha256: str
-    packets: int
-    size_bytes: int
-    head_sha256: str
-
-
 class _Manifest(Struct):
     """The file that lists all others."""
 
     files: dict[str, FileEntry]
-    video: _Video
+    video: VideoDigest
 
 
 class _AttachedFiles:
@@ -161,13 +154,12 @@ def _packed(video: Path, carrier: Path, attached: dict[str, Attachment]) -> Pack
     given = _manifest(attached[MANIFEST].content, where)
     for name in given.files:
         small.content(name, given.files)
-    payload = VideoDigest(*structs.astuple(given.video))
     content = small.content(store.DESCRIPTION, given.files)
     place = f"{carrier}: {store.DESCRIPTION}"
     found = decode(content, dict[str, Any], place, *_REFUSAL)
     description = checked_description(found, place)
     sequence = store.sequence_of(description, small, video.parent, video)
-    return Packed(carrier, sequence, payload, attached, _own(description, small))
+    return Packed(carrier, sequence, given.video, attached, _own(description, small))
 
 
 def _manifest(content: bytes, where: str) -> _Manifest:

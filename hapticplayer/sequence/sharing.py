@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 from hapticplayer import extension
 from hapticplayer.errors import InputError, Message, Progress, no_progress
+from hapticplayer.media.identity import VideoDigest
 from hapticplayer.media.matroska import Attachment
-from hapticplayer.media.remux import VideoDigest
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.contents import Contents, attachment_of, contents
 from hapticplayer.sequence.pack import pack

@@ -55,10 +55,11 @@ def unpack(
             remux.Additions(with_motion=True),
             lambda f: progress(0.8 * f, Message("copying the clip")),
         )
-        if not accepts_changed and not (
-            payload == packed.payload == remux.video_payload(folder / name)
-        ):
-            raise _another_video(video)
+        if not accepts_changed:
+            written_too = remux.video_payload(folder / name)
+            for found in (payload, written_too):
+                if why := packed.payload.difference(found):
+                    raise _another_video(video, why)
         listed = {k: v for k, v in described.files.items() if k != described.clip.file}
         for one, content in packed.small.items():
             with (folder / one).open("xb") as writer:
@@ -75,9 +76,10 @@ def unpack(
         progress(1.0, Message("done"))
 
 
-def _another_video(video: Path) -> SequenceError:
+def _another_video(video: Path, why: Message) -> SequenceError:
     return SequenceError(
-        "its video is not the one that the force was made for (its checksum differs)",
+        "its video is not the one that the force was made for ({reason})",
         where=str(video),
+        reason=why,
         remedy="ask for the file again, or accept it with --accept-changed-video",
     )

@@ -9,6 +9,7 @@ from hapticplayer.model import Feedback, ForceTrack
 from hapticplayer.playback.conditions import feedback_track
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
+from hapticplayer.playback.video_check import Verdict
 from hapticplayer.study.creation import clip_checksums, sequence_folder
 from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.demonstration import demonstration_source
@@ -41,11 +42,22 @@ def load_study_sources(study: Study) -> StudySources:
         sequence.key: open_source(sequence_folder(study, sequence.key))
         for sequence in study.definition.sequences
     }
+    for source in opened.values():
+        _refuse_another_video(source)
     sources = {
         key: replace(source, tracks=_tracks(study, key, opened))
         for key, source in opened.items()
     }
     return StudySources(sources, demonstration_source(), clips)
+
+
+def _refuse_another_video(source: Source) -> None:
+    if source.check is not None and source.check.wait() is Verdict.ANOTHER:
+        raise StudyError(
+            "its clip has changed since it was imported (its checksum differs)",
+            where=str(source.path),
+            remedy="copy the sequence again or import it again",
+        )
 
 
 def _tracks(

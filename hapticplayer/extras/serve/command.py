@@ -119,11 +119,12 @@ def _offered(
             pack(source, target, progress=progress)
         return title, [target]
     packed = require_packed(source)
-    is_its_own = options.accept_changed_video or video_payload(source) == packed.payload
-    if not is_its_own:
+    why = packed.payload.difference(video_payload(source))
+    if why and not options.accept_changed_video:
         raise NetworkError(
-            "is not the video that its force was made for (its checksum differs)",
+            "is not the video that its force was made for ({reason})",
             where=str(source),
+            reason=why,
             remedy="ask for the file again, or agree with --accept-changed-video",
         )
     return packed.sequence.title, list({source: None, packed.carrier: None})

@@ -11,6 +11,7 @@ import pytest
 from hapticplayer.errors import Cancelled, MediaError
 from hapticplayer.media.audio import AudioDecoder
 from hapticplayer.media.clip_info import probe
+from hapticplayer.media.identity import ANOTHER
 from hapticplayer.media.matroska import Attachment
 from hapticplayer.media.opening import open_media
 from hapticplayer.media.remux import MATROSKA, MP4, Additions, remux, video_payload
@@ -95,8 +96,8 @@ def test_a_copy_of_a_copy_is_the_same_video(clip: Path, tmp_path: Path) -> None:
     """The first packets of a Matroska file have no decoding times."""
     first, second, third = (tmp_path / n for n in ("a.mkv", "b.mkv", "c.mp4"))
     payload = remux(clip, first, MATROSKA)
-    assert remux(first, second, MATROSKA) == payload
-    assert remux(second, third, MP4) == payload
+    assert payload.difference(remux(first, second, MATROSKA)) is None
+    assert payload.difference(remux(second, third, MP4)) is None
     with VideoDecoder(third) as video:
         times_s = [frame.pts_s for frame in video.frames()]
     assert times_s == sorted(times_s)
@@ -118,7 +119,7 @@ def test_one_changed_byte_changes_the_checksum(clip: Path, tmp_path: Path) -> No
     content[content.index(b"mdat") + 500] ^= 1
     changed = tmp_path / "changed.mp4"
     changed.write_bytes(content)
-    assert video_payload(changed) != video_payload(clip)
+    assert video_payload(clip).difference(video_payload(changed)) == ANOTHER
 
 
 def test_a_hidden_beginning_is_refused(clip: Path, tmp_path: Path) -> None:

@@ -6,14 +6,16 @@ import threading
 
 import numpy as np
 import pytest
+from msgspec import structs
 
 from hapticplayer import cli
 from hapticplayer.errors import InputError
+from hapticplayer.media.identity import Times
 from hapticplayer.media.matroska import read_attachments
 from hapticplayer.media.remux import MATROSKA, Additions, remux, video_payload
 from hapticplayer.playback import video_check
 from hapticplayer.playback.source import open_source
-from hapticplayer.playback.video_check import ANOTHER_VIDEO, Verdict, VideoCheck
+from hapticplayer.playback.video_check import Verdict, VideoCheck
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST
@@ -76,7 +78,7 @@ def test_a_file_is_read_once_until_it_changes(packed_file, monkeypatch):
         writer.write(b"\xec\x80")  # an empty Void element
     assert VideoCheck(packed_file, payload).wait() is Verdict.SAME
     assert len(calls) == 2
-    other = payload._replace(sha256="0" * 64)
+    other = structs.replace(payload, sha256="0" * 64)
     assert VideoCheck(packed_file, other).wait() is Verdict.ANOTHER
 
 
@@ -95,8 +97,23 @@ def test_a_change_whose_time_was_put_back_is_noticed(packed_file):
 
 def test_a_video_that_cannot_be_read_is_another_one(tmp_path):
     (tmp_path / "bad.mkv").write_bytes(b"\x1a\x45\xdf\xa3" + bytes(500))
-    expected = video_check.VideoDigest("0" * 64, 1, 1, "")
+    times = Times(0.0, (), (), (), 0.0)
+    expected = video_check.VideoDigest("0" * 64, 1, 1, "", times)
     assert VideoCheck(tmp_path / "bad.mkv", expected).wait() is Verdict.ANOTHER
+
+
+def test_a_clip_that_was_changed_in_its_folder_is_noticed(sequence_folder):
+    check = open_source(sequence_folder).check
+    assert check.allows_force, "meanwhile, too"
+    assert check.wait() is Verdict.SAME
+    clip = sequence_folder / "clip.mp4"
+    content = bytearray(clip.read_bytes())
+    at = content.index(b"mvhd") + 16  # its time scale
+    content[at : at + 4] = (500).to_bytes(4, "big")
+    clip.write_bytes(content)
+    check = open_source(sequence_folder).check
+    assert check.wait() is Verdict.ANOTHER
+    assert not check.allows_force
 
 
 def test_the_mp4_without_its_side_car_says_so(sequence_folder, tmp_path):
@@ -155,20 +172,20 @@ def test_the_force_comes_once_the_video_is_known(stage):
     before = len(theatre.published)
     theatre.run(0.1)
     assert tracks_of(theatre, before) == {"realistic"}
-    assert ANOTHER_VIDEO not in theatre.player.snapshot().notices
+    assert check.notice not in theatre.player.snapshot().notices
 
 
 def test_another_video_plays_without_force_until_accepted(stage):
     theatre, check, known, found = stage
     theatre.published.clear()
-    found[0] = found[0]._replace(packets=1)
+    found[0] = structs.replace(found[0], packets=1)
     known.set()
     assert check.wait() is Verdict.ANOTHER
     theatre.player.play()
     theatre.run(0.2)
     assert tracks_of(theatre, 0) == {""}
     assert theatre.player.snapshot().media_s > 0.1
-    assert theatre.player.snapshot().notices.count(ANOTHER_VIDEO) == 1
+    assert theatre.player.snapshot().notices.count(check.notice) == 1
     check.accept()
     before = len(theatre.published)
     theatre.run(0.1)

@@ -42,7 +42,8 @@ def packed_file(request, sequence_folder, tmp_path):
 
 def test_force_and_motion_are_read_without_unpacking(packed_file, sequence_folder):
     whole, packed = open_sequence(sequence_folder), read_packed(packed_file)
-    assert packed.payload == video_payload(whole.clip) == video_payload(packed_file)
+    for clip in (whole.clip, packed_file):
+        assert packed.payload.difference(video_payload(clip)) is None
     assert packed.sequence.title == "Ride"
     assert list(packed.sequence.tracks) == ["realistic", "none", "random"]
     for name, track in whole.tracks.items():
@@ -61,7 +62,7 @@ def test_the_folder_comes_back_bit_for_bit(packed_file, sequence_folder, tmp_pat
         before = (sequence_folder / name).read_bytes()
         assert (tmp_path / "again" / name).read_bytes() == before
     again = open_sequence(tmp_path / "again")
-    assert video_payload(again.clip) == video_payload(packed_file)
+    assert video_payload(again.clip).difference(video_payload(packed_file)) is None
     before = open_sequence(sequence_folder).description
     kept = structs.replace(again.description, clip=before.clip, files=before.files)
     assert kept == before
