@@ -16,6 +16,7 @@ from hapticplayer.capture.choices import (
     ACCEL_UNITS,
     FIELD_UNITS,
     RATE_UNITS,
+    TIME_UNITS,
     LogChoices,
     LogQuestion,
     factor,
@@ -240,6 +241,14 @@ def _other_units(
     part: Samples, raw: RawLog, choices: LogChoices, where: str
 ) -> str | None:
     """Return other units that a part of the log would fit, as a choice, or None."""
+    if "time_unit" in choices.taken and choices.time_unit:
+        for unit in TIME_UNITS:
+            scale = TIME_UNITS[unit] / factor(
+                choices.time_unit, TIME_UNITS, "time-unit"
+            )
+            other_times = part._replace(time_s=scale * part.time_s)
+            if scale != 1.0 and _is_clean(other_times, raw, choices, where):
+                return f"time-unit={unit}"
     accel_units = [raw.accel_unit] if choices.accel_unit else ["m/s2", "g", "mg"]
     rate_units = [raw.rate_unit] if choices.rate_unit else ["rad/s", "deg/s"]
     for accel_unit in accel_units:
@@ -247,9 +256,7 @@ def _other_units(
             if (accel_unit, rate_unit) == (raw.accel_unit, raw.rate_unit):
                 continue
             other = dataclasses.replace(raw, accel_unit=accel_unit, rate_unit=rate_unit)
-            try:
-                _cleaned(_in_si(part, other), other, choices, where)
-            except InputError:
+            if not _is_clean(part, other, choices, where):
                 continue
             words = []
             if accel_unit != raw.accel_unit:
@@ -258,3 +265,12 @@ def _other_units(
                 words.append(f"rate-unit={rate_unit}")
             return joined(Message(" and "), words)
     return None
+
+
+def _is_clean(part: Samples, raw: RawLog, choices: LogChoices, where: str) -> bool:
+    """Whether a part of a log can be used in these units."""
+    try:
+        _cleaned(_in_si(part, raw), raw, choices, where)
+    except InputError:
+        return False
+    return True

@@ -1,8 +1,9 @@
 """Reads tables of numbers: every text log and every force track goes through here.
 
 Whole chunks go through numpy's tokenizer (0.06 us per number); only a chunk that does
-not fit is read line by line. An empty cell is NaN. A damaged line is skipped and
-counted; a strict table, whose columns are named, is rejected at the first one.
+not fit, and does not after its cells are spelled plainly, is read line by line. An empty
+cell is NaN. A damaged line is skipped and counted; a strict table, whose columns are
+named, is rejected at the first one.
 """
 
 import io
@@ -15,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.source import LogSource
+from hapticplayer.capture.spellings import clock_ns, is_missing, plain, with_nan
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_CSV_ROWS, MAX_DAMAGED_SHARE, MAX_LINE_BYTES
@@ -25,6 +27,8 @@ FIELD_COLUMNS = ("mx", "my", "mz")
 CHUNK_BYTES = 1 << 22
 
 _MIN_ROWS = 2
+_CLOCK_CELL = "U40"
+_MAX_INTEGER = 1 << 62
 _SAMPLE_LINES = 60
 
 
@@ -34,11 +38,12 @@ class Shape:
 
     Attributes:
         width: cells of a row.
-        separator: between the cells; blanks around them do not count.
+        separator: between the cells, see `spellings`; blanks around them do not count.
         decimal: "." or ",".
-        columns: wanted cells, in order.
+        columns: wanted cells, in order; others may hold text.
         integer: cell with integers too long for float64 (time in ns); its first value
             is subtracted exactly.
+        is_clock: that cell holds clock times or dates, which become ns.
         skip_lines: of the header.
         marks: text in the lines besides numbers, and its replacement.
         names: of all cells, for a strict table.
@@ -49,6 +54,7 @@ class Shape:
     separator: str = ","
     decimal: str = "."
     integer: int | None = None
+    is_clock: bool = False
     skip_lines: int = 0
     marks: tuple[tuple[bytes, bytes], ...] = ()
     names: tuple[str, ...] = ()
@@ -179,14 +185,15 @@ class _ChunkParser:
             self._line += chunk.count(b"\n")
             return np.empty((0, len(shape.columns)))
         chunk = chunk.replace(b"\r", b"").removeprefix(b"\xef\xbb\xbf")
-        if b'"' in chunk:  # a comma between quotes shows in the width
-            chunk = chunk.replace(b'"', b"")
         for mark, number in shape.marks:
             chunk = chunk.replace(mark, number)
-        if shape.decimal == ",":
-            chunk = chunk.replace(b",", b".")
         count = chunk.count(b"\n") + (not chunk.endswith(b"\n"))
-        values = self._whole(chunk, count)
+        values = self._whole(chunk.replace(b'"', b""), count)
+        if values is None:
+            chunk = plain(chunk, shape.separator, shape.decimal)
+            values = self._whole(chunk, count)
+        if values is None:
+            values = self._whole(with_nan(chunk, shape.separator), count)
         if values is None:
             values = self._line_by_line(chunk)
         self._line += count
@@ -204,11 +211,12 @@ class _ChunkParser:
         """Return all rows of a chunk without a damaged line, else None."""
         shape, separator = self._shape, self._shape.separator.encode()
         separators = chunk.count(separator)
-        if separators % max(1, shape.width - 1) or b"_" in chunk or not chunk.strip():
+        if separators % max(1, shape.width - 1) or not chunk.strip():
             return None
         kinds: list[object] = [np.float64] * len(shape.columns)
         if shape.integer is not None:
-            kinds[shape.columns.index(shape.integer)] = np.int64
+            at = shape.columns.index(shape.integer)
+            kinds[at] = _CLOCK_CELL if shape.is_clock else np.int64
         table = np.dtype([(f"c{number}", kind) for number, kind in enumerate(kinds)])
         try:
             rows = np.loadtxt(
@@ -218,12 +226,15 @@ class _ChunkParser:
                 comments=None,
                 usecols=shape.columns,
                 ndmin=1,
-                encoding="ascii",
+                encoding="latin-1",  # of units and texts in other columns
             )
         except (ValueError, IndexError, OverflowError, UnicodeDecodeError):
             return None
         # usecols ignores missing and extra cells at the end
         if len(rows) * (shape.width - 1) != separators:
+            return None
+        values = self._as_floats(rows)
+        if values is None:
             return None
         first = self._line + 1
         if len(rows) == count:
@@ -231,13 +242,19 @@ class _ChunkParser:
         else:
             texts = enumerate(io.BytesIO(chunk), start=first)
             self.lines.append([number for number, text in texts if text.strip()])
-        return self._as_floats(rows)
+        return values
 
-    def _as_floats(self, rows: NDArray[np.void]) -> Floats:
+    def _as_floats(self, rows: NDArray[np.void]) -> Floats | None:
+        """Return the numbers of a chunk; None if a clock time is none."""
         names = rows.dtype.names or ()
         values = np.empty((len(rows), len(names)))
         for number, name in enumerate(names):
             column = rows[name]
+            if column.dtype.kind == "U":
+                stamps = [clock_ns(cell) for cell in column.tolist()]
+                if None in stamps:
+                    return None
+                column = np.array(stamps, np.int64)
             if column.dtype.kind == "i":
                 if self.origin is None:
                     self.origin = int(column[0])
@@ -252,7 +269,7 @@ class _ChunkParser:
         for number, line in enumerate(io.BytesIO(chunk), start=self._line + 1):
             if not line.strip():
                 continue
-            row = self._row(line.decode("ascii", "replace"))
+            row = self._row(line.decode("latin-1"))
             if row is not None:
                 rows.append(row)
                 lines.append(number)
@@ -268,9 +285,9 @@ class _ChunkParser:
 
     def _row(self, text: str) -> list[float] | None:
         shape = self._shape
-        cells = text.split(shape.separator)
-        if len(cells) == shape.width + 1 and not (cells[-1].strip() or shape.names):
-            cells.pop()  # a separator at the end of the line
+        cells = text.rstrip("\n").split(shape.separator)
+        while len(cells) > shape.width and not cells[-1].strip():
+            cells.pop()  # separators at the end of the line, as Excel adds them
         if len(cells) != shape.width:
             return None
         numbers = [_number(cells[column].strip()) for column in shape.columns]
@@ -281,13 +298,16 @@ class _ChunkParser:
         return row if len(row) == len(numbers) else None
 
     def _since_origin(self, cell: str) -> float | None:
+        stamp = clock_ns(cell) if self._shape.is_clock else None
         try:
-            whole = int(cell)
+            whole = int(cell) if stamp is None else stamp
         except ValueError:
             value = _number(cell)
             if value is None or not math.isfinite(value):
                 return value
             whole = int(value)
+        if abs(whole) > _MAX_INTEGER:
+            return None
         if self.origin is None:
             self.origin = whole
         return float(whole - self.origin)
@@ -302,7 +322,9 @@ class _ChunkParser:
             raise self._too_long(content, line)
         if "\0" in text:
             raise self._fault("", line, *nul_bytes())
-        cells, names = text.split(","), self._shape.names
+        cells, names = text.split(self._shape.separator), self._shape.names
+        while len(cells) > len(names) and not cells[-1].strip():
+            cells.pop()
         if len(cells) != len(names):
             what = Message(
                 "has {count} columns, the header has {expected}",
@@ -310,7 +332,8 @@ class _ChunkParser:
                 expected=len(names),
             )
             raise self._fault("", line, what, Message("remove or complete the line"))
-        for name, cell in zip(names, cells, strict=True):
+        for at_cell in sorted(self._shape.columns):
+            name, cell = names[at_cell], cells[at_cell]
             if fault := foreign_digits(cell, at(self._where, line, name)):
                 raise fault
             if _number(cell.strip()) is None or not cell.isascii():
@@ -403,40 +426,30 @@ def first_numbers(source: LogSource, name: str) -> list[list[float]]:
 
 
 def _number(cell: str) -> float | None:
-    if not cell:
+    if is_missing(cell):
         return math.nan
     try:
-        return float(cell) if "_" not in cell else None
+        return float(cell) if "_" not in cell and cell.isascii() else None
     except ValueError:
         return None
 
 
-def header_fault(
-    source: LogSource,
-    required: tuple[str, ...] = LOG_COLUMNS,
-    optional: tuple[str, ...] = FIELD_COLUMNS,
-) -> InputError:
-    """Return the error for a wrong header."""
+def header_fault(source: LogSource) -> InputError:
+    """Return the error for a text that is no log of a known format."""
     name = source.names[0]
     if not source.head(name):
         return not_text(source.where(name))
     line = source.first_line(name)
-    names = column_names(line)
     what = Message("the header is {header!r}", header=line[:80])
-    if line.count(";") >= len(required) - 1:
-        what = Message("the columns are separated by semicolons instead of commas")
-    elif line.count("\t") >= len(required) - 1:
-        what = Message("the columns are separated by tabs instead of commas")
-    elif all(is_number(cell) for cell in names):
+    if all(is_number(cell) for cell in column_names(line)):
         what = Message("there is no header, the file begins with numbers")
-    elif sorted(names) in (sorted(required), sorted(required + optional)):
-        what = Message("the columns are in another order")
-    more = "".join(f",{column}" for column in optional)
-    header = ",".join(required) + (f"[{more}]" if more else "")
     return InputError(
         what,
         where=Message("{file}, line 1", file=source.where(name)),
-        remedy=Message("begin the file with {header}", header=header),
+        remedy=Message(
+            "begin the file with {header}",
+            header=",".join(LOG_COLUMNS) + "[,mx,my,mz]",
+        ),
     )
 
 

@@ -1,16 +1,15 @@
 """What a file is that was given as a log and is none, and what to do with it."""
 
-import re
 import zipfile
 from typing import NamedTuple
 
 from hapticplayer.capture.csv_table import foreign_digits, header_fault, nul_bytes
 from hapticplayer.capture.source import LogSource, is_plain_text
+from hapticplayer.capture.table_layout import unread_columns
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.untrusted import open_regular
 
 _NEW_EXCEL = "xl/"
-_DATE = re.compile(r'^"?(\d{4}-\d\d-\d\d[T ]\d\d:\d\d[^,;\t"]*)', re.MULTILINE)
 _UTF16_SHARE = 0.9
 """Of every second byte that is zero."""
 
@@ -134,11 +133,4 @@ def unknown(source: LogSource) -> InputError:
             remedy="give the log of a motion sensor with --imu LOG",
         )
     head = source.head(source.names[0])
-    if dated := _DATE.search(head):
-        return InputError(
-            "has dates as timestamps ({found})",
-            where=where,
-            remedy="export the times as numbers, in s, ms, us or ns",
-            found=dated[1].strip()[:40],
-        )
-    return foreign_digits(head, where) or header_fault(source)
+    return foreign_digits(head, where) or unread_columns(source) or header_fault(source)

@@ -1,7 +1,8 @@
 """Motion logs as plain CSV: SI units, frame A.
 
-A log is `time_s,ax,ay,az,gx,gy,gz[,mx,my,mz]`: specific force in m/s2 (+9.8 up at
-rest), angular rate in rad/s, magnetic field in uT, frame A (x right, y front, z up).
+A log is `time_s,ax,ay,az,gx,gy,gz[,mx,my,mz]`, in any order and among others: specific
+force in m/s2 (+9.8 up at rest), angular rate in rad/s, magnetic field in uT, frame A (x
+right, y front, z up).
 
 Loggers leave cells empty, repeat rows and swap them: this is repaired if possible, with a
 note (`motion.repair_samples`).
@@ -28,6 +29,8 @@ from hapticplayer.capture.csv_table import (
     Numbers,
     Shape,
     column_names,
+    find_separator,
+    head_lines,
     header_fault,
     read_table,
 )
@@ -78,7 +81,7 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
     put in order; gaps remain.
     """
     source = source if source.is_one_file else source.alone(_logs(source)[0])
-    numbers = _read_strict(source, LOG_COLUMNS, FIELD_COLUMNS)
+    numbers, others = _read_named(source)
     where, values = str(source.path), numbers.values
     for first, unit, known in _UNITS[: len(values[0]) // 3]:
         if given := choices.take(unit):
@@ -115,7 +118,13 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
         imu=imu,
         clock_map=ClockMap(confidence=0.0),
         camera=Message("CSV log"),
-        notes=(*gap_notes(imu), *streams.repeats.notes, *samples.notes, *notes),
+        notes=(
+            *others,
+            *gap_notes(imu),
+            *streams.repeats.notes,
+            *samples.notes,
+            *notes,
+        ),
         provenance={"reader": Message("CSV log"), **streams.repeats.provenance},
     )
     return as_answered(recording, choices)
@@ -156,19 +165,28 @@ def write_imu_csv(path: str | os.PathLike[str], imu: ImuLog) -> None:
         )
 
 
-def _read_strict(
-    source: LogSource,
-    required: tuple[str, ...],
-    optional: tuple[str, ...] = (),
-) -> Numbers:
-    """Return a table with the required columns, and all or none of the optional ones."""
+def _read_named(source: LogSource) -> tuple[Numbers, tuple[str, ...]]:
+    """Return the columns of the log by their names, and notes on others."""
     name = source.names[0]
-    names = column_names(source.first_line(name))
-    if names not in {required, required + optional}:
-        raise header_fault(source, required, optional)
-    columns = tuple(range(len(names)))
-    shape = Shape(len(names), columns, skip_lines=1, names=names)
-    return read_table(source, name, shape)
+    lines = head_lines(source, name)
+    at = next((number for number, line in enumerate(lines) if line.strip()), None)
+    if at is None:
+        raise header_fault(source)
+    separator = find_separator(lines[at])
+    names = column_names(lines[at], separator)
+    wanted: tuple[str, ...] = LOG_COLUMNS
+    if set(FIELD_COLUMNS) <= set(names):
+        wanted += FIELD_COLUMNS
+    if any(names.count(one) != 1 for one in wanted):
+        raise header_fault(source)
+    decimal = "," if separator != "," and "," in "".join(lines[at:]) else "."
+    columns = tuple(names.index(one) for one in wanted)
+    shape = Shape(
+        len(names), columns, separator, decimal, skip_lines=at + 1, names=names
+    )
+    others = [one for one in names if one and one not in wanted]
+    note = Message("not read: the columns {names}", names=", ".join(others)[:120])
+    return read_table(source, name, shape), (note,) if others else ()
 
 
 def _check_rate(rate: Floats, where: str) -> None:

@@ -28,8 +28,8 @@ from hapticplayer.untrusted import FileState, open_regular, resolve_regular
 LogPath = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 """Of a log; several files, such as one for each sensor, are one log together."""
 
-HEAD_BYTES = 16_384
-"""Of a file, to recognise it: tables of many channels have headers of 6 kB."""
+HEAD_BYTES = 65_536
+"""Of a file, to recognise it: flight controllers write all their settings first."""
 
 _SAMPLE_BYTES = 4096
 """Of these, to tell text from binary: damage farther on is left to the reader."""

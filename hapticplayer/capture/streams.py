@@ -138,6 +138,33 @@ def _own_rows(time_s: Floats, part: Floats) -> SensorStream:
     return SensorStream(time_s[held], part[held])
 
 
+_COUNTERS = (2.0**16, 2.0**24, 2.0**32)
+_NEAR = 0.01
+"""Of a counter's turn: how near to both ends it is seen before and after."""
+
+
+def unwrapped(times: Floats, turn: float) -> Floats:
+    """Return times that start again after each turn, continued."""
+    steps, half = np.diff(times), 0.5 * turn
+    turns: Floats = np.cumsum(steps < -half) - np.cumsum(steps > half)
+    return np.concatenate([times[:1], times[1:] + turns * turn])
+
+
+def counted_on(counts: Floats) -> Floats:
+    """Return counts of a clock of 16, 24 or 32 bits, signed or not, continued."""
+    known = counts[np.isfinite(counts)]
+    if not len(known):
+        return counts
+    before, after, low = known[:-1], known[1:], float(known.min())
+    for turn in _COUNTERS:
+        first = -0.5 * turn if low < 0.0 else 0.0
+        is_inside = first <= low and float(known.max()) < first + turn
+        is_last = before >= first + (1.0 - _NEAR) * turn
+        if is_inside and (is_last & (after < first + _NEAR * turn)).any():
+            return unwrapped(counts, turn)
+    return counts
+
+
 class Samples(NamedTuple):
     """Rows of all sensors at common times; NaN where something was missing."""
 

@@ -14,19 +14,23 @@ import numpy as np
 
 from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices
-from hapticplayer.capture.csv_table import Shape, read_table
+from hapticplayer.capture.csv_table import Shape, column_names, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.streams import RawLog, SensorStream
+from hapticplayer.capture.streams import RawLog, SensorStream, counted_on
 from hapticplayer.errors import InputError, Message
 
 _MARKS = ("GYROFLOW IMU LOG", "CAMERA IMU LOG")
 _DEFAULT_TIME_SCALE = 0.001
-_TABLE = ("t", "gx", "gy", "gz", "ax", "ay", "az", "mx", "my", "mz")
+_AXES = (("g", "r"), ("a",), ("m",))
+"""First letters of gyro, accelerometer and magnetometer; some name the rates rx, ry, rz."""
 
 
 def recognises(source: LogSource) -> Confidence:
-    if len(source.names) == 1 and source.first_line(source.names[0]) in _MARKS:
+    if (
+        len(source.names) == 1
+        and source.first_line(source.names[0]).rstrip(",;") in _MARKS
+    ):
         return Confidence.CERTAIN
     return Confidence.NO
 
@@ -35,20 +39,23 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
     """Return the log."""
     name = source.names[0]
     where = source.where(name)
-    header, columns, lines = _header(source, name)
+    header, names, lines = _header(source, name)
+    columns = _columns(names)
     if len(columns) < 7:
         raise InputError(
-            "holds {held} only, no acceleration",
+            "holds {held}; columns of gyro and accelerometer are needed "
+            "(t,gx,gy,gz,ax,ay,az)",
             where=where,
-            remedy="record the accelerometer too",
-            held=",".join(columns),
+            remedy="record both",
+            held=",".join(names)[:80],
         )
-    width = len(columns)
-    wanted = tuple(range(10 if width >= 10 else 7))
-    numbers = read_table(source, name, Shape(width, wanted, skip_lines=lines))
+    shape = Shape(len(names), tuple(columns), skip_lines=lines)
+    numbers = read_table(source, name, shape)
     values = numbers.values
     with np.errstate(all="ignore"):
-        time_s = values[:, 0] * _scale(header, "tscale", where, _DEFAULT_TIME_SCALE)
+        time_s = counted_on(values[:, 0]) * _scale(
+            header, "tscale", where, _DEFAULT_TIME_SCALE
+        )
         rate = values[:, 1:4] * _scale(header, "gscale", where)
         accel = values[:, 4:7] * _scale(header, "ascale", where)
         field = values[:, 7:10] * _scale(header, "mscale", where)
@@ -60,7 +67,7 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
         ),
         accel=SensorStream(time_s, accel),
         rate=SensorStream(time_s, rate),
-        field=SensorStream(time_s, field) if width >= 10 else None,
+        field=SensorStream(time_s, field) if len(columns) >= 10 else None,
         accel_unit="g",
         field_unit="gauss",
         axes_words=Message(
@@ -72,23 +79,35 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
     )
 
 
+def _columns(names: tuple[str, ...]) -> list[int]:
+    """Return the places of the time and of the axes of each sensor, as far as there are."""
+    found = [0]
+    for letters in _AXES:
+        for letter in letters:
+            axes = [letter + axis for axis in "xyz"]
+            if set(axes) <= set(names):
+                found += [names.index(axis) for axis in axes]
+                break
+        else:
+            break
+    return found
+
+
 def _header(
     source: LogSource, name: str
 ) -> tuple[dict[str, str], tuple[str, ...], int]:
-    """Return the keys, the columns and the number of lines before the rows."""
+    """Return the keys, the names of the columns and the lines before the rows."""
     header: dict[str, str] = {}
     for number, line in enumerate(source.head(name).splitlines(), start=1):
-        cells = tuple(cell.strip() for cell in line.split(","))
+        cells = column_names(line)
         if cells[0] in {"t", "time"} and len(cells) > 2:
-            if cells[1:] == _TABLE[1 : len(cells)]:
-                return header, cells, number
-            break
+            return header, cells, number
         if len(cells) >= 2:
             header[cells[0]] = cells[1]
     raise InputError(
-        "has a damaged header: no line t,gx,gy,gz,ax,ay,az",
+        "has no line of the columns (t,gx,gy,gz,ax,ay,az) below its keys",
         where=source.where(name),
-        remedy="export the log again",
+        remedy="export the log again, or write that line above the first row",
     )
 
 

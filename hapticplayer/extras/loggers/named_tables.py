@@ -45,7 +45,7 @@ from hapticplayer.capture.csv_table import (
 )
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.streams import RawLog, split_sensors
+from hapticplayer.capture.streams import RawLog, split_sensors, unwrapped
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 
@@ -200,9 +200,7 @@ def _times(
             )
         step_s = 1.0 / rate_hz
     if layout.wraps_at:
-        steps, half = np.diff(values), 0.5 * layout.wraps_at
-        turns: Floats = np.cumsum(steps < -half) - np.cumsum(steps > half)
-        values[1:] += turns * layout.wraps_at
+        values = unwrapped(values, layout.wraps_at)
     known = values[np.isfinite(values)]
     if layout.is_since_first_row and len(known):
         values -= known[0]

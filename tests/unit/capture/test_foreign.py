@@ -64,7 +64,15 @@ def test_empty_cells_between_quotes_are_holes(tmp_path):
 
 @pytest.mark.parametrize(
     ("separator", "decimal", "quote"),
-    [(",", ".", '"'), (";", ",", '"'), ("\t", ",", ""), (";", ".", "")],
+    [
+        (",", ".", '"'),
+        (",", ",", '"'),
+        (";", ",", '"'),
+        ("\t", ",", ""),
+        (";", ".", ""),
+        ("  ", ".", ""),
+        (" \t", ",", ""),
+    ],
 )
 def test_another_table_may_be_quoted(tmp_path, separator, decimal, quote):
     path = tmp_path / "log.csv"
@@ -88,7 +96,7 @@ def test_empty_last_cells_are_holes(tmp_path, separator):
 
 def test_commas_that_are_decimal_and_separate_are_not_guessed_at(tmp_path):
     path = tmp_path / "log.csv"
-    path.write_text(log("t,a,b,c,d,e,f", decimal=",", quote='"'))
+    path.write_text(log("t,a,b,c,d,e,f", decimal=","))
     with pytest.raises((InputError, UsageError)):
         read_recording(path, CHOICES)
 
@@ -97,8 +105,7 @@ def test_columns_that_a_person_gives_win_over_our_own_header(tmp_path):
     path = tmp_path / "log.csv"
     lines = log().splitlines()
     path.write_text("\n".join([lines[0] + ",temp", *(f"{x},25" for x in lines[1:])]))
-    with pytest.raises(InputError, match="the header is"):
-        read_recording(path)
+    assert "not read: the columns temp" in read_recording(path).notes
     columns = ["columns=time,ax,ay,az,gx,gy,gz,-", "time-unit=s", "accel-unit=m/s2"]
     check(path, parse_choices([*columns, "rate-unit=rad/s"]))
 
@@ -167,19 +174,6 @@ def test_digits_of_another_script_are_named(tmp_path, head, place):
         read_recording(path)
     assert "\u0660" in str(caught.value)
     assert place in str(caught.value)
-
-
-@pytest.mark.parametrize("quote", ["", '"'])
-@pytest.mark.parametrize("between", ["T", " "])
-def test_dates_are_named(tmp_path, quote, between):
-    path = tmp_path / "log.csv"
-    date = f"{quote}2024-05-01{between}12:00:00.000Z{quote}"
-    rows = "".join(f"{date},0,0,9.8,0,0,0\n" for _ in range(50))
-    path.write_text("timestamp,ax,ay,az,gx,gy,gz\n" + rows)
-    with pytest.raises(
-        InputError, match=r"dates as timestamps \(2024-05-01.12:00:00.000Z\)"
-    ):
-        read_recording(path)
 
 
 def test_excel_workbooks_are_named(tmp_path):
