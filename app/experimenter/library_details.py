@@ -33,7 +33,11 @@ from hapticplayer.errors import HapticPlayerError, Message, Progress, message_of
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import remove_track, rename_track
 from hapticplayer.sequence.force_files import ForceFormat, WriteChoices
-from hapticplayer.sequence.force_formats import read_formats, written_formats
+from hapticplayer.sequence.force_formats import (
+    loss_line,
+    read_formats,
+    written_formats,
+)
 from hapticplayer.sequence.force_import import export_force, import_force
 from hapticplayer.sequence.library import Entry
 
@@ -222,7 +226,7 @@ class LibraryDetails(QWidget):
                 choices=WriteChoices(overwrite=True),  # the dialog has asked
                 progress=progress,
             ),
-            lambda cost: self._show_notes([cost_text(form, cost)]),
+            lambda cost: self._show_notes([local(translated(loss_line(cost)))]),
         )
 
     def _ask_name(self) -> None:
@@ -288,15 +292,3 @@ def write_filters() -> dict[str, ForceFormat]:
         f"{translated(one.text).replace('(', '').replace(')', '')} (*{one.suffix})": one
         for one in written_formats().values()
     }
-
-
-def cost_text(form: ForceFormat, cost: dict[str, Any]) -> str:
-    """The losses of a file against its track, and its size."""
-    lines = QCoreApplication.translate("ForceTexts", "{kept}; {rate} kbit/s").format(
-        kept=translated(form.keeps), rate=local(f"{cost['kbit_s']:.3g}")
-    )
-    if cost["error_max_n"] is None:
-        return lines
-    return lines + QCoreApplication.translate(
-        "ForceTexts", "; largest error {error} N"
-    ).format(error=local(f"{cost['error_max_n']:.3f}"))

@@ -16,7 +16,6 @@ from hapticplayer.cli.common import (
 )
 from hapticplayer.cli.force_options import (
     add_writing,
-    cost_text,
     write_choices,
     written_text,
 )
@@ -24,7 +23,11 @@ from hapticplayer.errors import UsageError
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.playback.record_exporters import RECORD_EXPORTERS
 from hapticplayer.sequence.force_files import NOT_MEASURED
-from hapticplayer.sequence.force_formats import format_of, written_formats
+from hapticplayer.sequence.force_formats import (
+    format_of,
+    loss_line,
+    written_formats,
+)
 from hapticplayer.sequence.force_import import export_force
 from hapticplayer.sequence.pack import CONTAINERS
 from hapticplayer.storage import FILE, refuse_existing
@@ -94,7 +97,7 @@ def _export_sequence(options: argparse.Namespace) -> int:
     }
     if cost["is_estimated"]:
         say_aside(f"{options.source}: the force was {NOT_MEASURED}")
-    say(json.dumps(report) if options.json else f"{target}: {cost_text(cost)}")
+    say(json.dumps(report) if options.json else f"{target}: {loss_line(cost)}")
     return 0
 
 

@@ -2,10 +2,9 @@
 
 import argparse
 import math
-from typing import Any
 
 from hapticplayer.cli.common import add_number
-from hapticplayer.errors import UsageError, from_json
+from hapticplayer.errors import UsageError
 from hapticplayer.sequence.force_files import (
     FULL_SCALE_N,
     SAMPLE_RATE_HZ,
@@ -124,19 +123,3 @@ def direction(text: str) -> tuple[float, float, float]:
     if not 1e-6 < size < 1e6:
         raise UsageError(f"--direction must be three numbers X,Y,Z, not {text[:40]!r}")
     return (x / size, y / size, z / size)
-
-
-def cost_text(report: dict[str, Any]) -> str:
-    """Size and largest error of a written file, in one sentence."""
-    size = (
-        f"{report['bytes']} bytes, {report['kbit_s']:.3g} kbit/s "
-        f"({report['kbit_s_compressed']:.3g} compressed; the track: "
-        f"{report['track_kbit_s']:.3g})"
-    )
-    compared = from_json(report["compared"])
-    if report["error_max_n"] is None:
-        return f"{size}; {compared}"
-    return (
-        f"{size}; error RMS {report['error_rms_n']:.4f} N, "
-        f"largest {report['error_max_n']:.4f} N ({compared})"
-    )

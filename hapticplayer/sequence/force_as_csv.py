@@ -9,14 +9,24 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from hapticplayer.errors import Message
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence.force_csv import (
     ESTIMATED_COLUMN,
     FORCE_COLUMNS,
+    force_csv_parts,
     read_force_csv,
 )
-from hapticplayer.sequence.force_files import ForceFile, ReadChoices, WriteChoices
-from hapticplayer.sequence.milliseconds import Ticks, end_ms, pieces
+from hapticplayer.sequence.force_files import (
+    ForceFile,
+    Loss,
+    ReadChoices,
+    WriteChoices,
+)
+from hapticplayer.sequence.milliseconds import Ticks, end_ms, force_loss, pieces
+
+_PIECE_MS = 60_000
+"""Rows are texts in memory for so long."""
 
 _HEAD = ",".join(FORCE_COLUMNS)
 _ESTIMATED_HEAD = f"{_HEAD},{ESTIMATED_COLUMN}"
@@ -33,13 +43,21 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
     return ForceFile(read_force_csv(path, choices.until_s))
 
 
-def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
+def loss(track: ForceTrack, path: Path, choices: WriteChoices) -> Loss:
+    """How a file differs, which is never in memory as a whole."""
+    until_ms = end_ms(track, choices.duration_s)
+    return force_loss(track, force_csv_parts(path), until_ms)
+
+
+def write(
+    track: ForceTrack, out: BinaryIO, choices: WriteChoices
+) -> tuple[Message, ...]:
     """Write a row for each millisecond at which the force changes, and a zero at the end."""
     head, mark = (_ESTIMATED_HEAD, ",1") if track.is_estimated else (_HEAD, "")
     out.write(f"{head}\n".encode())
     before_n = np.full((1, 3), np.nan)
     until_ms = end_ms(track, choices.duration_s)
-    for first, last in pieces(until_ms):
+    for first, last in pieces(until_ms, _PIECE_MS):
         ticks = np.arange(first, last)
         force_n = track.at(ticks / 1000.0).astype(np.float32)
         changed = np.any(np.diff(force_n, axis=0, prepend=before_n) != 0.0, axis=1)
@@ -47,10 +65,10 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
         before_n = force_n[-1:].astype(np.float64)
     if before_n.any():
         out.write(_rows(np.array([max(until_ms, 1)]), np.zeros((1, 3)), mark))
+    return ()
 
 
 def _rows(ticks: Ticks, force_n: NDArray[np.floating], mark: str) -> bytes:
-    return "".join(
-        f"{tick / 1000.0:.3f},{x:.7g},{y:.7g},{z:.7g}{mark}\n"
-        for tick, (x, y, z) in zip(ticks.tolist(), force_n.tolist(), strict=True)
-    ).encode()
+    rows = np.column_stack([ticks / 1000.0, force_n])
+    line = f"%.3f,%.7g,%.7g,%.7g{mark}\n"
+    return (line * len(rows) % tuple(rows.ravel().tolist())).encode()

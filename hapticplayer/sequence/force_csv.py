@@ -17,6 +17,7 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_SAMPLES, refuse_large_force
+from hapticplayer.sequence.force_files import MAX_SECONDS
 from hapticplayer.untrusted import open_regular
 
 FORCE_COLUMNS = ("time_s", "fx_n", "fy_n", "fz_n")
@@ -39,7 +40,7 @@ def read_force_csv(
         until_s: later rows are checked, and only the last one is kept.
     """
     with open_regular(path) as stream:
-        values = _Rows(Path(path), until_s).read(stream)
+        values = np.concatenate(list(_Rows(Path(path), until_s).read(stream)))
     is_estimated = bool(values[:, len(FORCE_COLUMNS) :].any())
     return ForceTrack(
         time_s=values[:, 0],
@@ -48,6 +49,22 @@ def read_force_csv(
         provenance={"source": Path(path).name, "reader": "force csv"}
         | ({"feedback": "estimated"} if is_estimated else {}),
     )
+
+
+def force_csv_parts(path: Path) -> Iterator[tuple[int, ForceTrack]]:
+    """Yield the force in a file in parts, each with the millisecond at which it ends."""
+    before: Floats | None = None
+    with open_regular(path) as stream:
+        for rows in _Rows(path, math.inf).read(stream):
+            held = rows if before is None else np.concatenate([before, rows])
+            yield math.ceil(float(held[-1, 0]) * 1000.0), _held(held)
+            before = rows[-1:]
+    if before is not None:
+        yield round(1000.0 * MAX_SECONDS), _held(before)
+
+
+def _held(rows: Floats) -> ForceTrack:
+    return ForceTrack(rows[:, 0], rows[:, 1:4].astype(np.float32), Reconstruction.HOLD)
 
 
 class _Rows:
@@ -59,18 +76,21 @@ class _Rows:
         self._last = np.empty((0, 0))
         self._count = 0
 
-    def read(self, stream: BinaryIO) -> Floats:
-        """Return time, force and mark of the rows that are kept."""
+    def read(self, stream: BinaryIO) -> Iterator[Floats]:
+        """Yield time, force and mark of the rows that are kept."""
         self._check_header(stream.readline(_MAX_LINE_BYTES))
-        parts = [self._kept(*self._parsed(chunk, n)) for chunk, n in _chunks(stream)]
-        parts = [part for part in parts if len(part)]
+        kept_s = math.nan
+        for chunk, number in _chunks(stream):
+            part = self._kept(*self._parsed(chunk, number))
+            if len(part):
+                kept_s = part[-1, 0]
+                yield part
         if not self._count:
             raise self._fault(
                 None, "", Message("has no rows"), Message("export the force again")
             )
-        if not parts or parts[-1][-1, 0] != self._last[0, 0]:
-            parts.append(self._last)
-        return np.concatenate(parts)
+        if kept_s != self._last[0, 0]:
+            yield self._last
 
     def _check_header(self, line: bytes) -> None:
         text = line.removeprefix(b"\xef\xbb\xbf").decode(errors="replace")

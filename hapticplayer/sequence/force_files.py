@@ -33,6 +33,7 @@ class WriteChoices:
             thins it, at every millisecond of media time.
         sample_rate_hz: of audio.
         funscript_version: "1.0", "1.1" or "2.0".
+        part: of the formats that write several files, what stands before the suffix.
         overwrite: replace a file that this program wrote in the same format.
         with_motion: write the motion of a sequence beside the force.
         motion: that motion.
@@ -42,6 +43,7 @@ class WriteChoices:
     tolerance_n: float = 0.01
     sample_rate_hz: int = 1000
     funscript_version: str = "1.1"
+    part: str = ""
     overwrite: bool = False
     with_motion: bool = False
     motion: MotionTrack | None = None
@@ -107,9 +109,15 @@ def origin(track: ForceTrack) -> str:
     return f"; {NOT_MEASURED}" if track.is_estimated else ""
 
 
-Write = Callable[[ForceTrack, BinaryIO, WriteChoices], None]
+Write = Callable[[ForceTrack, BinaryIO, WriteChoices], tuple[Message, ...]]
+"""Returns what of the track the file leaves out."""
+
 Read = Callable[[Path, ReadChoices], ForceFile]
 MeasureLoss = Callable[[ForceTrack, Path, WriteChoices], Loss]
+
+
+def one_file(_choices: WriteChoices) -> tuple[str, ...]:
+    return ("",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,6 +135,8 @@ class ForceFormat:
         loss: reads a file that was just written and compares it.
         other_suffixes: of files that are read, too.
         takes_motion: motion is written beside the force, if it is given.
+        parts: what stands before the suffix of each file that is written.
+        is_sampled: at the sample rate that is chosen, instead of every millisecond.
     """
 
     name: str
@@ -139,3 +149,5 @@ class ForceFormat:
     loss: MeasureLoss
     other_suffixes: tuple[str, ...] = ()
     takes_motion: bool = False
+    parts: Callable[[WriteChoices], tuple[str, ...]] = one_file
+    is_sampled: bool = False

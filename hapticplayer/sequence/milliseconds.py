@@ -5,7 +5,7 @@ corners at whole milliseconds that has a track's values at all of them is felt a
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,8 @@ Ticks = NDArray[np.int64]
 
 PIECE_MS = 600_000
 """Ten minutes are in memory at a time."""
+
+_COMPARED_MS = 60_000
 
 OF_FORCE = Message("force vector, every millisecond")
 
@@ -77,13 +79,24 @@ def pieces(until_ms: int, size_ms: int = PIECE_MS) -> Iterator[tuple[int, int]]:
         yield first, max(first + 1, min(first + size_ms, until_ms))
 
 
-def force_loss(track: ForceTrack, read: ForceTrack, until_ms: int) -> Loss:
-    """Return how two tracks differ before an end."""
-    squares, largest, count = 0.0, 0.0, 0
-    for first, last in pieces(until_ms, 60_000):
-        at_s = np.arange(first, max(first + 1, min(last, until_ms))) / 1000.0
-        size = np.square(track.at(at_s) - read.at(at_s)).sum(axis=1)
-        squares += float(size.sum())
-        largest = max(largest, float(size.max()))
-        count += len(at_s)
-    return Loss(math.sqrt(squares / count), math.sqrt(largest), OF_FORCE)
+def force_loss(
+    track: ForceTrack, read: Iterable[tuple[int, ForceTrack]], until_ms: int
+) -> Loss:
+    """Return how a track differs from what was read of it.
+
+    Args:
+        track: any.
+        read: parts that follow each other, each with the millisecond at which it ends.
+        until_ms: where the comparison ends.
+    """
+    squares, largest, count, begin = 0.0, 0.0, 0, 0
+    for end, part in read:
+        for first in range(begin, min(end, max(until_ms, 1)), _COMPARED_MS):
+            last = min(first + _COMPARED_MS, end, max(until_ms, 1))
+            at_s = np.arange(first, last) / 1000.0
+            size = np.square(track.at(at_s) - part.at(at_s)).sum(axis=1)
+            squares += float(size.sum())
+            largest = max(largest, float(size.max()))
+            count += len(at_s)
+        begin = max(begin, end)
+    return Loss(math.sqrt(squares / max(count, 1)), math.sqrt(largest), OF_FORCE)

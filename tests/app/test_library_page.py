@@ -175,7 +175,8 @@ def test_a_track_is_exported_and_its_cost_is_told(page, library, wait_for, tmp_p
     (form,) = (one for one in write_filters().values() if one.name == "hjif")
     page.details.export_force(tmp_path / "for others", form)
     wait_for(lambda: "kbit/s" in page.details.notes.text())
-    assert "largest error" in page.details.notes.text()
+    assert "largest 0" in page.details.notes.text()
+    assert "left out: nothing" in page.details.notes.text()
     back = read_force(tmp_path / "for others.hjif").track
     track = open_sequence(library / "a").tracks["realistic"]
     at_s = np.arange(0.0, 0.9, 0.001)

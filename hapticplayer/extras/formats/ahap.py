@@ -37,7 +37,9 @@ def is_ours(head: bytes) -> bool:
     return head.startswith(b'{"Version"') and _MARK in head[:200]
 
 
-def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
+def write(
+    track: ForceTrack, out: BinaryIO, choices: WriteChoices
+) -> tuple[Message, ...]:
     """Write the size of a track's force."""
     refuse_large_force(track.force_n, "ahap")
     until_ms = end_ms(track, choices.duration_s)
@@ -59,6 +61,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
         out.write(between + _json(one))
         between = b","
     out.write(b"]}")
+    return (Message("the direction of the force"),)
 
 
 def _json(value: dict[str, Any]) -> bytes:

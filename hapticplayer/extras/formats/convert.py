@@ -8,7 +8,6 @@ from hapticplayer.cli.common import add_overwrite, interruptible, say, say_aside
 from hapticplayer.cli.force_options import (
     add_reading,
     add_writing,
-    cost_text,
     read_choices,
     read_text,
     write_choices,
@@ -18,6 +17,7 @@ from hapticplayer.errors import to_json
 from hapticplayer.sequence.force_formats import (
     export_track,
     format_of,
+    loss_line,
     read_force,
     read_formats,
     written_formats,
@@ -57,5 +57,5 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         return 0
     for note in found.notes:
         say_aside(note)
-    say(f"{target}: {cost_text(cost)}")
+    say(f"{target}: {loss_line(cost)}")
     return 0

@@ -62,6 +62,7 @@ def force_formats() -> "tuple[ForceFormat, ...]":
             wav.write,
             wav_read.read,
             read_back(wav_read.read),
+            is_sampled=True,
         ),
         ForceFormat(
             "mpegv",
@@ -84,6 +85,7 @@ def force_formats() -> "tuple[ForceFormat, ...]":
             funscript.write,
             funscript.read,
             funscript.no_newtons,
+            parts=funscript.parts,
         ),
         ForceFormat(
             "ahap",

@@ -43,7 +43,7 @@ MAX_ACTIONS = 900_000
 
 _AT_ONCE = 1 << 14  # actions in memory as text
 _AXES = {"L0": (1, 1.0), "L1": (2, -1.0), "L2": (0, -1.0)}
-_CHANNELS = {"stroke": "L0", "surge": "L1", "sway": "L2"}
+_CHANNELS = {"surge": "L1", "sway": "L2"}
 _PARTS = {"": "L0", ".surge": "L1", ".sway": "L2"}
 """What stands before the suffix of a file of version 1.0, and its axis."""
 
@@ -86,20 +86,29 @@ def is_ours(head: bytes) -> bool:
     return head.startswith(b'{"version"') and _MARK in head[:200]
 
 
-def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
-    """Write the excursion of a normal hand; version 1.0 has the axis up alone."""
+def parts(choices: WriteChoices) -> tuple[str, ...]:
+    """What stands before the suffix of the files of a version."""
+    return tuple(_PARTS) if choices.funscript_version == "1.0" else ("",)
+
+
+def write(
+    track: ForceTrack, out: BinaryIO, choices: WriteChoices
+) -> tuple[Message, ...]:
+    """Write the excursion of a normal hand; a file of version 1.0 has one axis."""
     refuse_large_force(track.force_n, "funscript")
     time_s, place_m = travel_m(track, end_ms(track, choices.duration_s) / 1000.0)
+    wanted = [_PARTS[choices.part]] if choices.funscript_version == "1.0" else _AXES
     axes = {
         name: _actions(time_s, 50.0 * sign * place_m[:, column] / REACH_M)
         for name, (column, sign) in _AXES.items()
+        if name in wanted
     }
     _refuse_many(sum(len(at_ms) for at_ms, _ in axes.values()))
     about = {"creator": f"{_MARK.decode()} {__version__}{origin(track)}"}
     head = {"version": choices.funscript_version, "metadata": about}
     out.write(json.dumps(head, separators=(",", ":")).encode().removesuffix(b"}"))
     out.write(b',"actions":')
-    _write_actions(out, *axes.pop("L0"))
+    _write_actions(out, *axes.pop(_PARTS[choices.part]))
     if choices.funscript_version == "1.1":
         heads = [f'{{"id":"{name}","actions":' for name in axes]
         _write_axes(out, ',"axes":[', heads, list(axes.values()), "]")
@@ -108,6 +117,11 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
         heads = [f'"{names[axis]}":{{"actions":' for axis in axes]
         _write_axes(out, ',"channels":{', heads, list(axes.values()), "}")
     out.write(b"}")
+    left_out = [Message("the force in newtons")]
+    if float(np.abs(place_m).max(initial=0.0)) > REACH_M:
+        edge = Message("excursions beyond {reach_mm:g} mm", reach_mm=1000.0 * REACH_M)
+        left_out.append(edge)
+    return tuple(left_out)
 
 
 def no_newtons(_track: ForceTrack, _path: Path, _choices: WriteChoices) -> Loss:

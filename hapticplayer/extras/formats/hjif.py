@@ -14,6 +14,7 @@ import numpy as np
 
 from hapticplayer import __version__
 from hapticplayer.clock import utc_now_iso
+from hapticplayer.errors import Message
 from hapticplayer.extras.formats.thinning import Polyline, thinned
 from hapticplayer.media.clip_info import probe
 from hapticplayer.model import ForceTrack
@@ -32,7 +33,9 @@ def is_ours(head: bytes) -> bool:
     return head.startswith(b'{"version":') and MARK in head[:400]
 
 
-def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
+def write(
+    track: ForceTrack, out: BinaryIO, choices: WriteChoices
+) -> tuple[Message, ...]:
     """Write a track.
 
     The force vector stays within the tolerance: each axis gets its share.
@@ -62,6 +65,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
         _described(channels, scale_n, origin(track)), separators=(",", ":")
     )
     out.write(text.encode())
+    return ()
 
 
 def _described(

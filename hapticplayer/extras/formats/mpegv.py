@@ -12,7 +12,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.formats.mpegv_read import MAX_BYTES, MAX_ROWS, MAX_TAGS
 from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.model.arrays import Floats
@@ -38,7 +38,9 @@ def is_ours(head: bytes) -> bool:
     return _MARK.encode() in head[:200]
 
 
-def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
+def write(
+    track: ForceTrack, out: BinaryIO, choices: WriteChoices
+) -> tuple[Message, ...]:
     """Write a track; each 10 s at the lowest rate that stays within the tolerance."""
     refuse_large_force(track.force_n, "mpegv")
     until_ms = end_ms(track, choices.duration_s)
@@ -60,6 +62,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
         raise InputError(
             "the track is too long for this format", remedy="choose another format"
         )
+    return ()
 
 
 def _forces(

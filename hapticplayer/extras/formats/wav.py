@@ -11,7 +11,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.formats.wav_read import FLOAT, MARK, MAX_SAMPLES
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.limits import refuse_large_force
@@ -24,7 +24,9 @@ def is_ours(head: bytes) -> bool:
     return head.startswith(b"RIFF") and MARK in head[:200]
 
 
-def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
+def write(
+    track: ForceTrack, out: BinaryIO, choices: WriteChoices
+) -> tuple[Message, ...]:
     """Write a track; its lines and steps are sampled."""
     refuse_large_force(track.force_n, "wav")
     scale_n = max(0.01, math.ceil(float(np.abs(track.force_n).max()) * 1000.0) / 1000.0)
@@ -47,6 +49,7 @@ def write(track: ForceTrack, out: BinaryIO, choices: WriteChoices) -> None:
     for first, last in pieces(count, 1 << 18):
         at_s = np.arange(first, last) / rate
         out.write((track.at(at_s) / scale_n).astype("<f4").tobytes())
+    return ()
 
 
 def _chunk(name: bytes, content: bytes) -> bytes:

@@ -1,18 +1,23 @@
 """Every format of the registry: there and back within the error that it states."""
 
+import tracemalloc
+import zlib
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hapticplayer.errors import InputError, UsageError
+from hapticplayer.errors import InputError, UsageError, from_json
 from hapticplayer.extras.formats import thinning
 from hapticplayer.model import ForceTrack, Reconstruction
+from hapticplayer.sequence import force_formats as force_formats_module
 from hapticplayer.sequence.force_files import ReadChoices, WriteChoices
 from hapticplayer.sequence.force_formats import (
     export_track,
     force_formats,
     format_of,
+    loss_line,
     read_force,
     read_formats,
     written_formats,
@@ -193,6 +198,76 @@ def test_forces_beyond_any_device_are_refused(name, tmp_path):
     with pytest.raises(InputError, match="beyond any device"):
         there_and_back(name, track, tmp_path, 1.0)
     assert not list(tmp_path.iterdir())
+
+
+LEFT_OUT = {
+    "funscript": ["the force in newtons"],
+    "ahap": ["the direction of the force"],
+}
+
+
+@pytest.mark.parametrize("name", written_formats())
+def test_every_export_says_what_it_leaves_out(name, tmp_path):
+    rows = [[0, 0, 0], [0, 1, 0], [0, 0, 0], [0, 1, 0], [0, 0, 0]]
+    track = ForceTrack([-1.0, -0.5, 0.5, 0.5005, 2.0], rows)
+    path = tmp_path / f"track{force_formats()[name].suffix}"
+    report = export_track(track, path, force_formats()[name], WriteChoices(1.0))
+    always = ["the force before 0 s", "the force after the end of the clip (1.000 s)"]
+    always.append("what changes within a millisecond")
+    said = [str(from_json(one)) for one in report["left_out"]]
+    assert said == always + LEFT_OUT.get(name, [])
+    line = str(loss_line(report))
+    assert f"left out: {', '.join(said)}" in line
+    assert str(force_formats()[name].keeps) in line
+
+
+@pytest.mark.parametrize("name", BOTH_WAYS)
+def test_an_export_of_all_leaves_nothing_out(name, tmp_path):
+    track = ForceTrack([0.0, 0.5, 1.0], [[0, 0, 0], [1, 2, 3], [0, 0, 0]])
+    path = tmp_path / f"track{force_formats()[name].suffix}"
+    report = export_track(track, path, force_formats()[name], WriteChoices(1.0))
+    assert report["left_out"] == []
+    assert str(loss_line(report)).endswith("left out: nothing")
+
+
+@pytest.mark.parametrize(("rate", "is_said"), [(1000, True), (8000, False)])
+def test_a_faster_wav_keeps_what_is_within_a_millisecond(tmp_path, rate, is_said):
+    track, form = SPECIAL["faster than the loop"], force_formats()["wav"]
+    choices = WriteChoices(sample_rate_hz=rate)
+    report = export_track(track, tmp_path / "a.wav", form, choices)
+    assert bool(report["left_out"]) is is_said
+
+
+def test_a_long_file_is_compressed_in_parts(tmp_path, monkeypatch):
+    monkeypatch.setattr(force_formats_module, "_CHUNK_BYTES", 1 << 12)
+    time_s = np.arange(12_000) / 200.0
+    track = ForceTrack(time_s, np.sin(np.outer(time_s, [7.0, 11.0, 13.0])))
+    report = export_track(
+        track, tmp_path / "a.csv", force_formats()["csv"], WriteChoices()
+    )
+    whole = len(zlib.compress((tmp_path / "a.csv").read_bytes(), 9))
+    found = report["kbit_s_compressed"] / report["kbit_s"] * report["bytes"]
+    assert found == pytest.approx(whole, rel=0.2)
+
+
+def test_a_long_table_takes_no_more_memory_than_a_short_one(tmp_path, monkeypatch):
+    monkeypatch.setattr("hapticplayer.sequence.force_csv.CHUNK_BYTES", 1 << 17)
+    monkeypatch.setattr("hapticplayer.sequence.force_as_csv._PIECE_MS", 5_000)
+    monkeypatch.setattr("hapticplayer.sequence.milliseconds._COMPARED_MS", 5_000)
+    peaks = []
+    for seconds in (60, 240):
+        time_s = np.arange(200 * seconds) / 200.0
+        track = ForceTrack(time_s, np.sin(np.outer(time_s, [7.0, 11.0, 13.0])))
+        path = tmp_path / f"{seconds}.csv"
+        tracemalloc.start()
+        try:
+            report = export_track(track, path, force_formats()["csv"], WriteChoices())
+            peaks.append(tracemalloc.get_traced_memory()[1])
+        finally:
+            tracemalloc.stop()
+        assert report["error_max_n"] < 1e-6
+        assert path.stat().st_size > 30_000 * seconds
+    assert peaks[1] < peaks[0] + 3_000_000  # four times the rows: 6 MB of text more
 
 
 def test_a_format_is_known_by_its_suffix_or_its_name(tmp_path):

@@ -4,6 +4,7 @@ import json
 import math
 import re
 import struct
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from hapticplayer.sequence.force_files import ReadChoices, WriteChoices
 from hapticplayer.sequence.force_formats import (
     export_track,
     force_formats,
+    loss_line,
     read_force,
 )
 
@@ -593,6 +595,52 @@ def test_a_funscript_holds_the_excursion_of_a_hand(written, version):
         surge = content["channels"]["surge"]["actions"]
         assert max(one["pos"] for one in surge) > 54  # forward is away from the user
     assert ("axes" in content) == (version == "1.1")
+
+
+def test_a_script_of_version_1_0_is_a_file_for_each_axis(tmp_path):
+    push = ForceTrack([0.0, 2.0], [[-1, 2, -2], [0, 0, 0]], Reconstruction.HOLD)
+    form, path = force_formats()["funscript"], tmp_path / "ride.funscript"
+    choices = WriteChoices(duration_s=3.0, funscript_version="1.0")
+    report = export_track(push, path, form, choices)
+    names = ["ride.funscript", "ride.surge.funscript", "ride.sway.funscript"]
+    assert sorted(one.name for one in tmp_path.iterdir()) == sorted(names)
+    assert report["beside"] == names[1:]
+    assert report["bytes"] == sum(one.stat().st_size for one in tmp_path.iterdir())
+    assert "the other axes are in ride.surge.funscript" in str(loss_line(report))
+    time_s, place_m = travel_m(push, 3.0)
+    for name, column, sign in zip(names, (1, 2, 0), (1, -1, -1), strict=True):
+        content = json.loads((tmp_path / name).read_text())
+        assert content.keys() == {"version", "metadata", "actions"}
+        exact = 50 + 50 * sign * place_m[:, column] / 0.04
+        there = positions(content["actions"], time_s)
+        assert there.max() > 51.0
+        np.testing.assert_allclose(there, exact, atol=1.0)
+    with pytest.raises(InputError, match="exists"):
+        export_track(push, path, form, choices)
+    export_track(push, path, form, replace(choices, overwrite=True))
+
+
+def test_a_version_1_0_is_read_like_a_version_1_1(written, tmp_path):
+    push = ForceTrack([0.0, 2.0], [[-1, 2, -2], [0, 0, 0]], Reconstruction.HOLD)
+    one = read_force(written("funscript", push, duration_s=3.0))
+    path, form = tmp_path / "ride.funscript", force_formats()["funscript"]
+    export_track(push, path, form, WriteChoices(3.0, funscript_version="1.0"))
+    three = read_force(path)
+    np.testing.assert_array_equal(three.track.force_n, one.track.force_n)
+    assert "ride.surge.funscript beside it was read" in str(three.assumed[1])
+    (tmp_path / "ride.sway.funscript").unlink()
+    two = read_force(path).track
+    assert not two.force_n[:, 0].any()
+    assert two.force_n[:, 2].any()
+
+
+def test_one_of_the_files_that_is_in_the_way_is_kept(tmp_path):
+    (tmp_path / "ride.sway.funscript").write_text("dear")
+    choices = WriteChoices(funscript_version="1.0", overwrite=True)
+    form = force_formats()["funscript"]
+    with pytest.raises(InputError, match="sway"):
+        export_track(RAMP, tmp_path / "ride.funscript", form, choices)
+    assert [one.name for one in tmp_path.iterdir()] == ["ride.sway.funscript"]
 
 
 def test_the_excursion_is_the_one_that_is_predicted():
