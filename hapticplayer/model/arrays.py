@@ -28,10 +28,7 @@ def frozen(
         dtype: element type of the result.
     """
     array: NDArray[Any]
-    if _is_frozen(values, dtype):
-        array = values
-    else:
-        array = np.array(values, dtype=dtype, order="C")
+    array = values if _is_frozen(values, dtype) else _converted(values, name, dtype)
     if array.ndim != len(shape) or any(
         want is not None and got != want
         for got, want in zip(array.shape, shape, strict=True)
@@ -50,6 +47,19 @@ def frozen(
             "{name} holds a value that is not finite in row {row}", name=name, row=row
         )
     array.setflags(write=False)
+    return array
+
+
+def _converted(values: ArrayLike, name: str, dtype: Any) -> NDArray[Any]:
+    """Return a copy of real numbers; of complex ones numpy would drop a part."""
+    kind = values.dtype.kind if isinstance(values, np.ndarray) else "f"
+    try:
+        with np.errstate(over="ignore"):  # what does not fit is refused as infinite
+            array = np.array(values, dtype=dtype, order="C") if kind in "biuf" else None
+    except (TypeError, ValueError, OverflowError):
+        array = None
+    if array is None:
+        raise InputError("{name} must hold real numbers", name=name)
     return array
 
 

@@ -14,6 +14,9 @@ from hapticplayer.errors import Message, SequenceError
 from hapticplayer.untrusted import open_regular
 
 MAX_ARRAYS_BYTES = 2 << 30
+_KINDS = "biufU"
+"""Numbers, flags and names; of a complex number numpy would drop a part."""
+
 _IMPORT_AGAIN = Message("import it again")
 _DAMAGED = (
     ValueError,
@@ -54,10 +57,15 @@ def arrays_in(
             raise SequenceError("is too large", where=where)
         reader.seek(0)
         with np.load(reader, allow_pickle=False) as archive:
-            return {name: archive[name] for name in archive.files}
+            found = {name: archive[name] for name in archive.files}
     except OSError as problem:
         what = Message("cannot be read ({reason})", reason=problem)
         raise SequenceError(what, where=where, remedy=_IMPORT_AGAIN) from problem
     except _DAMAGED as problem:
         what = Message("is damaged ({reason})", reason=problem)
         raise SequenceError(what, where=where, remedy=_IMPORT_AGAIN) from problem
+    for name, array in found.items():
+        if array.dtype.kind not in _KINDS:
+            what = Message("{name} must hold real numbers", name=name)
+            raise SequenceError(what, where=where, remedy=_IMPORT_AGAIN)
+    return found

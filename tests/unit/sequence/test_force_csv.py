@@ -55,6 +55,8 @@ def test_a_dense_force_track_keeps_what_the_loop_takes(tmp_path, monkeypatch):
     ("line", "sentence"),
     [("0.1,1,0,0", "line 3002, column time_s: the time decreases"),
      ("3,nan,0,0", "line 3002, column fx_n"), ("3,x,0,0", "line 3002, column fx_n"),
+     ("3,1+2j,0,0", "line 3002, column fx_n"), ("3,1_0,0,0", "line 3002, column fx_n"),
+     ("3,1e400,0,0", "line 3002, column fx_n"), ("3,0x10,0,0", "line 3002, column fx_n"),
      ("3,1e9,0,0", "force of 1e\\+09 N")],
 )  # fmt: skip
 def test_rows_after_the_clip_are_checked(tmp_path, monkeypatch, line, sentence):

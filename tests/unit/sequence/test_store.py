@@ -223,6 +223,21 @@ def test_pickled_objects_are_never_loaded(tmp_path):
         read_arrays(path)
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("kind", [complex, "U8", "S8", "M8[s]", "m8[s]", "f4,f4"])
+@pytest.mark.parametrize("field", ["time_s", "force_n"])
+def test_force_that_is_not_of_real_numbers_is_refused(sequence_folder, kind, field):
+    path = sequence_folder / "force_realistic.npz"
+    with np.load(path) as held:
+        made = {name: held[name] for name in held.files}
+    made[field] = np.zeros(made[field].shape, dtype=kind)
+    np.savez(path, **made)
+    entry = {"sha256": storage.sha256_of(path), "size_bytes": path.stat().st_size}
+    edit(sequence_folder, lambda content: content["files"].update({path.name: entry}))
+    with pytest.raises(SequenceError, match=f"{field} must hold real numbers"):
+        open_sequence(sequence_folder)
+
+
 def test_an_archive_that_would_explode_is_not_unpacked(tmp_path, monkeypatch):
     monkeypatch.setattr(arrays, "MAX_ARRAYS_BYTES", 1 << 20)
     path = tmp_path / "bomb.npz"
