@@ -111,14 +111,14 @@ class Report:
         command: that was typed.
         figures: for the result file, next to the targets.
         targets: what was asked of which figure, and whether it was met.
-        marked: tables for the documents, by mark.
+        tables: those that documents show, by name: a header and rows.
     """
 
     name: str
     command: str = ""
     figures: dict[str, Any] = field(default_factory=dict)
     targets: list[dict[str, Any]] = field(default_factory=list)
-    marked: dict[str, str] = field(default_factory=dict)
+    tables: dict[str, list[list[str]]] = field(default_factory=dict)
 
     def table(
         self,
@@ -133,14 +133,12 @@ class Report:
             title: above it.
             header: names of the columns.
             rows: of cells.
-            mark: of the place in the documents that it is written to, see `_refresh`.
+            mark: its name in the result, for documents.
         """
         texts = [[_cell(cell) for cell in row] for row in rows]
         print(f"\n{title}\n{table(list(header), texts)}", flush=True)
         if mark:
-            lines = ["| " + " | ".join(row) + " |" for row in [list(header), *texts]]
-            lines.insert(1, "|" + "---|" * len(header))
-            self.marked[mark] = "\n".join(lines)
+            self.tables[mark] = [list(header), *texts]
 
     def target(self, what: str, value: float, bound: tuple[str, float]) -> None:
         """Note what is asked of a figure: `("<=", 0.9)` or `(">=", 3)`."""
@@ -164,8 +162,6 @@ class Report:
             print(f"{len(self.targets) - len(missed)} of {len(self.targets)} met")
         if folder is not None:
             print(f"saved {self.save(folder)}")
-        if folder == RESULTS:
-            _refresh(self.marked)
         return int(bool(missed))
 
     def save(self, folder: Path) -> Path:
@@ -182,22 +178,11 @@ class Report:
             "machine": machine(),
             "targets": self.targets,
             **self.figures,
+            **({"tables": self.tables} if self.tables else {}),
         }
         path = folder / f"{self.name}.json"
         path.write_text(json.dumps(plain(content), indent=1) + "\n", encoding="utf-8")
         return path
-
-
-def _refresh(tables: Mapping[str, str]) -> None:
-    """Write tables where documents mark a place: `<!-- NAME: begin -->`, `... end`."""
-    for page in (ROOT / "docs" / "numerics.md", ROOT / "docs" / "performance.md"):
-        text = page.read_text(encoding="utf-8")
-        for name, lines in tables.items():
-            begin, end = (f"<!-- {name}: {word} -->" for word in ("begin", "end"))
-            if begin in text and end in text:
-                before, _, rest = text.partition(begin)
-                text = f"{before}{begin}\n{lines}\n{end}{rest.partition(end)[2]}"
-        page.write_text(text, encoding="utf-8")
 
 
 def machine() -> dict[str, Any]:

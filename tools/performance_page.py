@@ -156,7 +156,7 @@ def summary() -> Table:
             f"[`{command}`](../benchmarks/results/{name}.json)",
             *described[" ".join(command.split()[:2])],
             f"{sum(met)} of {len(met)}" if met else "none",
-            found["date"],
+            date_of(found),
             found["machine"].get("processor", "virtual machine"),
         ])  # fmt: skip
     return ["benchmark", "measures", "against", "targets met", "date", "machine"], rows
@@ -178,6 +178,15 @@ def _command(found: dict[str, Any]) -> str:
     return str(found["command"]).removeprefix("python -m benchmarks.")
 
 
+def date_of(found: dict[str, Any]) -> str:
+    return str(found["date"])
+
+
+def lines_of(head: list[str], rows: list[list[Any]]) -> str:
+    """A table as a document has it."""
+    return "\n".join([_line(head), "|" + "---|" * len(head), *map(_line, rows)])
+
+
 def _line(cells: Iterable[Any]) -> str:
     return "| " + " | ".join(_cell(cell) for cell in cells) + " |"
 
@@ -195,11 +204,7 @@ def page() -> str:
     tables = {"summary": summary(), "missed": missed()}
     for name, make in TABLES.items():
         tables[name] = make(result(RESULTS / f"{name}.json"))
-    text = {
-        name: "\n".join([_line(head), "|" + "---|" * len(head), *map(_line, rows)])
-        for name, (head, rows) in tables.items()
-    }
-    return TEXT.format(**text)
+    return TEXT.format(**{name: lines_of(*table) for name, table in tables.items()})
 
 
 if __name__ == "__main__":

@@ -172,9 +172,6 @@ def draw_thinning(path: Path) -> None:
         errors = [1000.0 * row["rdp_rms_n"] for row in rows]
         both[0].plot(errors, theirs, ":", color=colour)
     both[0].plot([], [], "k:", label="Ramer-Douglas-Peucker")
-    for name, kbit_s, rms_n in result("formats")["published"]:
-        label = f"{name}, published tools, another clip"
-        both[0].plot([1000.0 * rms_n], [kbit_s], "kx", label=label)
     both[0].set_xscale("log")
     both[0].set_xlabel("RMS error, mN")
     both[1].set_xlabel("RMS of what exceeds 8 % and 30 mN, mN")

@@ -3,7 +3,8 @@
     python -m tools.tables            # writes what has changed
     python -m tools.tables --check    # names what has, exit status 1
 
-A table stands between `<!-- table: NAME -->` and `<!-- end of table -->`.
+A table stands between `<!-- table: NAME -->` and `<!-- end of table -->`; a figure that a
+benchmark measured between `<!-- figure: RESULT, TARGET -->` and `<!-- end -->`.
 """
 
 import argparse
@@ -29,11 +30,13 @@ from hapticplayer.sequence.presets import PRESETS
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.study_export import study_exporters
 from tools.media_tried import rows as media_tried_rows
+from tools.performance_page import RESULTS, result
 
 ROOT = Path(__file__).resolve().parents[1]
 MARKED = re.compile(
     r"(?<=<!-- table: )([\w-]+)( -->\n).*?(?=<!-- end of table -->)", re.DOTALL
 )
+FIGURE = re.compile(r"(<!-- figure: ([\w-]+), ([^>]+) -->)[^<]*(?=<!-- end -->)")
 Row = Iterable[object]
 
 
@@ -265,6 +268,41 @@ def _argument(action: argparse.Action) -> str:
     return action.dest.upper()
 
 
+def figure(name: str, what: str) -> str:
+    """What a benchmark measured, by its result's file and the words of the target."""
+    targets = result(RESULTS / f"{name}.json")["targets"]
+    (value,) = (one["measured"] for one in targets if one["what"] == what)
+    return rounded(value) if isinstance(value, float) else str(value)
+
+
+def rounded(value: float) -> str:
+    """Two digits that count."""
+    return f"{float(f'{value:.2g}'):g}"
+
+
+def format_costs() -> str:
+    """Size, error and time of each format of force."""
+    costs = result(RESULTS / "formats.json")["costs"]
+
+    def cell(value: float | None, unit: float = 1.0) -> str:
+        return "" if value is None else rounded(unit * value)
+
+    rows = []
+    for name in next(iter(costs.values())):
+        each = [of[name] for of in costs.values()]
+        sizes = [
+            f"{rounded(of['kbit_s'])} ({rounded(of['kbit_s_compressed'])})"
+            for of in each
+        ]
+        errors = [of["error_max_n"] for of in each if of["error_max_n"] is not None]
+        first = each[0]
+        times = (cell(first[f"{way}_s_min"], 1000.0) for way in ("write", "read"))
+        largest = cell(max(errors)) if errors else ""
+        rows.append([f"`{name}`", *sizes, largest, *times])
+    head = ["format", *costs, "error, N", "write, ms", "read, ms"]
+    return table(" | ".join(head), rows)
+
+
 TABLES: dict[str, Callable[[], str]] = {
     one.__name__.replace("_", "-"): one
     for one in (
@@ -279,6 +317,7 @@ TABLES: dict[str, Callable[[], str]] = {
         statistics,
         study_exports,
         force_formats,
+        format_costs,
         devices,
         rig_signs,
         window_commands,
@@ -289,7 +328,8 @@ TABLES: dict[str, Callable[[], str]] = {
 
 def filled(text: str) -> str:
     """A document with its tables made anew."""
-    return MARKED.sub(lambda found: f"{found[1]}{found[2]}{TABLES[found[1]]()}", text)
+    text = MARKED.sub(lambda found: f"{found[1]}{found[2]}{TABLES[found[1]]()}", text)
+    return FIGURE.sub(lambda found: f"{found[1]}{figure(found[2], found[3])}", text)
 
 
 def changed_documents() -> dict[Path, str]:

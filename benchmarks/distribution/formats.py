@@ -36,10 +36,6 @@ RIDES = ("bike", "car-turning", "horse")
 SECONDS, MOST_FELT_N = 60.0, 0.01
 TOLERANCES_N = (0.001, 0.003, 0.01, 0.03, 0.06, 0.1, 0.2)
 SHARE, LEAST_N = 0.08, 0.03
-PUBLISHED = (
-    ["hjif, reference", 280.0, 30.0, "-", "-", "-", "-"],
-    ["hmpg, reference", 18.2, "-", 0.015, 0.11, "-", "-"],
-)
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -65,18 +61,12 @@ def run(options: argparse.Namespace, report: Report) -> None:
     header += ["write s/min", "read s/min"]
     for name, each in costs.items():
         rows = [[kind, *one.values()] for kind, one in each.items()]
-        published = PUBLISHED if name == "karma" else ()
-        report.table(name, header, [*rows, *published])
+        report.table(name, header, rows)
         for kind in ("hjif", "mpegv", "ahap"):
             largest = each[kind]["error_max_n"]
             report.target(f"{kind}, {name}: largest N", largest, ("<=", 0.01002))
     thinned = {name: thinning(track) for name, track in tracks.items()}
-    published = [
-        [name.partition(",")[0], kbit_s, rms_n]
-        for name, kbit_s, _, rms_n, *_ in PUBLISHED
-        if rms_n != "-"
-    ]
-    report.figures |= {"costs": costs, "thinning": thinned, "published": published}
+    report.figures |= {"costs": costs, "thinning": thinned}
     columns = ["tolerance N", "ours kbit/s", "RDP kbit/s", "RMS N"]
     columns += ["RDP RMS N", "felt RMS N"]
     for name, rows in thinned.items():

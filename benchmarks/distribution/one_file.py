@@ -96,10 +96,11 @@ def _sizes(mkv: Path, payload_bytes: int, seconds: float) -> dict[str, Any]:
 
 def _accepted(mkv: Path, mp4: Path, report: Report) -> None:
     """Let every program that is here read both files."""
-    rows, refused = [], 0
+    rows, refused, absent = [], 0, 0
     for name, (words, says) in _TOOLS.items():
         if shutil.which(words[0]) is None:
             rows.append([name, "not installed", ""])
+            absent += 1
             continue
         answers = [_read_by(name, words, mkv, says)]
         if name != "mkvinfo":  # it reads no MP4
@@ -108,6 +109,7 @@ def _accepted(mkv: Path, mp4: Path, report: Report) -> None:
         rows.append([name, *answers, "-"][:3])
     report.table("Accepted by", ["program", "MKV", "MP4"], rows)
     report.target("files that a program complains about", refused, ("<=", 0))
+    report.target("programs that were not there", absent, ("<=", 0))
     report.figures["accepted"] = rows
 
 
@@ -161,12 +163,14 @@ def _shown_by_vlc(clip: Path, mkv: Path, mp4: Path, report: Report) -> None:
     """Compare the first frames that VLC shows with what FFmpeg decodes of the source."""
     if shutil.which("vlc") is None:
         report.figures["VLC"] = "not installed"
+        report.target("VLC was not there", 1, ("<=", 0))
         return
     expected = _once(_hashes(clip, "framehash", "-pix_fmt", "yuv420p"))
     rows, wrong = [], 0
     shown, usual = _frames_of_vlc(clip, mkv.parent)
     if not shown:
         report.figures["VLC"] = "does not show the source"
+        report.target("VLC shows no clip here", 1, ("<=", 0))
         print("VLC does not show the source: it may lack its plugins")
         return
     for path in (mkv, mp4):

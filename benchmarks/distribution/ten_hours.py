@@ -27,7 +27,7 @@ from hapticplayer.sequence.force_formats import (
     written_formats,
 )
 
-HOURS, MOST_MB = 10.0, 512.0
+HOURS, MOST_MB = 10.0, 350.0
 MOST_BESIDE_MB = 100.0
 
 

@@ -36,7 +36,7 @@ from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.sequence.pack import pack
 
-MOST_LATER_MS, MOST_SEEK_LATER_MS, MOST_ROUND_TRIPS = 1000.0, 20.0, 1.5
+MOST_LATER_MS, MOST_SEEK_LATER_MS, MOST_ROUND_TRIPS = 200.0, 20.0, 1.5
 ROUND_TRIP_S = 0.05
 QUIET_S = 0.2
 """After a seek: what one fetches ahead then does not slow the next one down."""

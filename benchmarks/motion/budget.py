@@ -426,7 +426,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
         rows.append(["chain", f"{chain}: not of one cause", *rest])
     title = "RMS error of the force by its cause, mN"
     header = ["group", "cause", *rides]
-    report.table(title, header, rows, mark="budget")
+    report.table(title, header, rows)
     report.figures |= {"rms_mn": figures, "stacks": STACKS}
     scenes = QUICK_SCENES if options.quick else tuple(MOTION_SCENES)
     compare_reconstructions(scenes, seeds, report)

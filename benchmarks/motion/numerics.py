@@ -248,7 +248,7 @@ def changes(
         for key, found in figures.items()
     ]
     title = f"RMS change of the gravity when a recording is {text}, m/s^2"
-    report.table(title, ["recordings", *kinds], rows, mark=mark)
+    report.table(title, ["recordings", *kinds], rows)
     report.figures[mark] = figures
 
 
@@ -372,7 +372,7 @@ def conditions(families: Sequence[Family], lengths_s: Any, report: Report) -> No
         "Condition numbers of the smoother's last problem in one block, worst recording, "
         "and the largest error of gravity by rounding, m/s^2"
     )
-    report.table(title, ["recordings", *_HEADER], rows, mark="condition")
+    report.table(title, ["recordings", *_HEADER], rows)
     report.figures["condition"] = rows
 
 
@@ -403,5 +403,5 @@ def long_run(report: Report) -> None:
         "middle and last hundredth, deg, and the largest error of a quaternion's norm"
     )
     header = ["method", "first", "middle", "last", "norm"]
-    report.table(title, header, rows, mark="long")
+    report.table(title, header, rows)
     report.figures["long"] = rows

@@ -172,7 +172,7 @@ def by_family(families: Sequence[Family], rounds: int, report: Report) -> None:
         report.target(what, found["gravity"].ratio.median, limit)
     header = ["recordings", REFERENCE, "orientation", "ratio", "gravity", "ratio"]
     title = f"Run time, us per sample: {DEFAULT_METHOD} by both functions, the others"
-    report.table(title, [*header, *others], rows, mark="time")
+    report.table(title, [*header, *others], rows)
 
 
 def by_length(lengths_s: Sequence[float], rounds: int, report: Report) -> None:
@@ -203,7 +203,7 @@ def by_length(lengths_s: Sequence[float], rounds: int, report: Report) -> None:
     title = (
         "Length of a recording (simulated, hand-held): remove_gravity, us per sample"
     )
-    report.table(title, header, rows, mark="length")
+    report.table(title, header, rows)
     report.figures["length"] = {"columns": header, "rows": rows}
     longest = [row for row in rows if row[1] == f"{lengths_s[-1] / 60:g} min"]
     peak = max(float(row[-1]) for row in longest)
@@ -232,7 +232,7 @@ def shortcuts(families: Sequence[Family], rounds: int, report: Report) -> None:
     found = time_rounds(contenders, rounds, "hand-held")
     rows = [[n, f"{t.us:.3f}", f"{t.ratio.median:.2f}"] for n, t in found.items()]
     title = f"Stationary recordings are decimated: {DEFAULT_METHOD}, us per sample"
-    report.table(title, ["scene", "us", "of hand-held"], rows, mark="skip shortcuts")
+    report.table(title, ["scene", "us", "of hand-held"], rows)
     with_field = [
         recording.imu
         for family in families
@@ -256,7 +256,7 @@ def shortcuts(families: Sequence[Family], rounds: int, report: Report) -> None:
     if rows:
         header = ["method", "without heading", "with", "saved"]
         title = "No magnetometer work without heading=True, us per sample"
-        report.table(title, header, rows, mark="skip magnetometer")
+        report.table(title, header, rows)
 
 
 def _oriented(method: str, *, heading: bool) -> Callable[[ImuLog], object]:

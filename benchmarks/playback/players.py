@@ -1,8 +1,8 @@
 """CPU and memory of playing 30 s of a moving clip with sound, beside mpv and ffplay.
 
-Same window size (the whole screen under Xvfb), same null sink; from start to exit. The
-loop, its guard and the simulated device are measured apart; again with the live
-plots on, in a window. `720p30` has 20 Mbit/s of grain, where decoding is nearly all
+Same window size (the whole screen under Xvfb), same null sink; from start to exit. CPU is
+that of all processes, with the loop, its guard and the simulated device, which are also
+told apart; again with the live plots on, in a window. `720p30` has 20 Mbit/s of grain, where decoding is nearly all
 there is; the others scroll at usual bit rates. Start to first frame: until a pixel of
 the X server's memory has its colour. `--memory 20` plays looped, us and mpv side by
 side, and fits a line to the memory in so many minutes after the first five.
@@ -231,7 +231,7 @@ def show(
         middle = medians(rounds)
         cpu, memory = (
             ratio([r[key] for r in rounds], [r[key] for r in found[THEM]])
-            for key in ("player_s", "peak_mb")
+            for key in ("total_s", "peak_mb")
         )
         figures[player] = {**middle, "cpu_ratio": cpu, "memory_ratio": memory}
         cells = [middle.get(key, "-") for key in keys]

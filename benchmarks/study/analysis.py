@@ -35,7 +35,7 @@ from hapticplayer.study.creation import create_study
 from hapticplayer.study.study_folder import SESSIONS, open_study
 
 _AT_ONCE = int(SIMULATED_PARTICIPANTS.largest)
-TARGETS_S = {15: 5.0, 200: 20.0, 1000: 120.0}
+TARGETS_S = {15: 5.0, 200: 8.0, 1000: 15.0}
 _MOST_FOR_REFERENCE = 200  # 4 min of a core for one variance of 1000
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tools import performance_page, tables
+from tools import numerics_page, performance_page, tables
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").glob("*.md"))]
@@ -16,6 +16,10 @@ FENCED = re.compile(r"^( *)```.*?^\1```", re.DOTALL | re.MULTILINE)
 TABLE_LINE = re.compile(r"^(?:\||<!--).*$", re.MULTILINE)
 ITEM = re.compile(r"^ *(?:[-*]|\d+\.) ", re.MULTILINE)
 CELL_END = re.compile(r"(?<!\\)\|")
+TYPED = re.compile(r"\b\d+\.\d+ ?(?:us|ms|s|mN|N|MB|kbit/s|%|times)\b")
+"""As measured figures look: the conditions of a benchmark are whole numbers."""
+WRITTEN = (performance_page.PAGE, numerics_page.PAGE)
+"""Whole pages that a tool writes from results."""
 
 
 def prose(page):
@@ -32,9 +36,27 @@ def test_tables_of_documents_are_current():
     assert not changed, "run: python -m tools.tables"
 
 
-def test_page_of_results_is_current():
-    page = performance_page.PAGE.read_text(encoding="utf-8")
-    assert page == performance_page.page(), "run: python -m tools.performance_page"
+@pytest.mark.parametrize("tool", [performance_page, numerics_page])
+def test_pages_of_results_are_current(tool):
+    page = tool.PAGE.read_text(encoding="utf-8")
+    assert page == tool.page(), f"run: python -m {tool.__name__}"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_a_figure_of_a_benchmark_is_not_typed(page):
+    if page in WRITTEN:
+        return
+    text = tables.FIGURE.sub(
+        "", tables.MARKED.sub("", page.read_text(encoding="utf-8"))
+    )
+    blocks = re.split(r"\n\s*\n", text)
+    measured = [one for one in blocks if "benchmarks." in one and "```" not in one]
+    assert not [found for one in measured for found in TYPED.findall(one)]
+
+
+@pytest.mark.parametrize("tool", [performance_page, numerics_page])
+def test_prose_of_pages_of_results_has_no_figure(tool):
+    assert not TYPED.findall(tool.TEXT)
 
 
 def test_every_table_stands_in_a_document():
