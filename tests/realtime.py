@@ -24,6 +24,8 @@ STALL_LIMIT_S = GAP_RAMP_S / 2
 WAIT_LIMIT_S = HEARTBEAT_RAMP_S / 2
 """Of one thread that is ready, within the time after which a silent window is a fault."""
 RERUN = "rerun"
+MISTAKES = ("NameError", "ImportError", "ModuleNotFoundError", "SyntaxError")
+"""Which no machine is to blame for."""
 LOCKS = (Path(__file__), Path(__file__).with_name("conftest.py"))
 """Files that all processes of a run have open, and nobody writes."""
 
@@ -99,7 +101,7 @@ class RealTime:
         reruns = []
         reports, seen = self._attempt(item, nextitem, alone=False)
         while (failed := failure(reports)) and (fault := self._judge(seen)):
-            if len(reruns) == MOST_RERUNS:
+            if reason(failed).startswith(MISTAKES) or len(reruns) == MOST_RERUNS:
                 break
             reruns.append((RERUN, f"{fault}: {reason(failed)}"))
             reports, seen = self._attempt(item, nextitem, alone=True)

@@ -75,6 +75,13 @@ def test_a_punctual_machine_lets_a_test_fail_at_once(outcome):
     result.stdout.no_fnmatch_line("*reruns because*")
 
 
+def test_a_mistake_in_the_code_is_not_blamed_on_a_machine(outcome, monkeypatch):
+    monkeypatch.setitem(globals(), "TRIED", TRIED.replace("assert tries", "tried"))
+    result = outcome(1, "a core stalled")
+    result.assert_outcomes(failed=1)
+    result.stdout.no_fnmatch_line("*reruns because*")
+
+
 def test_a_test_that_passes_is_not_judged(outcome):
     result = outcome(1, "a core stalled")
     result.assert_outcomes(passed=1)
