@@ -9,7 +9,7 @@ a file for each axis, `ride.surge.funscript` beside `ride.funscript`.
 
 import json
 from pathlib import Path
-from typing import Annotated, BinaryIO
+from typing import Annotated, BinaryIO, NamedTuple
 
 import numpy as np
 from msgspec import Meta, Struct
@@ -18,7 +18,7 @@ from hapticplayer import __version__
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.formats.hjif_file import MAX_BYTES, Number
-from hapticplayer.extras.formats.hjif_signals import BEFORE_ZERO, from_zero
+from hapticplayer.extras.formats.hjif_signals import BEFORE_ZERO, from_zero, stepped
 from hapticplayer.extras.formats.thinning import Polyline, thin
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.model import ForceTrack
@@ -60,7 +60,8 @@ _STRENGTHS = (
 )
 """As MultiFunPlayer and its neighbours name files; 0 is off, not the lowest place."""
 
-_USUAL_RANGES = (90.0, 100.0)
+_WHOLE_RANGE, _USUAL_RANGE = 100.0, 90.0
+"""The latter stands in most files, and players do not apply it."""
 _MARK = b"written by hapticplayer"
 
 
@@ -130,36 +131,18 @@ def no_newtons(_track: ForceTrack, _path: Path, _choices: WriteChoices) -> Loss:
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
     """Return the spring's force on a hand at the centre."""
-    main = _axis_of(path)
-    assumed = [
-        Message(
-            "positions were taken as the set-point of a spring of {stiffness:.3g} N/m, "
-            "with the hand at the centre",
-            stiffness=choices.stiffness_n_per_m,
-        )
-    ]
-    script = _script(path)
-    unread = [] if script.range in _USUAL_RANGES else [_range_note(script)]
-    if script.range == min(_USUAL_RANGES):
-        assumed.append(_range_note(script))
-    found: list[tuple[str, _Axis]] = [(main, script)]
-    found += [(axis.id, axis) for axis in script.axes]
-    found += [(_NAMED.get(k.lower(), k), axis) for k, axis in script.channels.items()]
+    said = Message(
+        "positions were taken as the set-point of a spring of {stiffness:.3g} N/m, "
+        "with the hand at the centre",
+        stiffness=choices.stiffness_n_per_m,
+    )
+    reader = _AxisReader([said], [], {})
+    reader.add(path)
     for beside in _files_beside(path):
-        found.append((_axis_of(beside), _script(beside)))
-        assumed.append(Message("{name} beside it was read, too", name=beside.name))
-    axes: dict[str, tuple[Floats, Floats]] = {}
-    for name, one in found:
-        if name not in _AXES:
-            unread.append(
-                Message("not read: {what} ({count})", what=name[:20], count=1)
-            )
-        elif one.actions:
-            curve = _positions(one)
-            same = axes.setdefault(name, curve)
-            if not all(map(np.array_equal, same, curve)):
-                said = Message("{axis} is there twice; the first was read", axis=name)
-                unread.append(said)
+        reader.add(beside)
+        said = Message("{name} beside it was read, too", name=beside.name)
+        reader.assumed.append(said)
+    axes = reader.axes
     if not axes:
         raise InputError("holds no positions", where=str(path), remedy=ANOTHER)
     time_s = np.unique(np.concatenate([at_s for at_s, _ in axes.values()]))
@@ -169,25 +152,57 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
         shift_m = sign * REACH_M * (np.interp(time_s, at_s, place) - 50.0) / 50.0
         force_n[:, column] = choices.stiffness_n_per_m * shift_m
     if time_s[0] < 0.0:
-        unread.append(BEFORE_ZERO)
+        reader.unread.append(BEFORE_ZERO)
     time_s, force_n = from_zero(time_s, force_n, str(path))
     track = ForceTrack(
         time_s,
         force_n.astype(np.float32),
         provenance={"source": path.name, "reader": "funscript set-point"},
     )
-    return ForceFile(track, tuple(assumed), tuple(unread))
+    return ForceFile(track, tuple(reader.assumed), tuple(reader.unread))
 
 
-def _script(path: Path) -> _Script:
-    return read_json(path, _Script, InputError, ANOTHER, MAX_BYTES)
+class _AxisReader(NamedTuple):
+    """Collects the axes of files as times (n,) s and positions (n,) 0 to 100."""
 
+    assumed: list[Message]
+    unread: list[Message]
+    axes: dict[str, tuple[Floats, Floats]]
 
-def _range_note(script: _Script) -> Message:
-    return Message(
-        "the range of {range:g} % was not applied: 0 to 100 is the whole way",
-        range=script.range,
-    )
+    def add(self, path: Path) -> None:
+        """Add all axes of a file."""
+        main = _axis_of(path)
+        script = read_json(path, _Script, InputError, ANOTHER, MAX_BYTES)
+        if script.range != _WHOLE_RANGE:
+            said = Message(
+                "the range of {range:g} % was not applied: 0 to 100 is the whole way",
+                range=script.range,
+            )
+            is_usual = script.range == _USUAL_RANGE
+            (self.assumed if is_usual else self.unread).append(said)
+        self._add_axis(main, script)
+        for axis in script.axes:
+            self._add_axis(axis.id, axis)
+        for name, axis in script.channels.items():
+            self._add_axis(name, axis)
+
+    def _add_axis(self, given: str, one: _Axis) -> None:
+        name = _NAMED.get(given.lower(), given)
+        if name not in _AXES:
+            said = Message("not read: {what} ({count})", what=given[:20], count=1)
+            self.unread.append(said)
+            return
+        if not one.actions:
+            return
+        beyond = sum(not 0.0 <= action.pos <= 100.0 for action in one.actions)
+        if beyond:
+            text = "{count} positions of {axis} beyond 0 to 100 were limited"
+            self.assumed.append(Message(text, count=beyond, axis=name))
+        curve = _positions(one)
+        same = self.axes.setdefault(name, curve)
+        if not all(map(np.array_equal, same, curve)):
+            said = Message("{axis} is there twice; the first was read", axis=name)
+            self.unread.append(said)
 
 
 def _axis_of(path: Path) -> str:
@@ -218,9 +233,9 @@ def _files_beside(path: Path) -> list[Path]:
 def _positions(one: _Axis) -> tuple[Floats, Floats]:
     """Return times (n,) s, increasing, and positions (n,) 0 to 100."""
     rows = np.array([(action.at, action.pos) for action in one.actions])
-    at_ms, first = np.unique(rows[:, 0], return_index=True)
-    place = np.clip(rows[first, 1], 0.0, 100.0)
-    return at_ms / 1000.0, 100.0 - place if one.inverted else place
+    rows = rows[np.argsort(rows[:, 0], kind="stable")]
+    at_s, place = stepped(rows[:, 0] / 1000.0, np.clip(rows[:, 1], 0.0, 100.0))
+    return at_s, 100.0 - place if one.inverted else place
 
 
 def _actions(time_s: Floats, shift: Floats) -> Polyline:

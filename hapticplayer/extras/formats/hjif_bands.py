@@ -142,13 +142,17 @@ class Bands:
         rows = np.array(
             [
                 [
-                    frame.relative_position,
+                    _or(frame.relative_position, np.nan),
                     _or(frame.amplitude_modulation, np.nan),
                     _or(frame.frequency_modulation, np.nan),
                 ]
                 for frame in effect.keyframes
             ]
         ).reshape(-1, 3)
+        is_placed = ~np.isnan(rows[:, 0])
+        if not is_placed.all():
+            self.unread["keyframe without a position"] += int(np.sum(~is_placed))
+            rows = rows[is_placed]
         rows = rows[np.argsort(rows[:, 0], kind="stable")]
         time_s = rows[:, 0] / self._timescale
         if len(time_s) and not 0.0 <= time_s[0] <= time_s[-1] <= MAX_SECONDS:

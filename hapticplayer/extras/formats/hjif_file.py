@@ -19,7 +19,7 @@ Factor = Annotated[float, Meta(ge=-1e6, le=1e6)]
 class Keyframe(Struct, gc=False):
     """A corner of a curve, or a transient."""
 
-    relative_position: Number = 0.0
+    relative_position: Number | None = None
     amplitude_modulation: Number | None = None
     frequency_modulation: Number | None = None
 
@@ -61,6 +61,7 @@ class HjifChannel(Struct):
     gain: Factor = 1.0
     reference_device_id: Number | None = None
     direction: Vector | None = None
+    body_part_mask: Number = 0.0
     bands: list[HjifBand] = []
 
 

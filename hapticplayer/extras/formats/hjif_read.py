@@ -51,6 +51,7 @@ class _ChannelReader:
     def __init__(self, choices: ReadChoices, timescale: float) -> None:
         self._choices, self._bands = choices, Bands(timescale)
         self._parts: list[tuple[Floats, EffectCurve]] = []
+        self._masks: set[float] = set()
 
     def add(self, perception: Perception, where: str) -> None:
         """Add the channels of a perception, or note that it is no force."""
@@ -67,6 +68,7 @@ class _ChannelReader:
             shapes = [self._bands.shape(band, library) for band in channel.bands]
             shape = _summed([one for one in shapes if len(one.time_s)])
             if len(shape.time_s):
+                self._masks.add(channel.body_part_mask)
                 self._parts.append((scale_n * self._direction(channel), shape))
 
     def _modality(self, name: str) -> str:
@@ -83,6 +85,12 @@ class _ChannelReader:
             Message("not read: {what} ({count})", what=what, count=count)
             for what, count in self._bands.unread.items()
         ]
+        if len(self._masks) > 1:
+            said = Message(
+                "channels for {count} parts of the body act on one hand",
+                count=len(self._masks),
+            )
+            self._bands.assumed.append(said)
         if not self._parts:
             if unread:
                 raise self._nothing(path, unread[0])

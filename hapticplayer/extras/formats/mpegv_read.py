@@ -193,6 +193,8 @@ class _EffectReader:
         return force_n
 
     def _vibration(self, effect: SemEffect) -> Floats:
+        if not {"intensity", "intensity-value"} & effect.attributes.values.keys():
+            self._unread["vibration without an intensity"] += 1
         length_s = (effect.length_s or 0.0) + effect.release_s
         count = int(length_s * 1000.0) + 1
         self._spend(count)

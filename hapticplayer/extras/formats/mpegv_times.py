@@ -138,6 +138,8 @@ class EffectTimes:
             if name_of(element.tag) == "Declarations":
                 self._declare(element)
         found = list(self._inside(root, {}, 1000.0, None, 0))
+        if found and not any("timeScale" in _attributes_of(x) for x in root.iter()):
+            self.assumed[Message("times were taken as milliseconds")] = None
         if self._counts_seconds(found):
             self.assumed[Message("durations were taken as seconds, as in PlaySEM")] = (
                 None
@@ -258,14 +260,13 @@ class EffectTimes:
         kept: list[SemEffect] = []
         running: dict[tuple[str, str], list[SemEffect]] = {}
         for one in found:
-            others = running.setdefault(one.place, [])
             is_on = one.attributes.flag("activate")
-            for other in others:
-                end_s = other.begin_s + (other.length_s or 0.0)
-                if other.length_s is None or (not is_on and end_s > one.begin_s):
-                    other.length_s = one.begin_s - other.begin_s
-                    other.release_s = 0.0 if is_on else one.fade_s
-                    one.rise_from = _share(other, one) if is_on else 0.0
+            if not is_on and "location" not in one.attributes.values:
+                for place in [other for other in running if other[0] == one.kind]:
+                    _end(running.pop(place), one, is_on=False)
+                continue
+            others = running.setdefault(one.place, [])
+            _end(others, one, is_on=is_on)
             others[:] = [] if not is_on else [*_still(others, one.begin_s), one]
             if is_on:
                 kept.append(one)
@@ -301,6 +302,16 @@ def _share(before: SemEffect, after: SemEffect) -> float:
     if before.kind != "Vibration" or after.level <= 0.0:
         return 0.0
     return before.level / after.level
+
+
+def _end(others: list[SemEffect], one: SemEffect, *, is_on: bool) -> None:
+    """End what an effect replaces, or switches off."""
+    for other in others:
+        end_s = other.begin_s + (other.length_s or 0.0)
+        if other.length_s is None or (not is_on and end_s > one.begin_s):
+            other.length_s = one.begin_s - other.begin_s
+            other.release_s = 0.0 if is_on else one.fade_s
+            one.rise_from = _share(other, one) if is_on else 0.0
 
 
 def _still(effects: list[SemEffect], at_s: float) -> list[SemEffect]:

@@ -63,6 +63,8 @@ def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
         rate = _LOOP_HZ
         unread.append(Message("sound above {limit_hz} Hz was left out", limit_hz=500))
     way = None
+    if data.form.channels == 3 and data.scale_n is None:
+        notes.append(Message("three channels were taken as x, y and z"))
     if data.form.channels != 3:
         way = choices.direction
         notes.append(

@@ -186,6 +186,22 @@ def test_of_many_keyframes_at_one_time_the_ends_count(read):
     assert np.abs(found.track.force_n).max() <= 2.0
 
 
+def test_a_keyframe_without_a_position_is_listed(read):
+    keys = effect((0, 1.0), (None, 0.0), (20, 1.0))
+    found = read(content(band(effects=[keys]), **UP))
+    assert at(found.track, 0, 10)[:, 1] == pytest.approx([4.0, 4.0])
+    assert str(found.unread[0]) == "not read: keyframe without a position (1)"
+
+
+def test_channels_for_parts_of_the_body_are_said_to_be_one(read):
+    made = content(band(effects=[effect((0, 0.25), (9, 0.25))]), **UP)
+    (channel,) = made["perceptions"][0]["channels"]
+    made["perceptions"][0]["channels"].append({**channel, "body_part_mask": 64})
+    found = read(made)
+    assert at(found.track, 5)[0, 1] == pytest.approx(2.0)
+    assert "2 parts of the body act on one hand" in str(found.assumed[-1])
+
+
 def test_an_effect_that_begins_before_the_clip_is_cut(read):
     line = effect((0, 0.0), (400, 1.0), position=-100)
     found = read(content(band(effects=[line], curve_type="Linear"), **UP))

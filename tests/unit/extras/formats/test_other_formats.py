@@ -179,6 +179,11 @@ def test_extensible_wav_of_floats_is_read(read):
     np.testing.assert_allclose(found.track.force_n, WAVE, atol=1e-6)
 
 
+def test_three_channels_of_others_are_said_to_be_axes(read):
+    found = read(sound(form_of(3, 3, 32, 12), WAVE.astype("<f4").tobytes()), ".wav")
+    assert "three channels were taken as x, y and z" in map(str, found.assumed)
+
+
 @pytest.mark.parametrize("name", [b"LIST", b"id3 "])
 @pytest.mark.parametrize("filler", [0, 5001])
 def test_our_own_scale_is_found_behind_the_samples(read, name, filler):
@@ -363,6 +368,37 @@ def test_an_effect_that_is_not_active_is_not_felt(read):
     assert felt(found.track, (1.001, 9)) == [0.0]
     with pytest.raises(InputError, match="activate must be true or false"):
         read(SEM.format(shake('activate="maybe"')), ".sem")
+
+
+def test_switching_off_without_a_place_ends_all_of_its_kind(read):
+    left, right = (f'activate="true" location="{side}"' for side in ("left", "right"))
+    effects = (
+        shake(left, 0, 0)
+        + shake(right, 500, 0)
+        + shake('activate="false"', 2000, 0, "")
+    )
+    found = read(SEM.format(effects), ".sem")
+    spans = [(0, 0.5), (1, 2), (2.001, 9)]
+    np.testing.assert_allclose(felt(found.track, *spans), [0.5, 1.0, 0.0], atol=1e-3)
+    one = shake(left, 0, 0) + shake(right, 500, 0)
+    one += shake('activate="false" location="left"', 2000, 0, "")
+    one += shake('activate="false" location="right"', 3000, 0, "")
+    found = read(SEM.format(one), ".sem")
+    spans = [(1, 2), (2.001, 3), (3.001, 9)]
+    np.testing.assert_allclose(felt(found.track, *spans), [1.0, 0.5, 0.0], atol=1e-3)
+
+
+def test_a_vibration_without_an_intensity_is_listed(read):
+    (note,) = read(SEM.format(shake(level="") + shake(begin=2000)), ".sem").unread
+    assert "vibration without an intensity (1)" in str(note)
+
+
+def test_times_without_a_scale_are_said_to_be_milliseconds(read):
+    found = read(
+        SEM.format(shake(begin=2000)).replace('si:timeScale="1000"', ""), ".sem"
+    )
+    assert "times were taken as milliseconds" in map(str, found.assumed)
+    assert felt(found.track, (2, 3))[0] > 0.4
 
 
 def test_switching_off_ends_a_duration(read):
@@ -742,6 +778,27 @@ def test_an_axis_that_is_there_twice_is_said(read, more):
     assert [str(note) for note in found.unread] == [
         "L0 is there twice; the first was read"
     ]
+
+
+@pytest.mark.parametrize("name", ["L1", "l1", "surge", "Forward"])
+def test_an_axis_may_be_named_in_words(read, name):
+    script = json.dumps({"axes": [{"id": name, "actions": LINE}]})
+    assert at(read(script, ".funscript").track, 0.999)[0, 2] < -1.5
+
+
+def test_two_positions_at_one_time_are_a_step(read):
+    places = [(0, 100), (500, 100), (500, 25), (1000, 25)]
+    actions = [{"at": at_ms, "pos": place} for at_ms, place in places]
+    found = read(json.dumps({"actions": actions}), ".funscript").track
+    force_n = at(found, 0.499, 0.501, 0.9)[:, 1]
+    np.testing.assert_allclose(force_n, [EDGE_N, -EDGE_N / 2, -EDGE_N / 2], atol=1e-4)
+
+
+def test_positions_beyond_the_way_are_limited_and_counted(read):
+    actions = [{"at": 0, "pos": -5}, {"at": 500, "pos": 50}, {"at": 1000, "pos": 999}]
+    found = read(json.dumps({"actions": actions}), ".funscript")
+    assert at(found.track, 0.0)[0, 1] == pytest.approx(-EDGE_N)
+    assert str(found.assumed[-1]) == "2 positions of L0 beyond 0 to 100 were limited"
 
 
 def test_an_axis_that_is_there_twice_and_alike_is_one(read):
