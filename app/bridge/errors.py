@@ -12,9 +12,24 @@ from PySide6.QtCore import QCoreApplication
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.extension import take_problems
 
-Show = Callable[[str], None]
+IsOver = Callable[[], bool]
+"""Whether the cause of a message is gone; it is hidden then."""
+Show = Callable[[str, IsOver | None], None]
 _MANY = 50
 """Different places that may fail before the terminal stays quiet."""
+
+
+class Attempts:
+    """What ends a complaint that has no other end: the same is tried again."""
+
+    def __init__(self) -> None:
+        self._count = 0
+
+    def begin(self) -> IsOver:
+        """Begin one; returns whether another has begun since."""
+        self._count += 1
+        mine = self._count
+        return lambda: self._count != mine
 
 
 class ErrorGateway:
@@ -41,10 +56,10 @@ class ErrorGateway:
     def uninstall(self) -> None:
         sys.excepthook, threading.excepthook = self._hooks_before
 
-    def report(self, problem: BaseException) -> None:
-        """Show a problem; on the window's thread."""
+    def report(self, problem: BaseException, is_over: IsOver | None = None) -> None:
+        """Show a problem until it is over; on the window's thread."""
         if isinstance(problem, HapticPlayerError):
-            self._show(message_of(problem))
+            self._show(message_of(problem), is_over)
         else:
             self._unexpected(problem)
 
@@ -58,7 +73,7 @@ class ErrorGateway:
         while self._from_threads:
             self.report(self._from_threads.popleft())
         for message in take_problems():
-            self._show(message)
+            self._show(message, None)
 
     def _unexpected(self, problem: BaseException) -> None:
         self._halt()
@@ -73,7 +88,7 @@ class ErrorGateway:
             "Internal error ({kind}: {text}). The force was stopped and "
             "playback paused. See the terminal for details.",
         )
-        self._show(text.format(kind=type(problem).__name__, text=problem))
+        self._show(text.format(kind=type(problem).__name__, text=problem), None)
 
     def _uncaught(
         self,

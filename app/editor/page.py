@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.errors import Attempts
 from app.bridge.jobs import Jobs, in_child
 from app.bridge.settings import screen_name
 from app.editor.comparison import Comparison
@@ -87,6 +88,7 @@ class EditorPage(QDialog):
         self.lanes = EditingLanes(self.view, self.editing)
         self.kinds, self.panel = KindList(), EffectPanel(self.editing)
         self.messages, self.job_bar = MessageBar(), JobBar()
+        self._attempts = Attempts()
         self.playing = Playing(setup, self.messages.show_text, self)
         self.comparison = Comparison()
         self.play_bar = PlayBar(self.playing, self.view)
@@ -187,7 +189,8 @@ class EditorPage(QDialog):
         self.view_bar.show_view()
         self.play_bar.show_time(0.0)
         if line.problem:
-            self.messages.show_text(line.problem)
+            is_over = lambda: self._saved_effects is not line.effects  # noqa: E731
+            self.messages.show_text(line.problem, is_over)
         self._set_usable(is_usable=True)
         if not self.playing.begin(source, screen_name(self)):
             self.play_bar.play_button.setEnabled(False)
@@ -201,7 +204,7 @@ class EditorPage(QDialog):
             self._set_usable(is_usable=True)
         if not isinstance(problem, HapticPlayerError):
             raise problem
-        self.messages.show_text(message_of(problem))
+        self.messages.show_text(message_of(problem), self._attempts.begin())
 
     def reject(self) -> None:
         """Stop before anything else; ask about changes that are not saved."""
@@ -276,6 +279,7 @@ class EditorPage(QDialog):
         self._set_usable(is_usable=False)
 
     def _on_saved(self, source: Source) -> None:
+        self._attempts.begin()
         self.document.stack.setClean()
         self._saved_effects = self.document.effects
         assert self.loaded is not None  # it was saved
@@ -336,6 +340,7 @@ class EditorPage(QDialog):
     def _on_made(self, effects: EffectList, track: ForceTrack) -> None:
         """Show and play what has been rendered; what was saved stays as it is stored."""
         assert self.loaded is not None  # else nothing is rendered
+        self._attempts.begin()
         if effects == self._saved_effects:
             tracks = self.loaded.source.tracks
             track = tracks[rendered_feedback(tracks)]

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from app.bridge.errors import Show
 from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings, latencies_of
 from app.player.controls import kept_volume
@@ -42,9 +43,7 @@ class Playing(QObject):
     changed = Signal()
     """It plays or not, or the force was stopped or is back."""
 
-    def __init__(
-        self, setup: PlayerSetup, show: Callable[[str], None], parent: QObject
-    ) -> None:
+    def __init__(self, setup: PlayerSetup, show: Show, parent: QObject) -> None:
         super().__init__(parent)
         self.surface, self.session = VideoSurface(), None
         self.track: ForceTrack | None = None
@@ -83,7 +82,7 @@ class Playing(QObject):
             try:
                 return make(clock, sink, name)
             except HapticPlayerError as problem:
-                self._show(message_of(problem))
+                self._show(message_of(problem), None)
         return None
 
     def end(self) -> None:

@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QMainWindow, QMenu, QTextBrowser, QWidget
 
+from app.bridge.errors import Attempts
 from app.bridge.jobs import Jobs, in_child
 from app.bridge.languages import translated
 from app.widgets import theme
@@ -126,7 +127,7 @@ class AnalysisPage(QWidget):
     ) -> None:
         super().__init__()
         self._title, self._read, self._clock = title, read, clock
-        self._export, self._say = export, say
+        self._export, self._say, self.attempts = export, say, Attempts()
         self._report: Report | None = None
         self._steps: Iterator[None] | None = None  # of showing it
         self.jobs = Jobs(lambda problem: say(message_of(problem)))
@@ -257,6 +258,7 @@ class AnalysisPage(QWidget):
         self._heading.set_text(self.tr("Saved to {0}").format(target))
 
     def _begin(self) -> None:
+        self.attempts.begin()
         self._timer.start()
         self._show_buttons()
 
@@ -319,7 +321,7 @@ class AnalysisWindow(QMainWindow):
             lambda target, form, progress: in_child(
                 exported, folder, target, form, progress=progress
             ),
-            self.messages.show_text,
+            lambda text: self.messages.show_text(text, self.page.attempts.begin()),
             clock,
         )
         middle = QWidget()

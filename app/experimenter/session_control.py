@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.errors import IsOver
 from app.bridge.languages import translated
 from app.bridge.pump import Cadence
 from app.experimenter.start_panel import StartPanel, reason_text
@@ -194,9 +195,14 @@ class SessionControl(QMainWindow):
         self.volume.setText(text.format(n=self.start.volume.value()))
         self.refresh()
 
-    def show_message(self, text: str) -> None:
-        """Say what went wrong."""
-        self.messages.show_text(text)
+    def show_message(self, text: str, is_over: IsOver | None = None) -> None:
+        """Say what went wrong, until that or the page of the session is over."""
+        runner = self._runner
+        page = runner.page if runner else None
+        self.messages.show_text(
+            text,
+            is_over or (lambda: (self._runner.page if self._runner else None) != page),
+        )
 
     def refresh(self) -> None:
         """Show where the session is."""
@@ -216,7 +222,7 @@ class SessionControl(QMainWindow):
             self.buttons[name].setEnabled(not runner.is_over and not is_stuck)
         self.buttons["end"].setEnabled(not runner.is_over)
         if is_stuck and self.messages.text() != translated(runner.problem):
-            self.messages.show_text(runner.problem)
+            self.show_message(runner.problem)
 
     def _where_text(self, runner: SessionRunner) -> str:
         page = runner.page

@@ -10,6 +10,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QObject, QSocketNotifier, Signal
 from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow, QMenu
 
+from app.bridge.errors import Attempts, IsOver
 from app.bridge.settings import Settings
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
@@ -92,13 +93,14 @@ class StudyMenu(QObject):
         self,
         window: QMainWindow,
         clock: Clock,
-        report: Callable[[HapticPlayerError], None],
+        report: Callable[[HapticPlayerError, IsOver | None], None],
         devices: tuple[Callable[[], list[str]], Callable[[], None]],
         settings: Settings,
     ) -> None:
         super().__init__(window)
         self._window, self._clock = window, clock
         self.report, self._settings = report, settings
+        self.attempts = Attempts()
         self._release, self._take_back = devices
         self.process = StudyProcess(self)
         self.process.ended.connect(self._on_ended)
@@ -174,7 +176,7 @@ class StudyMenu(QObject):
         self.running.emit(False)
         self._try(self._take_back)
         if problem:
-            self.report(StudyError(problem))
+            self.report(StudyError(problem), self.attempts.begin())
 
     def analyse(self) -> None:
         folder = self.ask_folder()
@@ -213,7 +215,8 @@ class StudyMenu(QObject):
         return Path(folder) if folder else None
 
     def _try(self, action: Callable[[], None]) -> None:
+        is_over = self.attempts.begin()
         try:
             action()
         except HapticPlayerError as problem:
-            self.report(problem)
+            self.report(problem, is_over)

@@ -191,6 +191,6 @@ def restore_outputs(
     try:
         window.player.set_outputs(list(kept), record)
     except HapticPlayerError as problem:
-        window.session.gateway.report(problem)
+        window.session.report_outputs(problem)
     for name in window.player.output_names:
         window.player.set_output(name, **kept[name]._asdict())

@@ -101,7 +101,7 @@ class DeviceDialogs(QObject):
         device = device or self._session.player.snapshot().leading.name
         if device == NO_DEVICE:
             problem = self.tr("Choose a device first, then try out its forces")
-            self._session.gateway.report(HapticPlayerError(problem))
+            self._session.report_outputs(HapticPlayerError(problem))
             return
         from app.player.device_page import DevicePage
 
@@ -172,7 +172,7 @@ class DeviceDialogs(QObject):
         try:
             self._session.player.take_back_outputs()
         except HapticPlayerError as problem:
-            self._session.gateway.report(problem)
+            self._session.report_outputs(problem)
         self._session.changed.emit()
 
     def _open_working(self, dialog: "Working") -> None:

@@ -9,6 +9,7 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QMessageBox, QWidget
 
+from app.bridge.errors import Attempts, IsOver
 from app.bridge.languages import translated
 from app.bridge.settings import Settings, choose_library, library_folder
 from app.player.command import Command
@@ -85,7 +86,7 @@ class Dialogs(DeviceDialogs):
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
         super().__init__(window, session, settings)
-        self._is_prepared = False
+        self._is_prepared, self._attempts = False, Attempts()
 
     def prepare(self) -> None:
         """Load in a thread what the dialogs need: one is about to be chosen."""
@@ -147,7 +148,7 @@ class Dialogs(DeviceDialogs):
             problem = self.tr(
                 "Only the effects of a sequence can be edited: import the video first"
             )
-            self._session.gateway.report(HapticPlayerError(problem))
+            self._session.report(HapticPlayerError(problem), self._opens_another())
             return
         from app.editor.page import EditorPage
         from app.editor.playing import PlayerSetup
@@ -175,7 +176,7 @@ class Dialogs(DeviceDialogs):
                 "Only a sequence can be shared: import the video first. A file that was "
                 "shared with you can be sent on as it is."
             )
-            self._session.gateway.report(HapticPlayerError(problem))
+            self._session.report(HapticPlayerError(problem), self._opens_another())
             return
         from app.player.share_page import SharePage
 
@@ -191,7 +192,7 @@ class Dialogs(DeviceDialogs):
                 "Only a sequence can be rendered: import the video first, or unpack a "
                 "file that was shared with you."
             )
-            self._session.gateway.report(HapticPlayerError(problem))
+            self._session.report(HapticPlayerError(problem), self._opens_another())
             return
         from app.experimenter.rendering_page import RenderingPage
 
@@ -267,20 +268,29 @@ class Dialogs(DeviceDialogs):
 
     def export(self, path: str) -> None:
         """Write the settings into a file."""
-        try:
-            self._settings.export(Path(path))
-        except HapticPlayerError as problem:
-            self._session.gateway.report(problem)
+        self._try(lambda: self._settings.export(Path(path)))
 
     def take(self, path: str) -> None:
         """Read the settings of a file."""
-        try:
-            self._settings.take(Path(path))
-        except HapticPlayerError as problem:
-            self._session.gateway.report(problem)
-        else:
+        if self._try(lambda: self._settings.take(Path(path))):
             self._settings.save()
             self.settings_taken.emit()
+
+    def _try(self, action: Callable[[], None]) -> bool:
+        """Do it, or say why not until the next attempt; return whether it is done."""
+        is_over = self._attempts.begin()
+        try:
+            action()
+        except HapticPlayerError as problem:
+            self._session.report(problem, is_over)
+            return False
+        return True
+
+    def _opens_another(self) -> IsOver:
+        """Whether another clip is open since now."""
+        player = self._session.player
+        before = player.snapshot().source
+        return lambda: player.snapshot().source is not before
 
     def _folder(self) -> str:
         return self._settings.text(_FOLDER, str(Path.home()))

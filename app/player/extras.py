@@ -57,7 +57,13 @@ class LatencyMonitor(QObject):
             return  # the number comes with the first seconds of sound
         self._warned.add(name)
         if not is_known(self._settings, SOUND, name):
-            self._session.gateway.report(HapticPlayerError(warning(name, reported_s)))
+            problem = HapticPlayerError(warning(name, reported_s))
+            self._session.report(problem, lambda: self._is_settled(name))
+
+    def _is_settled(self, name: str) -> bool:
+        """Whether another sound output plays, or this one was measured."""
+        is_other = self._session.player.snapshot().sound_output != name
+        return is_other or is_known(self._settings, SOUND, name)
 
 
 def warning(name: str, reported_s: float) -> str:

@@ -2,14 +2,17 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from app.bridge.errors import ErrorGateway
+from app.bridge.errors import Attempts, ErrorGateway, IsOver, Show
 from app.bridge.jobs import Jobs, in_child
-from hapticplayer.errors import HapticPlayerError, Progress, UsageError
+from hapticplayer.errors import HapticPlayerError, Progress, UsageError, message_of
+from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.conditions import with_feedback
+from hapticplayer.playback.latch import STOPPED
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.replay import with_log
@@ -29,7 +32,6 @@ class Session(QObject):
         stopped: a person took the force away.
         changed: the phase, the stop, the device or the feedback is another.
         ended: the clip has come to its end.
-        recovered: what was complained about is over; its sentence.
         another_video: the clip is not the one that its force was made for.
     """
 
@@ -39,18 +41,24 @@ class Session(QObject):
     stopped = Signal()
     changed = Signal()
     ended = Signal()
-    recovered = Signal(str)
     another_video = Signal(object)
 
-    def __init__(self, player: Player, show: Callable[[str], None]) -> None:
+    def __init__(self, player: Player, show: Show) -> None:
         super().__init__()
         self.player = player
         self.gateway = ErrorGateway(show, self.halt)
-        self.jobs = Jobs(self.gateway.report)
+        self._opening = Attempts()
+        self._is_opening_over: IsOver = self._opening.begin()
+        self.jobs = Jobs(lambda problem: self.report(problem, self._is_opening_over))
         self.last_problem = ""
         self._state: tuple[object, ...] = ()
-        self._has_problem = False
         self._warned_of: VideoCheck | None = None
+
+    def report(self, problem: BaseException, is_over: IsOver | None = None) -> None:
+        """Show a problem until it is over."""
+        if isinstance(problem, UsageError) and message_of(problem) == STOPPED:
+            is_over = lambda: not self.is_stopped  # noqa: E731
+        self.gateway.report(problem, is_over)
 
     # --- opening -------------------------------------------------------------
 
@@ -93,12 +101,10 @@ class Session(QObject):
 
     def _run(self, title: str, work: Callable[[Progress], Source]) -> None:
         if self.jobs.is_busy:
-            self.gateway.report(
-                HapticPlayerError(
-                    self.tr("Another task is running; wait for it or cancel it")
-                )
-            )
+            problem = self.tr("Another task is running; wait for it or cancel it")
+            self.report(HapticPlayerError(problem), lambda: not self.jobs.is_busy)
             return
+        self._is_opening_over = self._opening.begin()
         self.jobs.run(title, work, self._play_source)
         # also for work that ends before the next call of `watch`
         self._state = (*self._state[:-1], self.jobs.is_busy)
@@ -115,18 +121,24 @@ class Session(QObject):
         self.opening.emit(source)
         self.player.open(source, feedback)
         self.opened.emit()
-        self._report_coverage()
-        if source.notice:
-            self.gateway.report(HapticPlayerError(source.notice))
+        self._report_notices()
+
+    def _report_notices(self) -> None:
+        for text in self._notices():
+            self.report(HapticPlayerError(text), partial(self._has_not, text))
+
+    def _has_not(self, notice: str) -> bool:
+        return notice not in self._notices()
+
+    def _notices(self) -> list[str]:
+        """What a person should know of the clip and the force that is chosen."""
         from hapticplayer.sequence.excursion import stored_texts
 
-        for text in stored_texts(source.description, self.player.snapshot().feedback):
-            self.gateway.report(HapticPlayerError(text))
-
-    def _report_coverage(self) -> None:
         now = self.player.snapshot()
-        if now.source and (notice := now.source.coverage_notice(now.feedback)):
-            self.gateway.report(HapticPlayerError(notice))
+        if (source := now.source) is None:
+            return []
+        known = (source.coverage_notice(now.feedback), source.notice)
+        return [*filter(None, known), *stored_texts(source.description, now.feedback)]
 
     # --- controls ------------------------------------------------------------
 
@@ -154,7 +166,7 @@ class Session(QObject):
         try:
             self.player.rearm()
         except UsageError as problem:
-            self.gateway.report(problem)
+            self.report(problem, lambda: not self.is_stopped)
 
     def skip(self, by_s: float) -> None:
         """Go some seconds forwards or backwards."""
@@ -170,8 +182,16 @@ class Session(QObject):
         try:
             self.player.set_outputs(names)
         except HapticPlayerError as problem:
-            self.gateway.report(problem)
+            self.report_outputs(problem)
         self.changed.emit()
+
+    def report_outputs(self, problem: HapticPlayerError) -> None:
+        """Show why a device cannot be opened, until others are chosen or it can."""
+        before = self._health()
+        self.report(problem, lambda: self._health() != before)
+
+    def _health(self) -> list[tuple[str, Health]]:
+        return [(one.name, one.health) for one in self.player.snapshot().outputs]
 
     def choose_leading(self, name: str) -> None:
         others = [one for one in self.player.output_names[1:] if one != name]
@@ -180,7 +200,7 @@ class Session(QObject):
     def choose_feedback(self, name: str) -> None:
         """Play another force track."""
         self.player.set_feedback(name)
-        self._report_coverage()
+        self._report_notices()
         self.changed.emit()
 
     def halt(self) -> None:
@@ -203,7 +223,7 @@ class Session(QObject):
         state = (
             now.phase,
             now.is_stopped,
-            tuple((one.name, one.health) for one in now.outputs),
+            self._health(),
             now.feedback,
             self.jobs.is_busy,
         )
@@ -227,15 +247,19 @@ class Session(QObject):
 
     def _report_problem(self, now: Snapshot) -> None:
         """Report once what the player or the device complains about."""
-        text = now.problem or next((o.problem for o in now.outputs if o.problem), "")
+        text = next(iter(_problems(now)), "")
         if text and text != self.last_problem:
-            self.last_problem = text
-            self.gateway.report(HapticPlayerError(text))
-        elif self._has_problem and not text:
-            self.recovered.emit(self.last_problem)
-        self._has_problem = bool(text)
+            self.report(
+                HapticPlayerError(text),
+                lambda: text not in _problems(self.player.snapshot()),
+            )
+        self.last_problem = text or self.last_problem
 
     def close(self) -> None:
         """Stop what runs, bring the hand to rest and finish the log."""
         self.jobs.close()
         self.player.close()
+
+
+def _problems(now: Snapshot) -> list[str]:
+    return [*filter(None, (now.problem, *(one.problem for one in now.outputs)))]

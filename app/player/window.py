@@ -5,7 +5,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QSplitter, QStackedWidget, QWidget
 
 from app.bridge.desktop import Desktop
-from app.bridge.languages import translated
+from app.bridge.errors import IsOver
 from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings, keep_outputs
 from app.experimenter.study_menu import StudyMenu
@@ -116,7 +116,7 @@ class PlayerWindow(QMainWindow):
         self.study_menu = StudyMenu(
             self,
             self.clock,
-            self.session.gateway.report,
+            self.session.report,
             (self.release_devices, self.take_back_devices),
             self.settings,
         )
@@ -143,7 +143,6 @@ class PlayerWindow(QMainWindow):
         session.opening.connect(self._on_opening)
         session.opened.connect(self._on_opened)
         session.changed.connect(self._on_changed)
-        session.recovered.connect(self._on_recovered)
         session.another_video.connect(self._on_another_video)
         self.surface.double_clicked.connect(self.toggle_fullscreen)
         self.job_bar.cancelled.connect(session.jobs.cancel)
@@ -223,13 +222,12 @@ class PlayerWindow(QMainWindow):
         """Speed, loop, single frames, volume and sound output."""
         return self.extras.controls
 
-    def show_message(self, text: str) -> None:
+    def show_message(self, text: str, is_over: IsOver | None = None) -> None:
         """Say what went wrong; not behind a video that fills the screen."""
         self.fullscreen.leave()
-        self.messages.show_text(text)
+        self.messages.show_text(text, is_over)
 
     def _on_device_chosen(self, name: str) -> None:
-        self.messages.hide()
         self.session.choose_leading(name)
         keep_outputs(self.settings, self.player.snapshot().outputs)
 
@@ -249,10 +247,6 @@ class PlayerWindow(QMainWindow):
     def take_back_devices(self) -> None:
         self.player.take_back_outputs()
         self.session.changed.emit()
-
-    def _on_recovered(self, problem: str) -> None:
-        if self.messages.text() == translated(problem):
-            self.messages.hide()
 
     def _on_settings_taken(self) -> None:
         self.commands.apply_keys()

@@ -4,6 +4,7 @@ from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAccessible, QAccessibleEvent, QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QSizePolicy, QWidget
 
+from app.bridge.errors import IsOver
 from app.bridge.jobs import JobState
 from app.bridge.languages import translated
 from app.widgets import theme
@@ -12,14 +13,22 @@ from app.widgets.layout import ElidedLabel, row_of
 from app.widgets.texts import PERCENT, job_text
 from hapticplayer.errors import HapticPlayerError, message_of
 
-_LONGEST = 600
+_LONGEST, _LOOK_MS = 600, 200
+
+
+def _never() -> bool:
+    return False
 
 
 class MessageBar(QFrame):
-    """One message, until it is closed or another one comes."""
+    """One message, until its cause is gone, it is closed, or another one comes."""
 
     def __init__(self) -> None:
         super().__init__()
+        self._is_over: IsOver = _never
+        self._timer = QTimer(self)
+        self._timer.setInterval(_LOOK_MS)
+        self._timer.timeout.connect(self._look)
         self.setStyleSheet(
             f"MessageBar {{ background: {theme.ALARM}; "
             f"border: 0; border-bottom: 1px solid {theme.BAD}; }}"
@@ -60,14 +69,24 @@ class MessageBar(QFrame):
         """The text, "" while hidden."""
         return "" if self.isHidden() else translated(self._message)
 
-    def show_text(self, message: str) -> None:
-        """Say something in the window's language, also to a screen reader."""
+    def show_text(self, message: str, is_over: IsOver | None = None) -> None:
+        """Say something in the window's language, also to a screen reader.
+
+        It goes when `is_over`: when what it complains about is no longer so.
+        """
+        self._is_over = is_over or _never
+        self._timer.start()
         self._message, text = message, translated(message)
         shown = text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "\u2026"
         self._text.setText(breakable(shown))
         self.setAccessibleName(text)
         self.show()
         QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
+
+    def _look(self) -> None:
+        if self.isHidden() or self._is_over():
+            self._timer.stop()
+            self.hide()
 
     def _copy(self) -> None:
         said = dict.fromkeys((self.text(), self._message))  # once where it is English

@@ -186,7 +186,8 @@ def calls() -> list:
 @pytest.fixture
 def gateway(calls) -> ErrorGateway:
     return ErrorGateway(
-        lambda text: calls.append(("show", text)), lambda: calls.append(("halt", ""))
+        lambda text, _is_over: calls.append(("show", text)),
+        lambda: calls.append(("halt", "")),
     )
 
 

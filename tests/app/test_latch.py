@@ -155,7 +155,9 @@ def test_no_item_of_the_study_menu_undoes_a_stop(
 ):
     window, study, said = stopped, make_study(), []
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
-    monkeypatch.setattr(window.study_menu, "report", said.append)
+    monkeypatch.setattr(
+        window.study_menu, "report", lambda one, _over: said.append(one)
+    )
     menu = next(
         one.menu()
         for one in window.menuBar().actions()

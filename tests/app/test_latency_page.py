@@ -221,7 +221,9 @@ def test_a_late_output_is_warned_of_once(
     window, settings, monkeypatch, name, reported_s, is_reported
 ):
     watch, reported = window.extras.latency_monitor, []
-    monkeypatch.setattr(window.session.gateway, "report", reported.append)
+    monkeypatch.setattr(
+        window.session.gateway, "report", lambda one, _over=None: reported.append(one)
+    )
     window.pump.stop()
     late = Snapshot(sound_output=name, reported_latency_s=reported_s)
     monkeypatch.setattr(window.player, "snapshot", lambda: late)

@@ -60,7 +60,9 @@ def test_a_session_is_watched_by_the_window_that_takes_the_place(
     before.themes.changed.emit()
     wait_for(lambda: not shown.is_remaking)
     after = shown.window
-    monkeypatch.setattr(after.study_menu, "report", reported.append)
+    monkeypatch.setattr(
+        after.study_menu, "report", lambda one, _over=None: reported.append(one)
+    )
     assert after is not before
     assert after.study_menu.process.is_running
     gate.write_text("hapticplayer: it was the cable\n")

@@ -304,7 +304,9 @@ def test_the_menu_renders_what_is_open_and_plays_it(window, ride, wait_for):
 
 def test_a_video_without_force_cannot_be_rendered(window, clip, monkeypatch, wait_for):
     said = []
-    monkeypatch.setattr(window.session.gateway, "report", said.append)
+    monkeypatch.setattr(
+        window.session.gateway, "report", lambda one, _over: said.append(one)
+    )
     window.session.open_path(clip)
     wait_for(lambda: window.player.snapshot().source is not None)
     said.clear()

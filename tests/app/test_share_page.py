@@ -85,7 +85,9 @@ def test_cancel_leaves_nothing(page, tmp_path, wait_for, monkeypatch):
 
 def test_the_menu_shares_a_sequence_and_nothing_else(window, source, clip, monkeypatch):
     said = []
-    monkeypatch.setattr(window.session.gateway, "report", said.append)
+    monkeypatch.setattr(
+        window.session.gateway, "report", lambda one, _over: said.append(one)
+    )
     assert not window.commands.share.isEnabled()
     window.session.show_source(source)
     window.session.watch()

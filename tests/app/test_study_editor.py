@@ -51,7 +51,9 @@ def test_the_player_offers_studies(window, tmp_path, monkeypatch):
     titles = [action.text() for action in window.menuBar().actions()]
     assert "&Study" in titles
     reported = []
-    monkeypatch.setattr(window.study_menu, "report", reported.append)
+    monkeypatch.setattr(
+        window.study_menu, "report", lambda one, _over=None: reported.append(one)
+    )
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: tmp_path)
     window.study_menu.edit()
     assert "study.json" in str(reported[0])

@@ -78,7 +78,9 @@ def test_media_keys_find_no_player_while_a_session_runs(
     program.chmod(0o700)
     monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
     texts = []
-    monkeypatch.setattr(window.study_menu, "report", texts.append)
+    monkeypatch.setattr(
+        window.study_menu, "report", lambda one, _over: texts.append(one)
+    )
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.study_menu.run()
     assert window.study_menu.process.is_running
@@ -132,7 +134,9 @@ def test_a_study_without_clips_is_refused_before_any_change(
     window, tmp_path, monkeypatch
 ):
     study, texts = create_study(tmp_path / "empty"), []
-    monkeypatch.setattr(window.study_menu, "report", texts.append)
+    monkeypatch.setattr(
+        window.study_menu, "report", lambda one, _over: texts.append(one)
+    )
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
     window.session.choose_leading("simulated")
     window.study_menu.run()

@@ -142,7 +142,7 @@ class FaultPanel(QDialog):
         try:
             self._follow(self._session.player.inject(Fault(name)))
         except HapticPlayerError as problem:
-            self._session.gateway.report(problem)
+            self._session.report_outputs(problem)
 
     def done(self, result: int) -> None:
         """Give the window a device back that takes no faults."""
