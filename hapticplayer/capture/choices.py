@@ -7,12 +7,13 @@ written once for a logger and used for all its logs.
 import dataclasses
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
+from hapticplayer.model.applied import AppliedAnswers
 from hapticplayer.model.limits import MAX_TEMPLATE_BYTES
 from hapticplayer.model.ranges import SAMPLE_RATE_HZ, UNIT_FACTOR
 from hapticplayer.storage import FILE, file_written_aside, json_text, refuse_existing
@@ -42,10 +43,8 @@ TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 
 
 @dataclass(frozen=True, slots=True)
-class LogChoices:
+class LogChoices(AppliedAnswers):
     """Answers about a log; "" leaves one to the format.
-
-    Whoever applies one takes it with `take`; what nobody has taken is refused in the end.
 
     Attributes:
         format: name of a format, instead of recognising it.
@@ -61,7 +60,6 @@ class LogChoices:
         sampling: "averaged" if each sample is a mean over a window around its time,
             "instant" if not.
         stuck: "no-force" for a log whose sensors were stuck: no force there.
-        taken: names of the answers that were applied.
     """
 
     format: str = ""
@@ -75,16 +73,10 @@ class LogChoices:
     rate_hz: str = ""
     sampling: str = ""
     stuck: str = ""
-    taken: set[str] = field(default_factory=set, init=False, repr=False, compare=False)
-
-    def take(self, name: str) -> str:
-        """The answer of that name, which is applied now; "" for none."""
-        self.taken.add(name)
-        return str(getattr(self, name))
 
     def take_rate_hz(self) -> float | None:
         """The samples per second of a log without timestamps, applied now."""
-        text = self.take("rate_hz")
+        text: str = self.take("rate_hz")
         return SAMPLE_RATE_HZ.parse("rate-hz", text) if text else None
 
     def given(self) -> dict[str, str]:
@@ -94,18 +86,18 @@ class LogChoices:
 
     def refuse_untaken(self, form: str, where: str) -> None:
         """Raise UsageError for an answer that no part of the reading has applied."""
-        for key, value in self.given().items():
-            if key.replace("-", "_") not in self.taken:
-                raise UsageError(
-                    "{file}: {option} {key}={value} has no effect on a log of {form}: "
-                    "{why}; leave it out",
-                    file=where,
-                    option=OPTION,
-                    key=key,
-                    value=value[:80],
-                    form=form,
-                    why=_WHY_UNTAKEN[key],
-                )
+        for name in self.untaken():
+            key = name.replace("_", "-")
+            raise UsageError(
+                "{file}: {option} {key}={value} has no effect on a log of {form}: "
+                "{why}; leave it out",
+                file=where,
+                option=OPTION,
+                key=key,
+                value=getattr(self, name)[:80],
+                form=form,
+                why=_WHY_UNTAKEN[key],
+            )
 
 
 KEYS = tuple(

@@ -71,7 +71,7 @@ FORMATS: tuple[RecordingFormat, ...] = (
     RecordingFormat("si-csv", Message("CSV in SI units"), f"{_HERE}.si_csv:READER",
         "`time_s,ax,...`", "where `time_s` is 0", "itself"),
     RecordingFormat("csv", Message("CSV with chosen columns"), f"{_HERE}.any_table:READER",
-        "four columns of numbers or more", "where the time column is 0; at the first row for `time-unit=ns` or without a time", "the layout of SisFall"),
+        "four columns of numbers or more", "where the time column is 0; at the first row for `time-unit=ns`, clock times and dates, or without a time", "the layout of SisFall"),
 )  # fmt: skip
 """Those of the core, in the order in which they are listed."""
 

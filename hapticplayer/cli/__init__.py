@@ -32,7 +32,25 @@ OpenWindow = Callable[[argparse.Namespace], int]
 
 
 class _ArgumentParser(argparse.ArgumentParser):
-    """Quotes words without commands to the terminal, and says if help cannot be read."""
+    """Quotes words without commands to the terminal, and says if help cannot be read.
+
+    The options that differ from their defaults are `given` of what was parsed.
+    """
+
+    def parse_known_args(  # type: ignore[override]
+        self,
+        args: Sequence[str] | None = None,
+        namespace: argparse.Namespace | None = None,
+    ) -> tuple[argparse.Namespace, list[str]]:
+        found, rest = super().parse_known_args(args, namespace)
+        given = {
+            option
+            for action in self._actions
+            if getattr(found, action.dest, action.default) != action.default
+            for option in action.option_strings
+        }
+        found.given = getattr(found, "given", frozenset()) | given
+        return found, rest
 
     def print_help(self, file: "SupportsWrite[str] | None" = None) -> None:
         (file or sys.stdout).write(self.format_help())

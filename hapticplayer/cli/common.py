@@ -96,6 +96,13 @@ def _write_aside(text: str) -> None:
         sys.stderr.flush()
 
 
+def refuse_idle(options: argparse.Namespace, why: str, *idle: str) -> None:
+    """Raise UsageError for options that were given although they have no effect."""
+    given = [one for one in idle if one in getattr(options, "given", ())]
+    if given:
+        raise UsageError(f"{', '.join(given)} would have no effect {why}; leave it out")
+
+
 def add_number(
     command: argparse._ActionsContainer, option: str, within: Range, **how: Any
 ) -> None:

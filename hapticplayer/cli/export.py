@@ -10,6 +10,7 @@ from hapticplayer import storage
 from hapticplayer.cli.common import (
     add_overwrite,
     interruptible,
+    refuse_idle,
     say,
     say_aside,
     shown_progress,
@@ -101,8 +102,15 @@ def _export_sequence(options: argparse.Namespace) -> int:
     return 0
 
 
+_OF_A_SEQUENCE = (
+    *("--feedback", "--with-motion", "--tolerance", "--sample-rate"),
+    "--funscript-version",
+)
+
+
 def _export_record(options: argparse.Namespace) -> int:
     """Convert a record, showing the progress, and say what is in it."""
+    refuse_idle(options, "on a record of `play --record`", *_OF_A_SEQUENCE)
     target, name = Path(options.output), options.format or "csv"
     exporter = RECORD_EXPORTERS.get(name)
     if exporter is None:

@@ -6,7 +6,13 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from hapticplayer.capture.mounting import BY_FRAMES
-from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
+from hapticplayer.cli.common import (
+    add_number,
+    interruptible,
+    refuse_idle,
+    say,
+    shown_progress,
+)
 from hapticplayer.cli.mapping_options import (
     FIT,
     add_mapping,
@@ -15,6 +21,7 @@ from hapticplayer.cli.mapping_options import (
     mapping_text,
 )
 from hapticplayer.cli.recording_options import (
+    OF_A_RECORDING,
     add_mounting,
     add_processing,
     add_reading,
@@ -131,6 +138,8 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
 
 def chosen_import(options: argparse.Namespace) -> Choices:
     """The choices of an import."""
+    if options.suggest_motion:
+        refuse_idle(options, "without a recording (--suggest-motion)", *OF_A_RECORDING)
     mapping, fits_gain = chosen_mapping(options)
     return Choices(
         title=options.title,

@@ -16,6 +16,7 @@ from hapticplayer.cli.common import (
     complain,
     interruptible,
     peak_text,
+    refuse_idle,
     say,
     say_aside,
     shown_progress,
@@ -38,6 +39,7 @@ from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.storage import FILE, make_way, refuse_existing
 
 ADDRESSES = ("http://", "https://")
+_OF_THE_WINDOW = ("--fullscreen", "--no-plots", "--close-at-end")
 ACCEPT_IT = "--accept-changed-video plays the force with it"
 
 
@@ -137,6 +139,8 @@ def run(options: argparse.Namespace, open_window: OpenWindow | None) -> int:
     """Play in the window, or without one."""
     if open_window is not None and not options.headless:
         return open_window(options)
+    if options.headless:
+        refuse_idle(options, "without a window", *_OF_THE_WINDOW)
     if not options.source:
         from hapticplayer.sequence.demo import demo_folder
 

@@ -14,7 +14,13 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.mounting import mounted
 from hapticplayer.capture.recording import Recording, refuse_gravity_free
-from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
+from hapticplayer.cli.common import (
+    add_number,
+    interruptible,
+    refuse_idle,
+    say,
+    shown_progress,
+)
 from hapticplayer.cli.plots import draw_motion
 from hapticplayer.cli.recording_options import (
     add_mounting,
@@ -103,7 +109,10 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     with interruptible(), shown_progress() as progress:
         progress(0.0, f"reading {Path(options.recording).name}")
         recording = _read(
-            Path(options.recording), chosen_log(options), chosen_mounting(options)
+            Path(options.recording),
+            chosen_log(options),
+            chosen_mounting(options),
+            options,
         )
         keep_template(options)
         progress(0.3, f"removing gravity: {processing.method}")
@@ -133,15 +142,17 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     return 0
 
 
-def _read(path: Path, choices: LogChoices, mounting: str) -> Recording:
+def _read(
+    path: Path, choices: LogChoices, mounting: str, options: argparse.Namespace
+) -> Recording:
     """Return the motion of a recording, or of the folder of a sequence."""
     if not (path / DESCRIPTION).is_file():
         recording = read_recording(path, choices)
         refuse_gravity_free(recording)
         turned = mounted(recording.imu, mounting)
         return dataclasses.replace(recording, imu=turned)
-    if mounting:
-        raise UsageError(f"--mounting is for a recording; {path.name} is a sequence")
+    of_a_log = ("--mounting", "--read-as", "--save-template")
+    refuse_idle(options, f"on {path.name}, which is a sequence", *of_a_log)
     imu, made_of = read_recorded(path)
     kept = {k: str(made_of[k]) for k in ("mounting",) if k in made_of}
     return Recording(imu, ClockMap(), str(made_of.get("camera", "")), provenance=kept)

@@ -15,7 +15,7 @@ from hapticplayer.capture.choices import (
 from hapticplayer.capture.mounting import MOUNTINGS, mounting_axes
 from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import COARSE, FoundMounting
-from hapticplayer.cli.common import add_number, add_overwrite
+from hapticplayer.cli.common import add_number, add_overwrite, refuse_idle
 from hapticplayer.cli.plots import is_plot
 from hapticplayer.errors import UsageError
 from hapticplayer.model import ranges
@@ -49,6 +49,14 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         help="keep these decisions for other logs of the same logger",
     )
     add_overwrite(command)
+
+
+OF_A_RECORDING = (
+    *("--read-as", "--save-template", "--mounting", "--sync", "--offset", "--camera"),
+    *("--skew", "--method", "--time-constant", "--remove-spikes", "--repair-clipping"),
+    *("--average", "--lowpass", "--calibration"),
+)
+"""Options that say how a recording is read, synchronised and processed."""
 
 
 def add_mounting(command: argparse.ArgumentParser) -> None:
@@ -163,7 +171,13 @@ def keep_template(options: argparse.Namespace) -> None:
 
 def chosen_sync(options: argparse.Namespace) -> SyncChoices:
     """The choices about the clocks."""
+    if options.sync_method not in {methods.AUTO, "offset"}:
+        why = f"with the method {options.sync_method}, which finds it"
+        refuse_idle(options, why, "--offset")
     late_s = options.skew
+    is_stored = getattr(options, "store_skew", False)
+    if late_s is not None and not is_stored:
+        refuse_idle(options, "beside --skew, which is taken", "--camera")
     if late_s is None and options.camera is not None:
         skews = stored_skews()
         if options.camera not in skews:
@@ -177,6 +191,7 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
         method=options.sync_method,
         offset_s=options.offset,
         sound_late_s=late_s,
+        refuses_idle_skew=late_s is not None and not is_stored,
     )
 
 

@@ -9,6 +9,7 @@ from typing import Any
 from hapticplayer.cli.common import (
     add_number,
     interruptible,
+    refuse_idle,
     say,
     say_aside,
     shown_progress,
@@ -283,8 +284,12 @@ def _population(options: argparse.Namespace) -> tuple[Draw, tuple[str, ...], str
             like = _rated_like(feedbacks, options.like)
             effect = for_feedbacks(effect, like)
             _say_assumed(like)
+        else:
+            refuse_idle(options, "without --feedback", "--like")
         draw = draw_effect(effect, options.measure, options.sequences)
         return draw, effect.feedbacks, f"effect {effect.name}"
+    for_a_plan = ("--sequences", "--effect", "--feedback", "--like")
+    refuse_idle(options, f"with the answers of {options.study.name}", *for_a_plan)
     scores = scores_of(read_answers(options.study))
     if options.measure not in scores.measures:
         known = ", ".join(scores.measures)

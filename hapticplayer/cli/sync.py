@@ -12,7 +12,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.check import check_log, check_sound
 from hapticplayer.capture.sync.synchronize import read_sound
-from hapticplayer.cli.common import complain, interruptible, say
+from hapticplayer.cli.common import complain, interruptible, refuse_idle, say
 from hapticplayer.cli.plots import draw_sync
 from hapticplayer.cli.recording_options import (
     add_reading,
@@ -82,7 +82,10 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     with interruptible():
         choices, plot = chosen_sync(options), plot_target(options)
         if options.check:
-            return _check(_read_either(options), options, choices)
+            refuse_idle(options, "with --check", "--plot", "--method", "--offset")
+            checked = _read_either(options)
+            keep_template(options)
+            return _check(checked, options, choices)
         clip = probe(options.clip)
         recording = read_recording(options.imu or options.clip, chosen_log(options))
         keep_template(options)

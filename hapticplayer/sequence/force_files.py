@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
-from hapticplayer.errors import Message
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ForceTrack, MotionTrack
+from hapticplayer.model.applied import AppliedAnswers
 from hapticplayer.model.ranges import Range
 from hapticplayer.storage import IsOurs
 
@@ -24,7 +25,7 @@ UP: Direction = (0.0, 1.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
-class WriteChoices:
+class WriteChoices(AppliedAnswers):
     """What can be chosen when a force track is written.
 
     Attributes:
@@ -50,7 +51,7 @@ class WriteChoices:
 
 
 @dataclass(frozen=True, slots=True)
-class ReadChoices:
+class ReadChoices(AppliedAnswers):
     """What a file may not say itself.
 
     Attributes:
@@ -100,6 +101,30 @@ class Loss(NamedTuple):
     max_n: float | None
     of: Message
 
+
+def refuse_untaken(choices: ReadChoices | WriteChoices, form: str, where: str) -> None:
+    """Raise UsageError for a choice that had no effect on a file."""
+    for name in choices.untaken():
+        if name in _OPTIONS:
+            raise UsageError(
+                "{file}: {option} has no effect: {form} has no use for it, or this file "
+                "says it itself; leave it out",
+                file=where,
+                option=_OPTIONS[name],
+                form=form,
+            )
+
+
+_OPTIONS = {
+    "tolerance_n": "--tolerance",
+    "sample_rate_hz": "--sample-rate",
+    "funscript_version": "--funscript-version",
+    "full_scale_n": "--full-scale",
+    "direction": "--direction",
+    "stiffness_n_per_m": "--stiffness",
+    "other_is": "--other-is",
+}
+"""Of the choices that a person makes."""
 
 NOT_MEASURED = "estimated from the picture, not measured"
 

@@ -28,6 +28,7 @@ from hapticplayer.sequence.force_files import (
     Read,
     ReadChoices,
     WriteChoices,
+    refuse_untaken,
 )
 from hapticplayer.sequence.milliseconds import end_ms, force_loss
 from hapticplayer.untrusted import open_regular
@@ -103,8 +104,9 @@ def read_force(
             name=form.name,
             known=", ".join(read_formats()),
         )
+    choices = replace(choices or ReadChoices())
     try:
-        return form.read(path, choices or ReadChoices())
+        found = form.read(path, choices)
     except (MemoryError, RecursionError, OverflowError) as problem:
         raise InputError(
             "is damaged ({reason})",
@@ -112,6 +114,8 @@ def read_force(
             remedy="choose another file",
             reason=problem,
         ) from problem
+    refuse_untaken(choices, form.name, str(path))
+    return found
 
 
 def export_track(
@@ -152,7 +156,9 @@ def export_track(
         ]
         for part, infix in zip(parts, form.parts(choices), strict=True):
             with part.open("xb") as out:
-                left_out += form.write(track, out, replace(choices, part=infix))
+                of_part = replace(choices, part=infix)
+                left_out += form.write(track, out, of_part)
+                refuse_untaken(of_part, form.name, str(target))
         loss = form.loss(track, parts[0], choices)
         sizes = [sum(both) for both in zip(*map(_sizes, parts), strict=True)]
     seconds = max(1e-3, end_ms(track, choices.duration_s) / 1000.0)

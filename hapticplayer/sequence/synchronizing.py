@@ -52,6 +52,7 @@ class SyncChoices:
         offset_s: media time of the log's time zero.
         sound_late_s: how much later than its frames the camera's sound comes; None
             for the stored skew of the clip's camera.
+        refuses_idle_skew: a skew that has no effect is refused.
         accepted: a result that a person has checked and accepted, or the clip's own
             clock as it was found before.
     """
@@ -59,6 +60,7 @@ class SyncChoices:
     method: str = AUTO
     offset_s: float | None = None
     sound_late_s: float | None = None
+    refuses_idle_skew: bool = False
     accepted: Synchronisation | None = None
 
 
@@ -137,6 +139,7 @@ def find_sync(
         InputError: when no synchronisation is possible.
         UsageError: for a method that does not exist or lacks its argument.
     """
+    heard: list[ClipSound] = []
 
     def hear() -> ClipSound:
         if not clip.has_audio:
@@ -148,7 +151,8 @@ def find_sync(
         late_s = choices.sound_late_s
         if late_s is None:
             late_s = stored_skews().get(clip.camera, 0.0)
-        return read_sound(clip.path, late_s)
+        heard.append(read_sound(clip.path, late_s))
+        return heard[-1]
 
     offset_s, own = choices.offset_s, recording.clock_map
     given = None if offset_s is None else ClockMap(offset_s)
@@ -161,7 +165,15 @@ def find_sync(
         (look or (lambda: watch(clip, progress))) if has_frames() else None,
         recording.lag,
     )
-    return sync_method(choices.method).function()(inputs)
+    found = sync_method(choices.method).function()(inputs)
+    if choices.refuses_idle_skew and not heard:
+        raise UsageError(
+            "{clip}: the skew of the sound would have no effect, because the offset "
+            "comes from elsewhere (method {method}); leave out --skew and --camera",
+            clip=clip.path.name,
+            method=found.method,
+        )
+    return found
 
 
 def watch(clip: ClipInfo, progress: Progress) -> FrameRotation:

@@ -44,10 +44,11 @@ def write(
     refuse_large_force(track.force_n, "ahap")
     until_ms = end_ms(track, choices.duration_s)
     # corners may lie above the largest force by the tolerance
-    scale_n = math.ceil((track.peak_n() + choices.tolerance_n) * 1000.0) / 1000.0
-    digits = math.ceil(math.log10(_STEPS_PER_TOLERANCE * scale_n / choices.tolerance_n))
+    tolerance_n: float = choices.take("tolerance_n")
+    scale_n = math.ceil((track.peak_n() + tolerance_n) * 1000.0) / 1000.0
+    digits = math.ceil(math.log10(_STEPS_PER_TOLERANCE * scale_n / tolerance_n))
     quantum_n = scale_n * 10.0**-digits
-    curve = thinned(track, until_ms, choices.tolerance_n, quantum_n, _size, 0.0)[0]
+    curve = thinned(track, until_ms, tolerance_n, quantum_n, _size, 0.0)[0]
     mark = _MARK.decode() + origin(track)
     about = {"Description": f"{mark}; newton = intensity * {scale_n:.3f}"}
     head = _json({"Version": 1.0, "Metadata": about, "Pattern": []})

@@ -106,14 +106,15 @@ def write(
     }
     _refuse_many(sum(len(at_ms) for at_ms, _ in axes.values()))
     about = {"creator": f"{_MARK.decode()} {__version__}{origin(track)}"}
-    head = {"version": choices.funscript_version, "metadata": about}
+    version = choices.take("funscript_version")
+    head = {"version": version, "metadata": about}
     out.write(json.dumps(head, separators=(",", ":")).encode().removesuffix(b"}"))
     out.write(b',"actions":')
     _write_actions(out, *axes.pop(_PARTS[choices.part]))
-    if choices.funscript_version == "1.1":
+    if version == "1.1":
         heads = [f'{{"id":"{name}","actions":' for name in axes]
         _write_axes(out, ',"axes":[', heads, list(axes.values()), "]")
-    elif choices.funscript_version == "2.0":
+    elif version == "2.0":
         names = {axis: name for name, axis in _CHANNELS.items()}
         heads = [f'"{names[axis]}":{{"actions":' for axis in axes]
         _write_axes(out, ',"channels":{', heads, list(axes.values()), "}")
@@ -131,10 +132,11 @@ def no_newtons(_track: ForceTrack, _path: Path, _choices: WriteChoices) -> Loss:
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
     """Return the spring's force on a hand at the centre."""
+    stiffness: float = choices.take("stiffness_n_per_m")
     said = Message(
         "positions were taken as the set-point of a spring of {stiffness:.3g} N/m, "
         "with the hand at the centre",
-        stiffness=choices.stiffness_n_per_m,
+        stiffness=stiffness,
     )
     reader = _AxisReader([said], [], {})
     reader.add(path)
@@ -150,7 +152,7 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
     for name, (at_s, place) in axes.items():
         column, sign = _AXES[name]
         shift_m = sign * REACH_M * (np.interp(time_s, at_s, place) - 50.0) / 50.0
-        force_n[:, column] = choices.stiffness_n_per_m * shift_m
+        force_n[:, column] = stiffness * shift_m
     if time_s[0] < 0.0:
         reader.unread.append(BEFORE_ZERO)
     time_s, force_n = from_zero(time_s, force_n, str(path))

@@ -41,21 +41,19 @@ def write(
     The force vector stays within the tolerance: each axis gets its share.
     """
     refuse_large_force(track.force_n, "hjif")
+    tolerance_n: float = choices.take("tolerance_n")
     largest_n = float(np.abs(track.force_n).max())
     digits = math.ceil(
         math.log10(
-            _STEPS_PER_TOLERANCE
-            * math.sqrt(3.0)
-            * max(1.0, largest_n)
-            / choices.tolerance_n
+            _STEPS_PER_TOLERANCE * math.sqrt(3.0) * max(1.0, largest_n) / tolerance_n
         )
     )
     # corners may lie above the largest force by the tolerance
-    scale_n = math.ceil((largest_n + choices.tolerance_n) * 1000.0) / 1000.0
+    scale_n = math.ceil((largest_n + tolerance_n) * 1000.0) / 1000.0
     curves = thinned(
         track,
         end_ms(track, choices.duration_s),
-        choices.tolerance_n / math.sqrt(3.0),
+        tolerance_n / math.sqrt(3.0),
         scale_n * 10.0**-digits,
     )
     channels = [

@@ -27,7 +27,7 @@ from hapticplayer.extras.formats.hjif_signals import (
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import refuse_large_force
-from hapticplayer.sequence.force_files import ForceFile, ReadChoices
+from hapticplayer.sequence.force_files import Direction, ForceFile, ReadChoices
 from hapticplayer.untrusted import ANOTHER
 
 FORCE = ("Force", "Kinesthetic")
@@ -72,8 +72,10 @@ class _ChannelReader:
                 self._parts.append((scale_n * self._direction(channel), shape))
 
     def _modality(self, name: str) -> str:
-        meant = _MEANT.get(self._choices.other_is)
-        if name != _OTHER or meant is None:
+        if name != _OTHER:
+            return name
+        meant = _MEANT.get(self._choices.take("other_is"))
+        if meant is None:
             return name
         said = Message("{name} was taken as {modality}", name=name, modality=meant)
         self._bands.assumed.append(said)
@@ -136,9 +138,9 @@ class _ChannelReader:
                     number=number,
                 )
                 self._bands.assumed.append(said)
-        full_n = self._choices.full_scale_n
         if modality in FORCE and device and device.maximum_amplitude is not None:
             return channel.gain * device.maximum_amplitude
+        full_n: float = self._choices.take("full_scale_n")
         self._bands.assumed.append(
             Message(
                 "{modality}: amplitude 1 was taken as {full_n:.3g} N",
@@ -149,11 +151,12 @@ class _ChannelReader:
         return channel.gain * full_n
 
     def _direction(self, channel: HjifChannel) -> Floats:
-        given, chosen = channel.direction, self._choices.direction
+        given = channel.direction
         vector = np.array([given.X, given.Y, given.Z] if given else np.zeros(3))
         size = float(np.linalg.norm(vector))
         if size:
             return np.asarray(vector / size)
+        chosen: Direction = self._choices.take("direction")
         none = Message("no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}")
         empty = Message(
             "a direction of length 0 was taken as x {x:.2f}, y {y:.2f}, z {z:.2f}"

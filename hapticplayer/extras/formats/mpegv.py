@@ -46,7 +46,7 @@ def write(
     until_ms = end_ms(track, choices.duration_s)
     rows = tags = 0
     out.write(_HEAD.replace(_MARK, _MARK + origin(track)).encode())
-    for kept, text in _forces(track, until_ms, choices.tolerance_n):
+    for kept, text in _forces(track, until_ms, choices.take("tolerance_n")):
         rows, tags = rows + kept, tags + text.count("<")
         out.write(text.encode())
     if choices.motion is not None:

@@ -198,7 +198,7 @@ class _EffectReader:
         length_s = (effect.length_s or 0.0) + effect.release_s
         count = int(length_s * 1000.0) + 1
         self._spend(count)
-        full_n = self._choices.full_scale_n
+        full_n = self._choices.take("full_scale_n")
         self._notes[
             Message(
                 "vibration: full intensity was taken as {full_n:.3g} N", full_n=full_n
@@ -206,7 +206,7 @@ class _EffectReader:
         ] = None
         wave = np.sin(2.0 * np.pi * _VIBRATION_HZ * np.linspace(0.0, length_s, count))
         return np.asarray(
-            full_n * effect.level * np.outer(wave, self._choices.direction)
+            full_n * effect.level * np.outer(wave, self._choices.take("direction"))
         )
 
     def _spend(self, rows: int) -> None:

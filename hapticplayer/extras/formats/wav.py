@@ -32,7 +32,7 @@ def write(
     scale_n = max(0.01, math.ceil(float(np.abs(track.force_n).max()) * 1000.0) / 1000.0)
     comment = MARK + f"{scale_n:.3f}; x, y, z{origin(track)}".encode()
     comment += b"\0" * (2 - len(comment) % 2)
-    until_ms, rate = end_ms(track, choices.duration_s), choices.sample_rate_hz
+    until_ms, rate = end_ms(track, choices.duration_s), choices.take("sample_rate_hz")
     count = max(1, until_ms * rate // 1000 + 1)
     if count > MAX_SAMPLES:
         raise InputError(

@@ -56,7 +56,7 @@ def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
     notes, unread = list(data.assumed), list(data.unread)
     scale_n = data.scale_n
     if scale_n is None:
-        scale_n = choices.full_scale_n
+        scale_n = choices.take("full_scale_n")
         notes.append(Message("full scale was taken as {full_n:.3g} N", full_n=scale_n))
     rate = data.form.rate_hz
     if rate > 8 * _LOOP_HZ:
@@ -66,7 +66,7 @@ def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
     if data.form.channels == 3 and data.scale_n is None:
         notes.append(Message("three channels were taken as x, y and z"))
     if data.form.channels != 3:
-        way = choices.direction
+        way = choices.take("direction")
         notes.append(
             Message(
                 "{count} channels act along x {x:.2f}, y {y:.2f}, z {z:.2f}",
