@@ -14,44 +14,24 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import NAMES, translated
-from app.player.health import cause_text
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.layout import STRETCH, fill_page, indent, paragraph, row_of
 from app.widgets.texts import local, titled
-from hapticplayer.haptics.contract import Cause
+from hapticplayer.playback.faults import CAUSE_TEXTS
 from hapticplayer.study.orders import Balance
 from hapticplayer.study.preflight import SessionCheck
 
 translate = QCoreApplication.translate
-
-_SAME = {  # for a moment or for good: in the same words
-    "heartbeat_late": "heartbeat_lost",
-    "reply_late": "reply_lost",
-    "tick_late": "tick_lost",
-    "clock_stale": "heartbeat_lost",
-    "command_stale": "tick_lost",
-}
-
-
-def _only_in_trials() -> dict[str, str]:
-    """The causes that take the force away for a moment and are not shown."""
-    return {
-        "no_track": translate("SessionWords", "no force track"),
-        "guard_lost": translate("SessionWords", "guard process not responding"),
-        "stopped": translate("SessionWords", "stopped"),
-        "not_homed": translate("SessionWords", "lost homing"),
-    }
 
 
 def reason_text(reason: str) -> str:
     """Return why a trial was not valid; what is not known keeps the record's word."""
     kind, _, more = reason.partition(":")
     if kind == "fault":
-        known = {cause.name.lower(): cause_text(cause) for cause in Cause}
-        known |= _only_in_trials()
+        texts = {cause.name.lower(): what for cause, what in CAUSE_TEXTS.items()}
         text = translate("SessionWords", "safety stop ({0})")
-        return text.format(known.get(_SAME.get(more, more)) or more)
+        return text.format(translated(texts.get(more, more)))
     if kind == "sync":
         return {
             "video": translate("SessionWords", "force and video out of sync"),
@@ -74,6 +54,7 @@ def reason_text(reason: str) -> str:
         "sound_missing": translate("SessionWords", "gaps in the sound"),
         "no_device": translate("SessionWords", "no device"),
         "device_lost": translate("SessionWords", "device lost"),
+        "output_fault": translate("SessionWords", "an output did not play"),
         "periods_missed": translate(
             "SessionWords", "missed periods in the haptic loop"
         ),

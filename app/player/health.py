@@ -13,6 +13,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import LoopStats, SyncStats
+from hapticplayer.playback.faults import CAUSE_TEXTS
 from hapticplayer.playback.meters import EARLY_MS, LATE_MS
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.snapshot import Measurements, Snapshot
@@ -117,18 +118,7 @@ def stop_reason(cause: Cause) -> str:
 
 def cause_text(cause: Cause) -> str:
     """The event; nothing where a person did it, or it went by itself."""
-    return {
-        Cause.HEARTBEAT_LOST: translate("Health", "window not responding"),
-        Cause.PLAYER_GONE: translate("Health", "player ended"),
-        Cause.NOT_FINITE: translate("Health", "invalid force track"),
-        Cause.GRIP_BUTTON: translate("Health", "grip button"),
-        Cause.UNPLUGGED: translate("Health", "unplugged"),
-        Cause.REPLY_LOST: translate("Health", "device not responding"),
-        Cause.MALFORMED: translate("Health", "malformed replies from the device"),
-        Cause.TICK_LOST: translate("Health", "computer stalled"),
-        Cause.RUNAWAY: translate("Health", "grip released"),
-        Cause.OUTSIDE: translate("Health", "grip at the edge of the workspace"),
-    }.get(cause, "")
+    return translated(CAUSE_TEXTS.get(cause, ""))
 
 
 def scheduling(snapshot: Snapshot) -> Reading:

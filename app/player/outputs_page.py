@@ -68,8 +68,8 @@ def state_text(output: OutputSnapshot) -> str:
         return translated(output.problem) or translate("Health", "failed")
     if output.health is Health.STARTING:
         return translate("Health", "starting")
-    if output.note and not output.is_muted:
-        return translated(output.note)
+    if (what := output.note or output.fault) and not output.is_muted:
+        return translated(what)
     return mode_text(output.mode)
 
 

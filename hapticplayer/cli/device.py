@@ -46,6 +46,7 @@ from hapticplayer.haptics.block import REFUSED, SENT
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.model import ranges
 from hapticplayer.playback.device_test import DevicePart, DeviceTest, parts_of
+from hapticplayer.playback.faults import trip_text
 from hapticplayer.playback.forces import moved_along
 
 Action = Callable[[argparse.Namespace], int]
@@ -323,7 +324,7 @@ def test_forces(options: argparse.Namespace) -> int:
     if test.problem:
         complain(test.problem)
     elif test.mode is Mode.TRIPPED:
-        complain(f"stopped: {test.cause.name.lower().replace('_', ' ')}")
+        complain(trip_text(test.cause))
     return int(bool(test.problem) or test.mode is Mode.TRIPPED)
 
 

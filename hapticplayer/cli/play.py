@@ -32,6 +32,7 @@ from hapticplayer.playback.latency import saved_latencies
 from hapticplayer.playback.log import PlaybackLog, is_log
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
+from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict
@@ -180,23 +181,36 @@ def play(options: argparse.Namespace) -> int:
                 start_s=options.start,
                 until_s=end_s,
             )
-        now = player.snapshot()
-        problem = now.problem or next((o.problem for o in now.outputs if o.problem), "")
-        notes = [output.note for output in now.outputs if output.note]
+        problems, notes = _problems(player.snapshot())
     finally:
         player.close()
     report = player.summary()
     say(json.dumps(report) if options.json else _summary_text(source, feedback, report))
     now = player.snapshot()
-    for sentence in (*now.notices, *notes):
-        if sentence not in {problem, said}:
+    for sentence in dict.fromkeys((*now.notices, *notes)):
+        if sentence not in {*problems, said}:
             say_aside(sentence)
-    problem = problem or now.leading.record_problem
-    problem = problem or now.log_problem
-    if problem:
-        complain(problem)
-        return 1
-    return 0
+    problems += [now.leading.record_problem, now.log_problem]
+    found = [sentence for sentence in dict.fromkeys(problems) if sentence]
+    for sentence in found:
+        complain(sentence)
+    return int(bool(found))
+
+
+def _problems(now: Snapshot) -> tuple[list[str], list[str]]:
+    """What makes the status 1, and what is only said.
+
+    Nothing was felt where the leading output played nothing, or all of them.
+    """
+    problems: list[str] = [now.problem]
+    for one in now.outputs:
+        if what := one.problem or one.fault:
+            tagged = Message("{output}: {what}", output=one.name, what=what)
+            problems.append(what if one is now.leading else tagged)
+    notes = [one.note for one in now.outputs if one.note]
+    if now.leading.note or (notes and len(notes) == len(now.outputs)):
+        return problems + notes, []
+    return problems, notes
 
 
 def opened(options: argparse.Namespace) -> Source:

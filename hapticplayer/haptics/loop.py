@@ -52,6 +52,7 @@ class Loop(TrackFollower):
         self.count = 0
         self.reading: DeviceReading | None = None
         self._levels: tuple[ChannelLevel, ...] = ()
+        self._notice = ""
         self._needed_s = self.clock.now_s()
 
     def run(self) -> None:
@@ -138,6 +139,10 @@ class Loop(TrackFollower):
         if reading.levels is not self._levels:
             self._levels = reading.levels
             self.block.write_levels(reading.levels)
+        if reading.notice is not self._notice:
+            self._notice = reading.notice
+            if reading.notice:
+                self.line.send(MessageKind.NOTICE, reading.notice)
 
     def _record(self, late_s: float, missed: int) -> None:
         state = self.state

@@ -31,9 +31,12 @@ class MessageKind(enum.Enum):
     READY = b"R"  # + scheduling class
     FAILED = b"E"  # + one sentence
     LOST = b"L"  # + one sentence: the device is gone
+    NOTICE = b"N"  # + one sentence: what the device has reported
 
 
-_SENTENCES = (MessageKind.FAILED, MessageKind.LOST)
+_SENTENCES = (MessageKind.FAILED, MessageKind.LOST, MessageKind.NOTICE)
+_MOST_SAID = 600
+"""Characters of a sentence that always fit into a message."""
 
 
 class ReceivedMessage(NamedTuple):
@@ -76,7 +79,8 @@ class MessageSocket:
         a device could not be opened, may still be waiting there.
         """
         if word in _SENTENCES:
-            text = json.dumps(to_json(text))
+            said = json.dumps(to_json(text))
+            text = said if len(said) < _MAX_BYTES else json.dumps(text[:_MOST_SAID])
         descriptors = [descriptor] if descriptor >= 0 else []
         try:
             socket.send_fds(self._end, [word.value + text.encode()], descriptors)

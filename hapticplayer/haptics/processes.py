@@ -74,7 +74,7 @@ class HapticsProcesses:
         takes_faults: bool = False,
     ) -> None:
         self.device, self.health = device, Health.NONE
-        self.scheduling = self.problem = ""
+        self.scheduling = self.problem = self.notice = ""
         self._clock, self._wanted_scheduling = clock, scheduling
         self._tail, self._next_track_id = 0, 1
         self._release_s = 0.0
@@ -312,6 +312,8 @@ class HapticsProcesses:
             self.problem = message.text
             if self.health is Health.STARTING:
                 self.health = Health.FAILED
+        elif message.word is MessageKind.NOTICE:
+            self.notice = message.text
         elif message.word is MessageKind.LOST:
             self.problem, self.health = message.text, Health.FAILED
         return True

@@ -16,7 +16,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.devices.options import GAIN
 from hapticplayer.errors import Message
-from hapticplayer.haptics.block import REFUSED
+from hapticplayer.haptics.block import REFUSED, SENT
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import is_near_middle, limits_of
 from hapticplayer.haptics.processes import HapticsProcesses, Health
@@ -30,6 +30,7 @@ from hapticplayer.model import (
     SyncStats,
 )
 from hapticplayer.model.device import Signal
+from hapticplayer.playback.faults import OutputFaults
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
@@ -98,6 +99,7 @@ class Output:
         is_lent: whether a test or another program has the device meanwhile.
         processes: of the device, or of none while it is lent.
         history: the last ticks.
+        faults: what kept it from playing, since the meters were restarted.
         video, audio: how much later the force came than frame and sound.
     """
 
@@ -142,6 +144,7 @@ class Output:
         self._next_read_s = self._next_compare_s = self._next_sync_s = 0.0
         self._mode, self._mode_s = Mode.IDLE, float("-inf")
         self._is_closed = self._was_ready = self._is_death_known = False
+        self._is_wanted = self._was_unheard = False
 
     @property
     def takes_motion(self) -> bool:
@@ -246,6 +249,7 @@ class Output:
         is_on = wanted in self._names and not self.is_muted
         if self.takes_motion and any(one.is_releasing for one in self._before):
             is_on = False
+        self._is_wanted = is_on and clock.rate != 0.0
         ahead = clock.ahead(self.latency_s)
         self.processes.publish(ahead, wanted if is_on else NO_TRACK)
 
@@ -262,6 +266,10 @@ class Output:
             self._reporter.event("device_lost", problem=self.problem)
             self._reporter.notify(self.problem)
         self._was_ready = health is Health.READY
+        if self.processes.notice != self.faults.notice:
+            self.faults.notice = self.processes.notice
+            self._reporter.event("device_notice", problem=self.processes.notice)
+            self._reporter.notify(self.processes.notice)
         if (is_dead and was_ready and self.has_grip) or self._has_tripped():
             self._latch.stop()
 
@@ -284,7 +292,7 @@ class Output:
             self.name,
             processes.health,
             self.problem,
-            self._note(tick, feedback),
+            self._note(feedback),
             feedback,
             self.is_muted,
             self.gain,
@@ -298,6 +306,8 @@ class Output:
             processes.takes_faults,
             processes.scheduling,
             processes.record_problem,
+            self.faults.sentence,
+            self._is_unheard(),
         )
 
     @property
@@ -312,15 +322,22 @@ class Output:
             )
         return self.processes.problem
 
-    def _note(self, tick: Any, feedback: str) -> Message | str:
+    def _note(self, feedback: str) -> Message | str:
         if self.is_lent:
             return LENT
         if not self.takes_motion:
             return ""
         if feedback not in {*self._names, NO_TRACK, Feedback.NONE.value}:
             return NO_MOTION
-        is_refused = tick is not None and tick["buttons"] & REFUSED
-        return Message(NOBODY_LISTENS, address=self._address) if is_refused else ""
+        if not self._is_unheard():
+            return ""
+        return Message(NOBODY_LISTENS, address=self._address)
+
+    def _is_unheard(self) -> bool:
+        """Whether nobody listens now, or has listened to most of it."""
+        tick = self.history.latest() if self.takes_motion else None
+        is_refused = tick is not None and bool(tick["buttons"] & REFUSED)
+        return is_refused or self.faults.is_unheard
 
     def _has_tripped(self) -> bool:
         """Whether the loop has stopped by itself, or does not follow a re-arm.
@@ -368,6 +385,7 @@ class Output:
 
     def restart_meters(self) -> None:
         """Measure the force against frames and sound from here on."""
+        self.faults = OutputFaults()
         self.video, self.audio = SyncMeter(), SyncMeter()
         self.loudest = Loudest()
 
@@ -406,12 +424,15 @@ class Output:
             "scheduling": self.processes.scheduling,
             "device": self.processes.device,
             "channels": self.loudest.described(),
+            "fault": str(self.processes.problem or self.faults.sentence) or None,
         }
 
     def _read(self) -> None:
         records, lost = self.processes.read_ticks()
         self.history.add(records, lost)
         self.loudest.add(self.processes.levels)
+        wanted, is_rig = self._is_wanted, self.takes_motion
+        self.faults.add(records, is_wanted=wanted, is_rig=is_rig)
         if (now_s := self._clock.now_s()) >= self._next_compare_s:
             self._next_compare_s = now_s + COMPARE_PERIOD_S
             self._compare("video", self.video)
@@ -420,6 +441,7 @@ class Output:
             self._reporter.ticks(records)
         self._log_sync()
         self._log_modes(records, lost)
+        self._log_unheard(records)
 
     def _compare(self, what: str, meter: SyncMeter) -> None:
         """Measure how much later the force came, and report what can be felt."""
@@ -454,17 +476,29 @@ class Output:
             self._reporter.event("ticks_lost", count=lost)
         modes = np.concatenate([[self._mode], records["mode"]])
         for row in np.flatnonzero(np.diff(modes.astype(np.int16))):
-            mode = Mode(int(modes[row + 1]))
+            mode, cause = Mode(int(modes[row + 1])), Cause(int(records["cause"][row]))
+            if self.faults.note_mode(mode, cause):
+                self._reporter.notify(self.faults.trip)
             self._reporter.line(
                 "event",
                 name={Mode.RAMPING: "ramp", Mode.TRIPPED: "trip"}.get(
                     mode, f"force_{mode.name.lower()}"
                 ),
-                cause=Cause(int(records["cause"][row])).name.lower(),
+                cause=cause.name.lower(),
                 monotonic_s=(at_s := float(records["monotonic_s"][row])),
             )
             self._mode_s = at_s
         self._mode = Mode(int(modes[-1]))
+
+    def _log_unheard(self, records: NDArray[Any]) -> None:
+        """Log when a rig begins not to be listened to, and when that is over."""
+        sent = records["buttons"][records["buttons"] & SENT > 0]
+        if not self.takes_motion or not len(sent):
+            return
+        is_unheard = bool(sent[-1] & REFUSED)
+        if is_unheard is not self._was_unheard:
+            self._was_unheard = is_unheard
+            self._reporter.event("nobody_listens" if is_unheard else "listened_to")
 
 
 def is_hardware(device: str) -> bool:

@@ -40,6 +40,8 @@ class OutputSnapshot:
         takes_faults: whether they can be injected.
         scheduling: class of its loop, "" before it runs.
         record_problem: why the recording of its ticks is incomplete.
+        fault: what kept it from playing though it is still there, "" for nothing.
+        is_unheard: whether nobody listens to what it sends.
     """
 
     name: str = NO_DEVICE
@@ -59,6 +61,8 @@ class OutputSnapshot:
     takes_faults: bool = False
     scheduling: str = ""
     record_problem: str = ""
+    fault: str = ""
+    is_unheard: bool = False
 
     @property
     def device(self) -> str:

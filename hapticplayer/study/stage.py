@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
+from hapticplayer.playback.faults import HARMLESS
 from hapticplayer.playback.output import described
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
@@ -18,8 +19,6 @@ from hapticplayer.playback.source import Source
 from hapticplayer.rendering import shifted_and_scaled
 from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
 
-# reasons of a normal playback from start to end
-_HARMLESS = (Cause.NONE, Cause.PAUSED, Cause.SEEK, Cause.TRACK_ENDED, Cause.CLOSING)
 _ACTING = (Mode.ENTERING, Mode.FOLLOWING)
 
 
@@ -205,7 +204,7 @@ class _PlaybackMonitor:
         before = np.concatenate([[self._was_acting], is_acting[:-1]])
         for row in np.flatnonzero(before & ~is_acting):
             cause = Cause(int(ticks["cause"][row]))
-            if cause not in _HARMLESS:
+            if cause not in HARMLESS:
                 at_s = round(float(ticks["monotonic_s"][row]), 6)
                 self._faults.append({"cause": cause.name.lower(), "mono_s": at_s})
         self._was_acting = bool(is_acting[-1])
@@ -233,6 +232,11 @@ class _PlaybackMonitor:
             "force_rms_n": [round(float(value), 4) for value in rms_n],
             "faults": self._faults,
             "outputs": self._player.output_names,
+            "output_faults": {
+                one.name: str(what)
+                for one in after.outputs
+                if (what := one.problem or one.fault or one.note)
+            },
             "scheduling": after.leading.scheduling,
         }
 
@@ -276,6 +280,8 @@ class _PlaybackMonitor:
         found = []
         if any(one.health in (Health.FAILED, Health.GONE) for one in after.outputs):
             found.append("device_lost")
+        if any(one.fault or one.is_unheard for one in after.outputs):
+            found.append("output_fault")
         if self._missed > limits.missed_share * max(1, self._ticks):
             found.append("periods_missed")
         if not self._ticks:

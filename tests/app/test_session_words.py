@@ -22,6 +22,7 @@ REASONS = [
     "sound_missing",
     "no_device",
     "device_lost",
+    "output_fault",
     "periods_missed",
     "no_ticks",
     "record_incomplete",

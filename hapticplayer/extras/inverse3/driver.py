@@ -18,6 +18,7 @@ from hapticplayer.extras.inverse3.protocol import (
     Inverse3State,
     command,
     configuration,
+    refusal,
     state_of,
 )
 from hapticplayer.model.device import DeviceReading, Vector
@@ -119,12 +120,15 @@ class Inverse3Driver:
             link.close()
 
     def _first(self, link: ServiceConnection) -> Inverse3State:
-        until_s = self._clock.now_s() + OPENING_S
+        until_s, said = self._clock.now_s() + OPENING_S, None
         while (left_s := until_s - self._clock.now_s()) > 0.0:
             text = link.receive(left_s)
             state = state_of(text) if text else None
             if state is not None:
                 return state
+            said = (refusal(text, TITLE) if text else None) or said
+        if said:
+            raise DeviceError(said)
         raise DeviceError(
             "Haply's Inverse Service has no Inverse3; connect its cable and supply, and "
             "choose the device again"

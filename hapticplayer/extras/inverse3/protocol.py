@@ -7,17 +7,67 @@ under "vector" from version 3.5 on, before it under "values".
 """
 
 import json
-import math
-from typing import Any, NamedTuple
+import re
+from typing import Annotated, Any, NamedTuple
 
+import msgspec
+from msgspec import Meta, Struct
+
+from hapticplayer.errors import DeviceError, Message, message_of
 from hapticplayer.model.device import Vector
+from hapticplayer.structures import message_in, understood
 
 ZERO: Vector = (0.0, 0.0, 0.0)
 FIELDS = ("vector", "values")
 PRESET = "arm_front_centered"
 """Puts the origin in the middle of the reach."""
-_BUTTONS = ("a", "b", "c")
-_FARTHEST_M = 1.0
+_Metres = Annotated[float, Meta(ge=-0.999, le=0.999)]
+
+
+class _Place(Struct):
+    x: _Metres
+    y: _Metres
+    z: _Metres
+
+
+class _State(Struct):
+    cursor_position: _Place
+
+
+class _Status(Struct):
+    calibrated: bool
+    ready: bool = True
+
+
+class _Inverse3(Struct):
+    device_id: Annotated[str, Meta(min_length=1, max_length=64)]
+    state: _State
+    status: _Status
+
+
+class _GripButtons(Struct):
+    a: bool = False
+    b: bool = False
+    c: bool = False
+
+
+class _GripState(Struct):
+    buttons: _GripButtons
+
+
+class _Grip(Struct):
+    state: _GripState
+
+
+class _Answer(Struct):
+    """What is read of a message; the rest may be anything."""
+
+    inverse3: list[_Inverse3]
+    wireless_verse_grip: list[_Grip] | None = None
+    version: str | None = None
+
+
+_DECODER = msgspec.json.Decoder(_Answer)
 
 
 class Inverse3State(NamedTuple):
@@ -56,45 +106,45 @@ def _message(device: str, content: dict[str, Any]) -> str:
 
 
 def state_of(text: str | bytes) -> Inverse3State | None:
-    """Return the first device's state; None for what makes no sense."""
+    """The first device's state; None for what makes no sense."""
     try:
-        message = json.loads(text)
-        device = message["inverse3"][0]
-        place = device["state"]["cursor_position"]
-        position_m = (float(place["x"]), float(place["z"]), -float(place["y"]))
-        status = device["status"]
-        ready = bool(status["calibrated"]) and bool(status.get("ready", True))
-        pressed = _pressed(message.get("wireless_verse_grip"))
-        field = _field(message.get("version"))
-        name = str(device["device_id"])
-    except (
-        AttributeError,
-        KeyError,
-        IndexError,
-        OverflowError,
-        TypeError,
-        ValueError,
-        RecursionError,
-    ):
+        answer = _DECODER.decode(text)
+    except (msgspec.MsgspecError, RecursionError, UnicodeError):
         return None
-    if not math.hypot(*position_m) < _FARTHEST_M:
+    if not answer.inverse3:
         return None
-    return Inverse3State(name, position_m, ready, pressed, field)
+    device = answer.inverse3[0]
+    place, status = device.state.cursor_position, device.status
+    return Inverse3State(
+        device.device_id,
+        (place.x, place.z, -place.y),
+        status.calibrated and status.ready,
+        _pressed(answer.wireless_verse_grip),
+        _field(answer.version),
+    )
 
 
-def _pressed(grips: Any) -> int:
-    """Return the buttons of all wireless grips; there may be none."""
+def refusal(text: str | bytes, where: str) -> Message | None:
+    """Why a message makes no sense, None if it does."""
+    try:
+        understood(message_in(text, where), _Answer, where)
+    except DeviceError as problem:
+        return message_of(problem)
+    return None
+
+
+def _pressed(grips: list[_Grip] | None) -> int:
+    """The buttons of all wireless grips; there may be none."""
     mask = 0
     for grip in grips or ():
-        buttons = grip["state"]["buttons"]
-        for bit, name in enumerate(_BUTTONS):
-            mask |= bool(buttons.get(name)) << bit
+        one = grip.state.buttons
+        mask |= one.a | one.b << 1 | one.c << 2
     return mask
 
 
-def _field(version: Any) -> str:
-    """Return the name of the vector in commands to a service of this version."""
-    if not isinstance(version, str):
+def _field(version: str | None) -> str:
+    """The name of the vector in commands to a service of this version."""
+    found = re.match(r"(\d{1,4})\.(\d{1,4})", version or "")
+    if found is None:
         return ""
-    major, minor = (int(part) for part in version.split(".")[:2])
-    return FIELDS[0] if (major, minor) >= (3, 5) else FIELDS[1]
+    return FIELDS[0] if (int(found[1]), int(found[2])) >= (3, 5) else FIELDS[1]

@@ -10,7 +10,7 @@ from functools import partial
 from typing import Any, Protocol
 
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message
 from hapticplayer.extras.shakers.coils import give_coils_to_sound
 from hapticplayer.extras.shakers.extension import SHAKER
 from hapticplayer.extras.shakers.settings import ShakerSettings
@@ -36,7 +36,13 @@ Fill = Callable[[Any, float, int], None]
 
 
 class OutputStream(Protocol):
-    """A stream that is begun by the loop's own thread."""
+    """A stream that is begun by the loop's own thread.
+
+    Attributes:
+        problem: why it has not begun, "" for nothing.
+    """
+
+    problem: str
 
     def begin(self) -> None:
         """Start to ask for samples; never waits for it."""
@@ -72,6 +78,7 @@ class CardStream:
         self._fill, self._clock, self._settings = fill, clock, settings
         self._held, self._is_closed = threading.Lock(), False
         self._stream: Any = None
+        self.problem = ""
         try:
             self._sounddevice: Any = importlib.import_module("sounddevice")
             self._sounddevice.check_output_settings(
@@ -108,10 +115,12 @@ class CardStream:
 
     def _guarded(self, what: Callable[[], None]) -> None:
         _be_an_audio_thread()
-        # a card that does not start asks for nothing, and is gone for that
-        with self._held, contextlib.suppress(self._sounddevice.PortAudioError):
-            if not self._is_closed:
-                what()
+        try:
+            with self._held:
+                if not self._is_closed:
+                    what()
+        except self._sounddevice.PortAudioError as problem:
+            self.problem = str(problem)[:200]
 
     def _start(self) -> None:
         before = open_files()
@@ -185,6 +194,8 @@ class ShakerDriver:
         if not self._has_begun:
             self._has_begun, self._opened_s = True, now_s
             stream.begin()
+        if stream.problem:
+            raise self._gone()
         signal.push(force_n, now_s)
         if now_s - self._metered_s >= METER_PERIOD_S:
             self._metered_s, self._levels = now_s, signal.meter.levels(now_s)
@@ -213,11 +224,13 @@ class ShakerDriver:
             stream.close()
 
     def _gone(self) -> DeviceError:
+        reason = self._stream.problem if self._stream else ""
         self.close()
         return DeviceError(
-            "the sound card {card!r} takes nothing any more; connect it and choose "
-            "the device again",
+            "the sound card {card!r} takes nothing any more ({reason}); connect it and "
+            "choose the device again",
             card=self.settings.address or "default",
+            reason=reason or Message("it asks for no sound"),
         )
 
     def _fill(self, out: Any, at_s: float, frames: int) -> None:

@@ -46,7 +46,7 @@ class Processes:
         self.scheduling, self.pids = "normal", {"loop": 7}
         self.tracks, self.published, self.done = {}, [], []
         self.ticks, self.levels = np.empty(0, TICK), ()
-        self.takes_faults, self.record_problem = False, ""
+        self.takes_faults, self.record_problem, self.notice = False, "", ""
 
     def load(self, tracks):
         self.tracks = dict(tracks)

@@ -188,7 +188,7 @@ def test_an_edited_track_is_taken_while_the_clip_plays(theatre):
 class GivenTracks:
     """Processes that note the tracks they are given, newest last."""
 
-    health = Health.NONE
+    health, notice = Health.NONE, ""
 
     def __init__(self, _clock, device, **_options):
         self.device, self.given = device, []

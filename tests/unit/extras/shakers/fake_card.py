@@ -11,7 +11,7 @@ BLOCK_S = BLOCK / SAMPLE_HZ
 class FakeCard:
     def __init__(self, clock):
         self.clock = clock
-        self.is_asking, self.is_there = True, True
+        self.is_asking, self.is_there, self.problem = True, True, ""
         self.fill, self.waiting, self.width = None, None, 2
         self._blocks = []  # (time of the first sample, samples)
         self._next_s = 0.0

@@ -191,8 +191,17 @@ def test_a_card_that_asks_for_nothing_is_late_and_then_gone():
     bench.play(steady, 0.5)
     now_s = bench.clock.now_s()
     assert now_s - bench.device.exchange(steady(0), now_s).replied_s > 0.4
-    with pytest.raises(DeviceError, match="takes nothing any more; connect"):
+    with pytest.raises(
+        DeviceError, match=r"takes nothing any more \(it asks for no sound\); connect"
+    ):
         bench.play(steady, 1.0)
+
+
+def test_a_card_that_does_not_start_says_why():
+    bench = Bench()
+    bench.card.problem = "Device unavailable"
+    with pytest.raises(DeviceError, match=r"\(Device unavailable\); connect"):
+        bench.play(steady, 0.1)
 
 
 @pytest.mark.parametrize(

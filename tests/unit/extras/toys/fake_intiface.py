@@ -42,6 +42,7 @@ class FakeIntiface:
     def __init__(self, version=4, max_ping_ms=0, toys=1, gap_ms=0, info=None):
         self.gap_ms, self.info = gap_ms, info or {}
         self.errors = 0
+        self.hangs_up = self.falls_silent = False  # with the first command
         self.version, self.max_ping_ms, self.toys = version, max_ping_ms, toys
         self.strength, self.heard, self.arrived_s = {}, [], []
         self.answers, self.nonsense, self.pings = True, False, 0
@@ -87,6 +88,10 @@ class FakeIntiface:
                     ((name, content),) = message.items()
                     if name == "Ping":
                         pinged_s = self._clock.now_s()
+                    is_command = name in ("OutputCmd", "ScalarCmd")
+                    if is_command and self.hangs_up:
+                        self.hang_up()
+                    self.answers &= not (is_command and self.falls_silent)
                     if self.answers:
                         answer = self._answer(name, content)
                         connection.send(json.dumps([answer]))
