@@ -30,7 +30,7 @@ from hapticplayer.sequence.force_files import (
     WriteChoices,
     refuse_untaken,
 )
-from hapticplayer.sequence.milliseconds import end_ms, force_loss
+from hapticplayer.sequence.milliseconds import end_ms, force_loss, goes_on_after
 from hapticplayer.untrusted import open_regular
 
 _BYTES_PER_ENTRY = 20  # of a native track: float64 time, three float32
@@ -209,12 +209,10 @@ def _left_out(
 ) -> list[Message]:
     """What no format keeps of a track: outside the clip, and between its samples."""
     found = []
-    active = track.active_s
-    if len(active) and active[0, 0] < 0.0:
+    if len(track.active_s) and track.active_s[0, 0] < 0.0:
         found.append(Message("the force before 0 s"))
     end_s = choices.duration_s
-    last_s = float(track.time_s[-1])
-    if len(active) and end_s is not None and min(active[-1, 1], last_s) > end_s:
+    if end_s is not None and goes_on_after(track, end_s):
         said = Message(
             "the force after the end of the clip ({end_s:.3f} s)", end_s=end_s
         )

@@ -17,6 +17,7 @@ from hapticplayer.sequence.force_formats import (
     read_force,
     written_formats,
 )
+from hapticplayer.sequence.milliseconds import goes_on_after
 from hapticplayer.sequence.store import motion_of
 from hapticplayer.sequence.unpack import require_packed
 
@@ -49,6 +50,13 @@ def import_force(
         asked = replace(choices or ReadChoices(), until_s=duration_s)
         found = read_force(path, asked, form)
         notes.extend(found.notes)
+        if goes_on_after(found.track, duration_s):
+            said = Message(
+                "the force goes on until {end_s:.3f} s, the clip ends at {clip_s:.3f} s",
+                end_s=float(found.track.time_s[-1]),
+                clip_s=duration_s,
+            )
+            notes.append(said)
         return found.track
 
     add_track(folder, name, read, progress=progress)

@@ -73,6 +73,12 @@ def corners(track: ForceTrack, first_ms: int, last_ms: int) -> tuple[Ticks, Floa
     return ticks, track.at(ticks / 1000.0)
 
 
+def goes_on_after(track: ForceTrack, end_s: float) -> bool:
+    """Whether a track has force of its own after the end of a clip."""
+    active, last_s = track.active_s, float(track.time_s[-1])
+    return bool(len(active)) and min(float(active[-1, 1]), last_s) > end_s
+
+
 def pieces(until_ms: int, size_ms: int = PIECE_MS) -> Iterator[tuple[int, int]]:
     """Yield spans that follow each other, from 0 to the end; one at least."""
     for first in range(0, max(until_ms, 1), size_ms):

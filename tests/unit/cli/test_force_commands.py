@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from hapticplayer import cli
+from hapticplayer.errors import from_json
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.force_formats import read_formats, written_formats
 from tests.needed_extras import needs
@@ -39,6 +40,17 @@ def test_an_exported_track_comes_back_into_the_sequence(
     at_s = np.arange(0, 500) / 1000.0
     error_n = tracks["back"].at(at_s) - tracks["realistic"].at(at_s)
     assert np.linalg.norm(error_n, axis=1).max() <= 0.0101
+
+
+@pytest.mark.parametrize(("last_s", "is_said"), [(1.0, False), (99.0, True)])
+def test_force_after_the_clip_is_said(
+    report_of, sequence_folder, tmp_path, last_s, is_said
+):
+    source = tmp_path / "in.csv"
+    source.write_text(f"time_s,fx_n,fy_n,fz_n\n0,0,1,0\n{last_s},0,0,0\n")
+    notes = report_of("import-force", source, sequence_folder)["notes"]
+    said = [note for note in map(from_json, notes) if "goes on until 99" in note]
+    assert bool(said) is is_said
 
 
 @pytest.mark.parametrize("name", written_formats())
