@@ -190,8 +190,9 @@ class SyncPage(QWidget):
 
     def _is_sure(self) -> bool:
         choice = self.choice()
-        is_own_clock = choice.method == "embedded"
-        return is_own_clock or (choice.is_confident and choice.is_measured)
+        return choice.is_confident and (
+            choice.is_measured or choice.method == "embedded"
+        )
 
     def keep(self) -> None:
         """Keep the camera's skew for its next clips, where that was wanted."""
@@ -284,6 +285,9 @@ class SyncPage(QWidget):
             return text.format(why=translated(found.problem)), theme.WARN
         if self.choice().method == "offset":
             return self.tr("The offset was set manually."), theme.WARN
+        if sync.contradiction and not sync.is_confident:
+            text = self.tr("Check the offset: {why}.")
+            return text.format(why=translated(sync.contradiction)), theme.WARN
         if found.knows_clip_clock:
             return self._verdict_of_own_clock(found.recorder, sync.lag)
         return self._verdict_of(sync)

@@ -23,7 +23,7 @@ from hapticplayer.capture.choices import (
 )
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.mounting import axes_matrix, mounted
-from hapticplayer.capture.recording import Recording
+from hapticplayer.capture.recording import Placing, Recording
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, Samples, SensorStream, on_common_times
 from hapticplayer.capture.stuck import Repeats, working
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 Reals = NDArray[np.floating[Any]]
 
+_FRAMES_SLACK_S = 0.2  # a few frames, which a list may have and a video not
 _TRIED_ROWS = 60_000
 _ONE_G = np.array([0.0, 0.0, STANDARD_GRAVITY_MPS2])
 
@@ -110,12 +111,12 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
         log_checks.check_norm(figures, raw, choices, where)
         notes = log_checks.check_upright(imu, raw, choices, where)
     log_checks.check_rate(imu, raw, choices, where)
-    known = raw.frame0_s is not None
+    first_s, last_s = raw.frames_s or (0.0, 0.0)
+    known = raw.frames_s is not None
     return Recording(
         imu=imu,
-        clock_map=ClockMap(
-            offset_s=-(raw.frame0_s or 0.0), confidence=1.0 if known else 0.0
-        ),
+        clock_map=ClockMap(offset_s=-first_s, confidence=1.0 if known else 0.0),
+        placing=Placing((0.0, last_s - first_s), _FRAMES_SLACK_S) if known else None,
         camera=raw.name,
         notes=(
             log_checks.how_read(raw, figures),

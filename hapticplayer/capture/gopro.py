@@ -5,6 +5,7 @@ times, and the gyro becomes the mean rate over each of its intervals. Time 0 is 
 first frame.
 """
 
+import dataclasses
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -20,17 +21,16 @@ from hapticplayer.capture.gopro_axes import (
     is_order_known,
 )
 from hapticplayer.capture.gopro_cori import clock_by_cori
+from hapticplayer.capture.gopro_placing import PayloadRun, parts_of, placing
 from hapticplayer.capture.gopro_streams import (
     OTHER_CAMERA,
     RAW_MAGIC,
     GoproStream,
-    GpmfPayload,
     collect,
-    first_stamp_us,
     parse_packets,
     split_raw,
 )
-from hapticplayer.capture.gopro_timing import SampleTimes, TimeReference, sample_times
+from hapticplayer.capture.gopro_timing import SampleTimes, sample_times
 from hapticplayer.capture.gpmf import GpmfEntry, text_of
 from hapticplayer.capture.log_checks import norm_at_rest
 from hapticplayer.capture.recording import Recording, gap_notes
@@ -46,6 +46,7 @@ from hapticplayer.media.telemetry import (
     HANDLER,
     TelemetryPacket,
     data_tracks,
+    hidden_start_s,
     read_telemetry_packets,
 )
 from hapticplayer.model import ClockMap, ImuLog
@@ -57,9 +58,6 @@ from hapticplayer.model.limits import (
     REST_MPS2,
 )
 from hapticplayer.untrusted import read_regular
-
-_FRAME_KEYS = ("SHUT", "CORI", "IORI", "ISOE", "WBAL")
-"""Streams with one sample per frame; their first stamp is that of the first frame."""
 
 _MIN_SAMPLES_PER_PAYLOAD = 10
 
@@ -88,7 +86,9 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
     """
     path, where = source.path, str(source.path)
     if not _is_raw(source):
-        return as_answered(read_gopro(read_telemetry_packets(path), where), choices)
+        packets = read_telemetry_packets(path)
+        found = read_gopro(packets, where, hidden_s=hidden_start_s(path))
+        return as_answered(found, choices)
     content = read_regular(path, MAX_RAW_GPMF_BYTES, TelemetryError)
     return as_answered(read_gopro(split_raw(content), where, is_raw=True), choices)
 
@@ -97,7 +97,11 @@ READER = Reader(recognises, read)
 
 
 def read_gopro(
-    packets: Sequence[TelemetryPacket], source: str = "", *, is_raw: bool = False
+    packets: Sequence[TelemetryPacket],
+    source: str = "",
+    *,
+    is_raw: bool = False,
+    hidden_s: float = 0.0,
 ) -> Recording:
     """Return the motion in GPMF payloads.
 
@@ -105,9 +109,10 @@ def read_gopro(
         packets: in the order of the recording.
         source: the file, for messages and provenance.
         is_raw: the packets' times are assumed, not measured.
+        hidden_s: of the video's beginning, but not of the motion's, by an edit list.
     """
     try:
-        return _read(packets, source, is_raw=is_raw)
+        return _read(packets, source, is_raw=is_raw, hidden_s=hidden_s)
     except InputError as error:
         raise TelemetryError(
             error.what,
@@ -117,19 +122,19 @@ def read_gopro(
 
 
 def _read(
-    packets: Sequence[TelemetryPacket], source: str, *, is_raw: bool
+    packets: Sequence[TelemetryPacket], source: str, *, is_raw: bool, hidden_s: float
 ) -> Recording:
     from hapticplayer.motion import repair_samples  # brings scipy along
 
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"
-    # without stamps of the frames: the accelerometer begins within 5 ms of frame 0
-    clock = TimeReference(first_stamp_us(payloads, (*_FRAME_KEYS, "ACCL")), not is_raw)
-    accel = _sensor(payloads, _ACCEL, camera, clock)
-    rate = _sensor(payloads, _RATE, camera, clock)
+    parts = parts_of(payloads, has_packet_times=not is_raw)
+    accel = _sensor(parts, _ACCEL, camera)
+    rate = _sensor(parts, _RATE, camera)
     times, accel_first = accel.times, accel.first
-    field, field_notes = _magnetic_field(payloads, clock)
+    field, field_notes = _magnetic_field(parts)
     gyro_rate_hz = rate.times.rate_hz
+    span_s = (float(times.time_s[0]), float(times.time_s[-1]))
     streams = working(accel.stream, rate.stream, field, source)
     at_s, gyro = streams.accel.time_s, streams.rate
     rows, mean = mean_rate_with_holes(at_s, gyro.time_s, gyro.values)
@@ -148,7 +153,7 @@ def _read(
     imu, repairs = repair_samples(
         time_s, small_accel, small_rate, compass, source=source
     )
-    clock_map, lag = _own_clock(payloads, imu, times, clock)
+    clock_map, lag = _own_clock(parts, imu, is_stamped=times.is_stamped)
     return Recording(
         imu=imu,
         clock_map=clock_map,
@@ -170,18 +175,18 @@ def _read(
             **repeats.provenance,
         },
         lag=lag,
+        placing=placing(parts, span_s, hidden_s),
     )
 
 
 def _own_clock(
-    payloads: Sequence[GpmfPayload],
-    imu: ImuLog,
-    times: SampleTimes,
-    clock: TimeReference,
+    parts: Sequence[PayloadRun], imu: ImuLog, *, is_stamped: bool
 ) -> tuple[ClockMap, ClockLag | None]:
-    if not times.is_stamped:
+    if not is_stamped:
         return ClockMap(), unstamped()
-    return clock_by_cori(payloads, imu, clock.frame0_us) or (ClockMap(), None)
+    if len(parts) > 1:  # the orientation jumps between them
+        return ClockMap(), None
+    return clock_by_cori(parts[0].payloads, imu, parts[0].clock) or (ClockMap(), None)
 
 
 class _SensorKind(NamedTuple):
@@ -210,12 +215,30 @@ class _SensorSamples(NamedTuple):
 
 
 def _sensor(
-    payloads: Sequence[GpmfPayload],
-    kind: _SensorKind,
-    camera: str,
-    clock: TimeReference,
+    parts: Sequence[PayloadRun], kind: _SensorKind, camera: str
 ) -> _SensorSamples:
-    stream = collect(payloads, kind.key)
+    """The samples of all parts; one that is too short to be timed is left out."""
+    found: list[_SensorSamples] = []
+    problem: TelemetryError | None = None
+    for part in parts:
+        try:
+            found.append(_sensor_of(part, kind, camera))
+        except TelemetryError as error:
+            problem = problem or error
+    if not found and problem is not None:
+        raise problem
+    if len(found) == 1:
+        return found[0]
+    time_s = np.concatenate([one.times.time_s for one in found])
+    order = np.argsort(time_s, kind="stable")
+    is_stamped = all(one.times.is_stamped for one in found)
+    times = SampleTimes(time_s[order], found[0].times.rate_hz, is_stamped)
+    values = np.concatenate([one.values for one in found])[order]
+    return _SensorSamples(times, values, found[0].first)
+
+
+def _sensor_of(part: PayloadRun, kind: _SensorKind, camera: str) -> _SensorSamples:
+    stream = collect(part.payloads, kind.key)
     if stream is None or stream.values.shape[1] != 3:
         raise TelemetryError(
             "its telemetry ({camera}) holds no {kind} samples",
@@ -225,8 +248,11 @@ def _sensor(
         )
     if kind is _ACCEL:
         _refuse_time_lapse(stream)
-    times = sample_times(stream, clock)
-    return _SensorSamples(times, _in_frame_a(stream, camera, kind), stream.first)
+    times, values = sample_times(stream, part.clock), _in_frame_a(stream, camera, kind)
+    count = int(np.searchsorted(times.time_s, part.end_s))
+    if count < len(values):  # the last payload goes on behind the cut
+        times = dataclasses.replace(times, time_s=times.time_s[:count])
+    return _SensorSamples(times, values[:count], stream.first)
 
 
 def _refuse_time_lapse(stream: GoproStream) -> None:
@@ -264,7 +290,7 @@ def _largest(values: Floats) -> float:
 
 
 def _magnetic_field(
-    payloads: Sequence[GpmfPayload], clock: TimeReference
+    parts: Sequence[PayloadRun],
 ) -> tuple[SensorStream | None, tuple[str, ...]]:
     """Return the field of the GoPros that have a compass (Fusion, MAX), and notes.
 
@@ -279,7 +305,7 @@ def _magnetic_field(
         uT in frame A, or None.
     """
     try:
-        stream = collect(payloads, "MAGN")
+        stream = collect(parts[0].payloads, "MAGN") if len(parts) == 1 else None
         if stream is None or len(stream.values) < 2:
             return None, ()
         components = stream.values.shape[1]
@@ -287,7 +313,7 @@ def _magnetic_field(
             return None, (
                 Message("The compass is ignored: the file does not declare its axes."),
             )
-        at_s = sample_times(stream, clock).time_s
+        at_s = sample_times(stream, parts[0].clock).time_s
         rotation = frame_a_from_stored(stream.first, "")
     except TelemetryError as error:
         return None, (Message("The compass is ignored: {what}.", what=error.what),)

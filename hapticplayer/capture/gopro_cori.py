@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.frames import FrameRotation, frame_function, has_frames
 from hapticplayer.capture.gopro_streams import GoproStream, GpmfPayload, collect
+from hapticplayer.capture.gopro_timing import TimeReference
 from hapticplayer.errors import TelemetryError
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model import quaternions as quat
@@ -26,16 +27,16 @@ _EVEN = 0.002  # frames are even; where stamps are not, samples were repeated or
 
 
 def clock_by_cori(
-    payloads: Sequence[GpmfPayload], imu: ImuLog, frame0_us: float | None
+    payloads: Sequence[GpmfPayload], imu: ImuLog, clock: TimeReference
 ) -> tuple[ClockMap, ClockLag] | None:
     """Return the gyro's clock against the frames; None where CORI does not tell it.
 
     Args:
         payloads: of the recording.
         imu: its motion, in frame A.
-        frame0_us: the camera's time of frame 0.
+        clock: the camera's.
     """
-    rotation = None if frame0_us is None else camera_rotation(payloads, frame0_us)
+    rotation = camera_rotation(payloads, clock)
     if rotation is None:
         return None
     if not has_frames():  # they compare rotations
@@ -45,16 +46,20 @@ def clock_by_cori(
 
 
 def camera_rotation(
-    payloads: Sequence[GpmfPayload], frame0_us: float
+    payloads: Sequence[GpmfPayload], clock: TimeReference
 ) -> FrameRotation | None:
     """Return the camera's rotation from frame to frame by CORI, in frame A."""
+    if clock.frame0_us is None:
+        return None
     try:
         stream = collect(payloads, "CORI")
     except TelemetryError:
         return None
     if stream is None or not _is_usable(stream):
         return None
-    time_s, is_even = _times(stream, 1e-6 * (stream.stamp_us - frame0_us))
+    time_s, is_even = _times(
+        stream, 1e-6 * clock.rate * (stream.stamp_us - clock.frame0_us)
+    )
     w, a, b, c = stream.values.T
     # stored as w, x, z, y of the rotation from the earth to the camera
     orientation = quat.normalized(np.stack([w, -a, -c, b], axis=1))

@@ -39,13 +39,15 @@ class TimeReference(NamedTuple):
     """Reference of the times of all sensors of a camera.
 
     Attributes:
-        frame0_us: the camera's time of frame 0; None without timestamps.
+        frame0_us: the camera's time of media time 0; None without timestamps.
         has_packet_times: whether the payloads' times come from a video container,
             so that the stamps can be checked against them.
+        rate: of media time against the camera's.
     """
 
     frame0_us: float | None
     has_packet_times: bool
+    rate: float = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +73,7 @@ def sample_times(stream: GoproStream, clock: TimeReference) -> SampleTimes:
     """
     stamp_us, frame0_us = stream.stamp_us, clock.frame0_us
     if frame0_us is not None and len(stamp_us) > 1 and np.isfinite(stamp_us).all():
-        marks_s = (stamp_us - frame0_us) * 1e-6
+        marks_s = (stamp_us - frame0_us) * 1e-6 * clock.rate
         if _are_plausible(stream, marks_s, clock.has_packet_times):
             return _from_stamps(stream, marks_s)
     return _from_packets(stream)

@@ -51,7 +51,7 @@ class RawLog:
         axes_words: the stored axes in words.
         back_axis: of a phone held upright, the axis opposite to the camera's view; ""
             without a camera.
-        frame0_s: time of the first frame on the log's clock, or None.
+        frames_s: when the first frame began and the last ended, on the log's clock.
         is_gravity_free: gravity was removed by the recorder.
         notes: of the reader.
     """
@@ -66,7 +66,7 @@ class RawLog:
     axes: str = "x,y,z"
     axes_words: str = ""
     back_axis: str = ""
-    frame0_s: float | None = None
+    frames_s: tuple[float, float] | None = None
     is_gravity_free: bool = False
     notes: tuple[str, ...] = ()
 

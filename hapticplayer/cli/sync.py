@@ -29,6 +29,7 @@ from hapticplayer.errors import MediaError, TelemetryError, UsageError
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
+    contradicted,
     find_sync,
     store_skew,
     uncertainty,
@@ -136,7 +137,8 @@ def _check(
     """Say whether the pats of what there is can be used."""
     clip, recording = found.clip, found.recording
     report: dict[str, Any] = {}
-    if clip and recording and recording.clock_map.confidence > 0.0:
+    knows_clock = recording is not None and recording.clock_map.confidence > 0.0
+    if clip and recording and knows_clock and not contradicted(recording, clip):
         report = {"is_usable": True, "needs_pats": False}
         text = (
             f"{recording.camera} keeps its motion on the clip's clock: no pats needed"

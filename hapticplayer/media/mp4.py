@@ -5,7 +5,7 @@ the edit list, which it rounds to whole packets in a track of telemetry.
 """
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import BinaryIO, NamedTuple
 
@@ -53,6 +53,7 @@ class ClipTrack:
         name: of its handler.
         mark: of its samples, such as "avc1" or "rtmd".
         ticks_per_s: of its own time.
+        delay_s: of its first sample, which is decoded before it is shown.
         edits: its edit list; empty where all is shown.
     """
 
@@ -61,7 +62,31 @@ class ClipTrack:
     name: str = ""
     mark: str = ""
     ticks_per_s: int = 0
+    delay_s: float = 0.0
     edits: tuple[Edit, ...] = ()
+
+
+def hidden_s(track: ClipTrack) -> float:
+    """How much of a track's beginning its edit list hides."""
+    begins = (edit.media_s for edit in track.edits if edit.media_s is not None)
+    return max(0.0, next(begins, 0.0) - track.delay_s)
+
+
+def shown_at(edits: tuple[Edit, ...], begin_s: float, length_s: float) -> float | None:
+    """Where an edit list shows what a track has at a time; None where it does not.
+
+    By the edit that holds most of it.
+    """
+    best_s, place_s, at_s = 0.0, None, 0.0
+    for edit in edits:
+        if edit.media_s is not None and edit.rate > 0.0:
+            end_s = edit.media_s + edit.length_s * edit.rate
+            held_s = min(end_s, begin_s + length_s) - max(edit.media_s, begin_s)
+            if held_s > best_s:
+                best_s = held_s
+                place_s = at_s + (begin_s - edit.media_s) / edit.rate
+        at_s += edit.length_s
+    return place_s
 
 
 def boxes(stream: BinaryIO, size_bytes: int, nested: frozenset[bytes]) -> Iterator[Box]:
@@ -95,8 +120,8 @@ def tracks_of(clip: AnyClip) -> tuple[ClipTrack, ...]:
             if box.kind == b"trak":
                 found.append(ClipTrack())
             elif box.kind == b"mvhd":
-                movie_ticks = _ticks_per_s(stream, box)
-            elif box.kind in _FIELDS and found:
+                movie_ticks = _ticks_of(_content(stream, box, 32))
+            elif found and (box.kind == b"elst" or box.kind in _FIELDS):
                 found[-1] = _with_field(found[-1], stream, box, movie_ticks)
     return tuple(map(_in_seconds, found))
 
@@ -107,10 +132,7 @@ def _in_seconds(track: ClipTrack) -> ClipTrack:
         e if e.media_s is None else e._replace(media_s=e.media_s * tick_s)
         for e in track.edits
     )
-    return dataclasses.replace(track, edits=edits)
-
-
-_FIELDS = frozenset(b"tkhd mdhd hdlr stsd elst".split())
+    return dataclasses.replace(track, delay_s=track.delay_s * tick_s, edits=edits)
 
 
 def _with_field(
@@ -118,19 +140,42 @@ def _with_field(
 ) -> ClipTrack:
     if box.kind == b"elst":
         return dataclasses.replace(track, edits=_edits(stream, box, movie_ticks))
-    if box.kind == b"mdhd":
-        return dataclasses.replace(track, ticks_per_s=_ticks_per_s(stream, box))
-    content = _content(stream, box, 20 + _MAX_NAME_BYTES)
-    if box.kind == b"tkhd":
-        at = 20 if content[:1] == b"\1" else 12
-        number = int.from_bytes(content[at : at + 4], "big")
-        return dataclasses.replace(track, number=number)
-    if box.kind == b"stsd":
-        return dataclasses.replace(track, mark=_text(content[12:16]))
+    return _FIELDS[box.kind](track, _content(stream, box, 20 + _MAX_NAME_BYTES))
+
+
+def _with_number(track: ClipTrack, content: bytes) -> ClipTrack:
+    at = 20 if content[:1] == b"\1" else 12
+    number = int.from_bytes(content[at : at + 4], "big")
+    return dataclasses.replace(track, number=number)
+
+
+def _with_ticks(track: ClipTrack, content: bytes) -> ClipTrack:
+    return dataclasses.replace(track, ticks_per_s=_ticks_of(content))
+
+
+def _with_name(track: ClipTrack, content: bytes) -> ClipTrack:
     if track.kind:  # a second handler, of where the data are
         return track
     kind, name = _text(content[8:12]), _text(content[24:])
     return dataclasses.replace(track, kind=kind, name=name)
+
+
+def _with_mark(track: ClipTrack, content: bytes) -> ClipTrack:
+    return dataclasses.replace(track, mark=_text(content[12:16]))
+
+
+def _with_delay(track: ClipTrack, content: bytes) -> ClipTrack:
+    delay = int.from_bytes(content[12:16], "big", signed=True)
+    return dataclasses.replace(track, delay_s=max(0.0, delay))
+
+
+_FIELDS: dict[bytes, Callable[[ClipTrack, bytes], ClipTrack]] = {
+    b"tkhd": _with_number,
+    b"mdhd": _with_ticks,
+    b"hdlr": _with_name,
+    b"stsd": _with_mark,
+    b"ctts": _with_delay,
+}
 
 
 def _content(stream: BinaryIO, box: Box, most: int) -> bytes:
@@ -143,8 +188,7 @@ def _text(content: bytes) -> str:
     return "".join(c for c in text if c.isprintable()).strip()
 
 
-def _ticks_per_s(stream: BinaryIO, box: Box) -> int:
-    content = _content(stream, box, 32)
+def _ticks_of(content: bytes) -> int:
     at = 20 if content[:1] == b"\1" else 12
     return int.from_bytes(content[at : at + 4], "big")
 

@@ -48,10 +48,11 @@ CONVERT = Message(
 )
 
 
-def open_media(path: AnyClip) -> InputContainer:
+def open_media(path: AnyClip, *, has_edits: bool = True) -> InputContainer:
     """Open a media file; the container closes at the end of a `with` block.
 
-    It is one of `CONTAINERS`; symbolic links are followed.
+    It is one of `CONTAINERS`; symbolic links are followed. Without `has_edits` the
+    tracks have their own times, whatever the edit lists say.
     """
     file = path if isinstance(path, ClipBytes) else resolve_regular(path)
     with media_errors(
@@ -59,7 +60,7 @@ def open_media(path: AnyClip) -> InputContainer:
     ):
         refuse_others(file)
         _check_tables(file)
-        container = _opened(file)
+        container = _opened(file, {} if has_edits else {"ignore_editlist": "1"})
     try:
         with media_errors(file, Message("its headers are damaged")):
             _check_streams(container, file)
@@ -70,13 +71,13 @@ def open_media(path: AnyClip) -> InputContainer:
     return container
 
 
-def _opened(clip: Path | ClipBytes) -> InputContainer:
+def _opened(clip: Path | ClipBytes, more: dict[str, str]) -> InputContainer:
     if not isinstance(clip, ClipBytes):
         return av.open(
-            f"file:{clip}", "r", options=dict(OPTIONS), metadata_errors="ignore"
+            f"file:{clip}", "r", options={**OPTIONS, **more}, metadata_errors="ignore"
         )
     # FFmpeg itself opens nothing then: no protocol has this name
-    options = {**OPTIONS, "protocol_whitelist": "none"}
+    options = {**OPTIONS, **more, "protocol_whitelist": "none"}
     reader = LimitedReader(clip.open(), MAX_ATTACHED_BYTES)
     container = av.open(reader, "r", options=options, metadata_errors="ignore")
     reader.left_bytes = math.inf

@@ -1,8 +1,8 @@
 """A camera's telemetry packets: taken out of a clip without reading its video, or added."""
 
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from av.packet import Packet
 from av.stream import DataStream, Stream
 
 from hapticplayer.errors import MediaError, Message
-from hapticplayer.media.mp4 import ClipTrack, tracks_of
+from hapticplayer.media.mp4 import ClipTrack, Edit, hidden_s, shown_at, tracks_of
 from hapticplayer.media.opening import media_errors, open_media, origin_s, read_only
 from hapticplayer.model.limits import (
     MAX_TELEMETRY_BYTES,
@@ -60,28 +60,70 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
     A clip without a telemetry track gives an empty list. Video and sound are not read
     from disk: 0.1 s for 43 min in 810 MB.
     """
-    with (
-        open_media(path) as container,
-        media_errors(path, Message("its telemetry track is damaged")),
-    ):
+    damaged = Message("its telemetry track is damaged")
+    with open_media(path) as container, media_errors(path, damaged):
         stream = find_telemetry(container)
         if stream is None:
             return []
         # asked of the index itself: a few bytes declare millions of entries
         _check_limits(0, 0, len(stream.index_entries) - 1, path)
-        read_only(container, stream)
-        start_s, tick = origin_s(container), stream.time_base or Fraction(0)
-        found: list[TelemetryPacket] = []
-        total_bytes = 0
-        for packet in container.demux(stream):
-            if packet.size == 0 or packet.pts is None:
-                continue
-            total_bytes += packet.size
-            _check_limits(packet.size, total_bytes, len(found), path)
-            begin_s = float(packet.pts * tick) - start_s
-            length_s = float((packet.duration or 0) * tick)
-            found.append(TelemetryPacket(begin_s, length_s, bytes(packet)))
-        return found
+        start_s = origin_s(container)
+        edits = _edits_of(path, stream)
+        if not edits:
+            return list(_packets(container, stream, start_s, path))
+    with (
+        open_media(path, has_edits=False) as container,
+        media_errors(path, damaged),
+    ):
+        track = find_telemetry(container)
+        assert track is not None
+        found = _packets(container, track, 0.0, path)
+        places = [(p, shown_at(edits, p.start_s, p.duration_s)) for p in found]
+    shown = [replace(p, start_s=at - start_s) for p, at in places if at is not None]
+    return sorted(shown, key=lambda packet: packet.start_s)
+
+
+def _edits_of(path: str | os.PathLike[str], stream: Stream) -> tuple[Edit, ...]:
+    """The edit list of a track, empty where it changes nothing.
+
+    FFmpeg shifts telemetry by whole packets, which are 1 s long.
+    """
+    own = [track.edits for track in tracks_of(path) if track.number == stream.id]
+    edits = own[0] if own else ()
+    is_plain = len(edits) == 1 and edits[0][1:] == (0.0, 1.0)
+    return () if is_plain else edits
+
+
+def _packets(
+    container: InputContainer,
+    stream: DataStream,
+    start_s: float,
+    path: str | os.PathLike[str],
+) -> Iterator[TelemetryPacket]:
+    read_only(container, stream)
+    tick, total_bytes, count = stream.time_base or Fraction(0), 0, 0
+    for packet in container.demux(stream):
+        if packet.size == 0 or packet.pts is None:
+            continue
+        total_bytes += packet.size
+        _check_limits(packet.size, total_bytes, count, path)
+        count += 1
+        begin_s = float(packet.pts * tick) - start_s
+        length_s = float((packet.duration or 0) * tick)
+        yield TelemetryPacket(begin_s, length_s, bytes(packet))
+
+
+def hidden_start_s(path: str | os.PathLike[str]) -> float:
+    """How much of the video an edit list hides at its beginning, but not of the motion.
+
+    0 where the telemetry has an edit list of its own.
+    """
+    tracks = tracks_of(path)
+    telemetry = next((one for one in tracks if HANDLER in one.name), None)
+    video = next((one for one in tracks if one.kind == "vide"), None)
+    if telemetry is None or video is None or hidden_s(telemetry):
+        return 0.0
+    return hidden_s(video)
 
 
 def _check_limits(

@@ -84,7 +84,12 @@ class ImportPreview:
     @property
     def knows_clip_clock(self) -> bool:
         """Whether the recorder's own clock is the clip's."""
-        return self.found is not None and self.found.method == "embedded"
+        return _is_own_clock(self.found)
+
+
+def _is_own_clock(found: Synchronisation | None) -> bool:
+    is_own = found is not None and found.method == "embedded"
+    return is_own and found is not None and not found.contradiction
 
 
 def preview_import(
@@ -156,7 +161,7 @@ def _sync(
             found = find_sync(clip, recording, SyncChoices(method), look=look)
     except (InputError, UsageError) as failure:
         problem = message_of(failure)
-    is_heard = clip.has_audio and not (found and found.method == "embedded")
+    is_heard = clip.has_audio and not _is_own_clock(found)
     sound = loudness_of(clip.path) if is_heard else _NOTHING
     return found, problem, sound, seen[-1] if seen else None
 

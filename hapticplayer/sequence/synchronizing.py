@@ -81,7 +81,8 @@ def synchronized(
     found = choices.accepted or find_sync(clip, recording, choices, progress)
     if not found.is_confident and choices.accepted is None:
         raise UsageError(uncertainty(found, clip.path.name))
-    is_seen = choices.accepted is not None and found.method != "embedded"
+    is_trusted = found.method == "embedded" and not found.contradiction
+    is_seen = choices.accepted is not None and not is_trusted
     described = {**found.described(), "seen_by_person": is_seen}
     provenance = {**recording.provenance, "synchronisation": described}
     if found.lag is not None:
@@ -157,6 +158,7 @@ def find_sync(
     offset_s, own = choices.offset_s, recording.clock_map
     given = None if offset_s is None else ClockMap(offset_s)
     known = own if own.confidence > 0.0 else None
+    contradiction = contradicted(recording, clip)
     inputs = SyncInput(
         recording.imu,
         hear,
@@ -164,6 +166,8 @@ def find_sync(
         known,
         (look or (lambda: watch(clip, progress))) if has_frames() else None,
         recording.lag,
+        contradiction or "",
+        recording.placing.others if recording.placing else (),
     )
     found = sync_method(choices.method).function()(inputs)
     if choices.refuses_idle_skew and not heard:
@@ -174,6 +178,12 @@ def find_sync(
             method=found.method,
         )
     return found
+
+
+def contradicted(recording: Recording, clip: ClipInfo) -> Message | None:
+    """Why the clock of a recording cannot be believed for a clip, or None."""
+    placing = recording.placing
+    return placing.contradiction(clip.duration_s) if placing else None
 
 
 def watch(clip: ClipInfo, progress: Progress) -> FrameRotation:
@@ -199,6 +209,8 @@ def is_exact() -> bool:
 
 def uncertainty(found: Synchronisation, clip: str) -> str:
     """Return why a result is uncertain and what to do."""
+    if found.contradiction:
+        return _undecided(found, clip)
     if _disagree(found):
         return _disagreement(found, clip)
     reasons: list[str] = [
@@ -216,6 +228,27 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
         look = Message("{look}; {brings}", look=look, brings=_brings())
     why = joined(Message("; "), reasons)
     return Message("{clip}: {why}; {look}", clip=clip, why=why, look=look)
+
+
+def _undecided(found: Synchronisation, clip: str) -> str:
+    """A contradiction that neither pats nor frames could decide."""
+    places = [
+        Message("--offset {offset_s:.3f} ({by})", offset_s=one.offset_s, by=one.by)
+        for one in found.others
+    ]
+    why = found.unused
+    if found.second is not None:
+        seconds = (found.second, found.second.second)
+        parts = [_reason(one) for one in seconds if one is not None]
+        why = joined(Message("; "), [*parts, *filter(None, [found.second.unused])])
+    return Message(
+        "{clip}: {what}, and neither frames nor pats tell which is right ({why}); give "
+        "{places}, or another --offset S",
+        clip=clip,
+        what=found.contradiction,
+        why=why,
+        places=joined(Message(" or "), places),
+    )
 
 
 def _reason(found: Synchronisation) -> Message:

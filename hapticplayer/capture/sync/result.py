@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.clock_lag import ClockLag
+from hapticplayer.capture.recording import OtherPlace
 from hapticplayer.errors import Message
 from hapticplayer.model import ClockMap, ImuLog
 
@@ -59,6 +60,8 @@ class SyncInput(NamedTuple):
         look: tells the camera's rotation from the clip's frames; raises InputError
             where that is not possible. None without a clip.
         lag: of the recording's own clock, as far as it is known.
+        contradiction: why the own clock cannot be believed by itself; "" if it can.
+        others: places by other sources than the own clock.
     """
 
     imu: ImuLog
@@ -67,6 +70,8 @@ class SyncInput(NamedTuple):
     own: ClockMap | None = None
     look: "Callable[[], FrameRotation] | None" = None
     lag: ClockLag | None = None
+    contradiction: Message | str = ""
+    others: tuple[OtherPlace, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,6 +187,8 @@ class Synchronisation:
         second: what another method found, which agrees, or does not.
         unused: why another method found nothing.
         lag: of the camera's own motion, if its clock is used.
+        contradiction: why the recording's own clock was not believed by itself.
+        others: places by other sources, where that remains undecided.
     """
 
     clock_map: ClockMap
@@ -199,6 +206,8 @@ class Synchronisation:
     second: "Synchronisation | None" = None
     unused: Message | str = ""
     lag: ClockLag | None = None
+    contradiction: Message | str = ""
+    others: tuple[OtherPlace, ...] = ()
 
     @property
     def is_confident(self) -> bool:
@@ -245,6 +254,7 @@ class Synchronisation:
             "mounting": self.mounting.described() if self.mounting else None,
             "second": self.second.described() if self.second else None,
             "lag": self.lag.described() if self.lag else None,
+            "contradiction": str(self.contradiction) or None,
             "pats": [
                 {
                     "heard_s": round(pat.heard_s, 4),

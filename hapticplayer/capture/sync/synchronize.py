@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.frames import frame_function
+from hapticplayer.capture.recording import OtherPlace
 from hapticplayer.capture.sync.methods import AUTO, sync_method
 from hapticplayer.capture.sync.result import (
     SOUND_RATE_HZ,
@@ -30,6 +31,9 @@ NO_FIT = Message(
     "clip, and the video not stabilised?)"
 )
 
+BY_PACKETS = Message("as its own times place it")
+
+_CONTRADICTED = 0.2  # the confidence of a clock that is
 _MIN_SOUND_RATE_HZ = 4000.0
 _AGREES_S = 0.0167
 _PATS_SIGMA_S = 0.004  # of pats at the least, beyond what their fit says
@@ -102,6 +106,10 @@ def automatic(inputs: SyncInput) -> Synchronisation:
         return by_given_offset(inputs)
     if inputs.own is not None:
         return by_own_clock(inputs)
+    return _by_pats_and_frames(inputs)
+
+
+def _by_pats_and_frames(inputs: SyncInput) -> Synchronisation:
     if inputs.look is None:
         return by_pats(inputs)
     pats, problem = _tried(by_pats, inputs)
@@ -200,6 +208,8 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
             "pats) or give --offset S",
             name=Path(inputs.imu.source).name,
         )
+    if inputs.contradiction:
+        return _decided(inputs, inputs.own)
     lag = inputs.lag
     if lag is not None and not lag.is_measured and inputs.look is not None:
         measured = frame_function("lag")(inputs.imu, inputs.own, inputs.look)
@@ -211,6 +221,22 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
         has_drift=lag is not None and lag.is_measured,
         offset_sigma_s=0.0 if lag is None else lag.sigma_s,
         lag=lag,
+    )
+
+
+def _decided(inputs: SyncInput, own: ClockMap) -> Synchronisation:
+    """A clock that is contradicted: frames and pats decide, else a person."""
+    found, problem = _tried(_by_pats_and_frames, inputs)
+    if found is not None and found.is_confident:
+        return dataclasses.replace(found, contradiction=inputs.contradiction)
+    return Synchronisation(
+        dataclasses.replace(own, confidence=_CONTRADICTED),
+        "embedded",
+        second=found,
+        unused=problem.what if problem else "",
+        lag=inputs.lag,
+        contradiction=inputs.contradiction,
+        others=(OtherPlace(BY_PACKETS, own.offset_s), *inputs.others),
     )
 
 

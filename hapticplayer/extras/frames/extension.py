@@ -10,10 +10,10 @@ if TYPE_CHECKING:
 
 _HERE = "hapticplayer.extras.frames"
 _FUNCTIONS = {
-    "watch": "pictures:watch",
+    "watch": "synchronizing:watch",
     "why-broken": "watching:why_broken",
     "is-exact": "watching:is_available",
-    "mounting": "pictures:mounting_of",
+    "mounting": "synchronizing:mounting_of",
     "lag": "own_clock:with_lag_by_frames",
     "own-clock": "own_clock:clock_by_rotation",
     "turn-rates": "turn_rate:turn_rates",

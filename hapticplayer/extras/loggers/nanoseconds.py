@@ -9,6 +9,7 @@ Source: projects.asl.ethz.ch (EuRoC MAV, ASL format); OSUPCVLab/mobile-ar-sensor
 """
 
 import re
+from collections.abc import Sequence
 
 from hapticplayer.capture.assemble import log_reader, only_one
 from hapticplayer.capture.choices import LogChoices
@@ -27,6 +28,7 @@ _AXES = (
 )
 _FIELD = re.compile(r"^m[xyz]\[uT\]$")
 _STAMP = re.compile(r"^\s*(\d{6,20})\s*(?:,.*)?$")
+_MAX_LIST_BYTES = 1 << 26  # ten hours of 60 frames/s
 
 
 def recognises_euroc(source: LogSource) -> Confidence:
@@ -89,8 +91,6 @@ def _read(
     rate, accel, field = split(
         numbers.values, time_s, (1, 4, 7) if has_field else (1, 4)
     )
-    frame0_ns = _first_stamp(source, frame_lists)
-    frame0_s = None if frame0_ns is None else (frame0_ns - numbers.origin) * NANO
     return RawLog(
         name=title,
         accel=accel,
@@ -98,32 +98,36 @@ def _read(
         field=field,
         axes_words=words,
         back_axis=back_axis,
-        frame0_s=plausible_frame0_s(frame0_s, float(time_s[-1])),
+        frames_s=frames_of(source, frame_lists, numbers.origin, float(time_s[-1])),
         notes=numbers.notes,
     )
 
 
-def _first_stamp(source: LogSource, frame_lists: list[str]) -> int | None:
-    for name in frame_lists:
-        stamp = first_stamp_ns(source, name)
-        if stamp is not None:
-            return stamp
-    return None
+def frames_of(
+    source: LogSource, lists: Sequence[str], origin_ns: int, length_s: float
+) -> tuple[float, float] | None:
+    """When the first frame began and the last one ended, on the log's clock.
 
-
-def first_stamp_ns(source: LogSource, name: str) -> int | None:
-    """Return the first time in a list of frames, below an optional header."""
-    for line in source.head(name).splitlines()[:3]:
-        if match := _STAMP.match(line):
-            return int(match[1])
-    return None
-
-
-def plausible_frame0_s(frame0_s: float | None, length_s: float) -> float | None:
-    """Return the time of the first frame, or None if it is outside the log."""
-    if frame0_s is None or not FIRST_FRAME_S <= frame0_s <= length_s:
+    Args:
+        source: with the lists.
+        lists: of the times of frames, below an optional header.
+        origin_ns: of the log.
+        length_s: of the log; a first frame outside is not believed.
+    """
+    stamps_ns = [
+        int(match[1])
+        for name in lists[:1]
+        for line in source.text(name, _MAX_LIST_BYTES).splitlines()
+        if (match := _STAMP.match(line))
+    ]
+    if not stamps_ns:
         return None
-    return frame0_s
+    first_s, last_s = (
+        (stamp - origin_ns) * NANO for stamp in (stamps_ns[0], stamps_ns[-1])
+    )
+    if not FIRST_FRAME_S <= first_s <= length_s:
+        return None
+    return first_s, last_s + (last_s - first_s) / max(1, len(stamps_ns) - 1)
 
 
 EUROC = log_reader(recognises_euroc, read_euroc)

@@ -14,9 +14,9 @@ from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.csv_table import Shape, first_numbers
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.streams import NANO, RawLog, Sensor, read_sensor
+from hapticplayer.capture.streams import RawLog, Sensor, read_sensor
 from hapticplayer.errors import InputError, Message, joined
-from hapticplayer.extras.loggers.nanoseconds import first_stamp_ns, plausible_frame0_s
+from hapticplayer.extras.loggers.nanoseconds import frames_of
 from hapticplayer.model.limits import COARSE_REST_MPS2
 
 _SHAPE = Shape(4, (3, 0, 1, 2), integer=3)
@@ -74,7 +74,7 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
         field=None if field is None else field.since(origin),
         axes_words=Message("the phone's axes: x right, y top, z out of the screen"),
         back_axis="z",
-        frame0_s=_frame0_s(source, accel),
+        frames_s=_frames_s(source, accel),
         notes=tuple(note for sensor in sensors.values() for note in sensor.notes),
     )
 
@@ -113,15 +113,12 @@ def _check_roles(sensors: dict[str, Sensor], where: str) -> None:
         )
 
 
-def _frame0_s(source: LogSource, accel: Sensor) -> float | None:
-    for name in source.names:
-        base = source.base(name)
-        if base.endswith("timestamps.csv") and "imu" not in base:
-            stamp = first_stamp_ns(source, name)
-            if stamp is not None:
-                frame0_s = (stamp - accel.origin_ns) * NANO
-                return plausible_frame0_s(frame0_s, float(accel.stream.time_s[-1]))
-    return None
+def _frames_s(source: LogSource, accel: Sensor) -> tuple[float, float] | None:
+    bases = {name: source.base(name) for name in source.names}
+    lists = [
+        n for n, b in bases.items() if b.endswith("timestamps.csv") and "imu" not in b
+    ]
+    return frames_of(source, lists, accel.origin_ns, float(accel.stream.time_s[-1]))
 
 
 READER = log_reader(recognises, read)

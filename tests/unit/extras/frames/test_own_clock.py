@@ -8,6 +8,7 @@ import pytest
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.clock_lag import unstamped
 from hapticplayer.capture.frames import FeatureKind, FrameRotation
+from hapticplayer.capture.recording import OtherPlace
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation, SyncInput
 from hapticplayer.capture.sync.synchronize import by_own_clock
 from hapticplayer.errors import InputError, Message
@@ -66,6 +67,30 @@ def test_frames_measure_the_lag_of_an_own_clock(offset_s, is_lag):
     if found.lag is not None:
         assert found.lag.lag_s == pytest.approx(-offset_s, abs=0.0015)
         assert found.lag.measured_by == "frames"
+
+
+@pytest.mark.parametrize("offset_s", [0.0, -0.4])
+def test_frames_decide_where_a_cut_clip_is_contradicted(offset_s):
+    ride = Ride(1)
+
+    def silent():
+        raise InputError("it holds no sound")
+
+    inputs = SyncInput(
+        ride.log(ClockMap(offset_s)),
+        silent,
+        own=ClockMap(),
+        look=ride.frames,
+        contradiction=Message("the clip was cut"),
+        others=(OtherPlace(Message("as the camera's stamps begin"), -0.4),),
+    )
+
+    found = by_own_clock(inputs)
+
+    assert found.is_confident
+    assert found.method == "frames"
+    assert found.media_s(30.0) == pytest.approx(30.0 + offset_s, abs=0.01)
+    assert found.described()["contradiction"] == "the clip was cut"
 
 
 def test_stabilised_frames_change_nothing():

@@ -126,6 +126,20 @@ def test_times_of_the_frames_fix_the_clock(tmp_path, key, first_frame_s):
     assert clock.confidence == 1.0
 
 
+@pytest.mark.parametrize("name", ["MARS", "OpenCamera Sensors"])
+@pytest.mark.parametrize(("duration_s", "is_believed"), [(3.0, True), (2.4, False)])
+def test_frames_are_believed_for_a_clip_of_their_length(
+    tmp_path, name, duration_s, is_believed
+):
+    one = FORMATS[name]
+    placing = read(
+        one, put(one.write(sample(apart=one.apart)), tmp_path / "in")
+    ).placing
+    why = placing.contradiction(duration_s)
+    assert (why is None) == is_believed
+    assert is_believed or "lasts from 0.00 to 3.00 s, the clip from 0 to 2.40 s" in why
+
+
 def test_a_log_alone_leaves_the_clock_open(tmp_path):
     one = FORMATS["Ultimate IMU"]
     assert (
