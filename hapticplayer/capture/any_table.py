@@ -24,9 +24,6 @@ from hapticplayer.capture.csv_table import (
 )
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.spellings import (
-    DAY_S,
-)
 from hapticplayer.capture.streams import (
     NANO,
     RawLog,
@@ -46,6 +43,9 @@ from hapticplayer.capture.table_layout import (
 )
 from hapticplayer.errors import Message, UsageError, joined
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.spellings import (
+    DAY_S,
+)
 
 _SENSORS = {
     "accel": ("ax", "ay", "az"),

@@ -16,10 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.spellings import clock_ns, is_missing, plain, with_nan
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_CSV_ROWS, MAX_DAMAGED_SHARE, MAX_LINE_BYTES
+from hapticplayer.model.spellings import (
+    clock_ns,
+    column_names,
+    is_missing,
+    plain,
+    with_nan,
+)
 
 TIME = "time_s"
 LOG_COLUMNS = (TIME, "ax", "ay", "az", "gx", "gy", "gz")
@@ -38,7 +44,7 @@ class Shape:
 
     Attributes:
         width: cells of a row.
-        separator: between the cells, see `spellings`; blanks around them do not count.
+        separator: between the cells, see `model.spellings`; blanks around them do not count.
         decimal: "." or ",".
         columns: wanted cells, in order; others may hold text.
         integer: cell with integers too long for float64 (time in ns); its first value
@@ -391,15 +397,6 @@ def foreign_digits(text: str, where: str) -> InputError | None:
         remedy="export the log with the digits 0 to 9, as programs in English do",
         found=found,
     )
-
-
-def column_names(line: str, separator: str = ",") -> tuple[str, ...]:
-    """Return the cells of a header, without quotes and blanks."""
-    return tuple(cell.strip().strip('"').strip() for cell in line.split(separator))
-
-
-def find_separator(line: str) -> str:
-    return max((",", ";", "\t"), key=line.count)
 
 
 def head_lines(source: LogSource, name: str) -> list[str]:

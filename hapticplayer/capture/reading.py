@@ -2,6 +2,8 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from hapticplayer.capture import formats
 from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.foreign import refuse_foreign, unknown, why_unreadable
@@ -35,8 +37,9 @@ def read_recording(log: LogPath, choices: LogChoices | None = None) -> Recording
     source = open_source(log)
     refuse_foreign(source)
     try:
-        form = find_format(source, choices)
-        recording = form.reader().read(source, choices)
+        with np.errstate(over="ignore", invalid="ignore"):  # damage, found later
+            form = find_format(source, choices)
+            recording = form.reader().read(source, choices)
     except (MediaError, TelemetryError) as error:
         if better := why_unreadable(source):
             raise better from error

@@ -28,8 +28,6 @@ from hapticplayer.capture.csv_table import (
     TIME,
     Numbers,
     Shape,
-    column_names,
-    find_separator,
     head_lines,
     header_fault,
     read_table,
@@ -50,6 +48,7 @@ from hapticplayer.model.limits import (
     MAX_ANGULAR_RATE_RADPS,
     MAX_SI_RATE_RADPS,
 )
+from hapticplayer.model.spellings import column_names, find_separator
 from hapticplayer.storage import file_replaced
 
 _UNITS = (

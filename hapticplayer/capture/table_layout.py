@@ -6,14 +6,14 @@ from typing import NamedTuple
 
 from hapticplayer.capture.csv_table import head_lines, is_number
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.spellings import (
+from hapticplayer.errors import InputError, Message
+from hapticplayer.model.spellings import (
     HIDDEN,
     SPELLINGS,
     clock_ns,
     is_missing,
     plain,
 )
-from hapticplayer.errors import InputError, Message
 
 NUMBER, CLOCK, TEXT, EMPTY = "number", "clock", "text", "empty"
 """Kinds of columns."""
@@ -51,7 +51,7 @@ class Layout(NamedTuple):
     """The layout of a table.
 
     Attributes:
-        separator: see `spellings`.
+        separator: see `model.spellings`.
         decimal: its sign.
         width: cells of a row.
         kinds: of the columns, without empty ones at the end.

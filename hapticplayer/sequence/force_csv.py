@@ -1,7 +1,8 @@
-"""Reads force tracks as CSV: `time_s,fx_n,fy_n,fz_n`, in frame D and SI.
+"""Reads force tracks as CSV: `time_s,fx_n,fy_n,fz_n` in any order, in frame D and SI.
 
 Each force holds from its time until the next one's. A column `is_estimated` of ones is
-added where nothing measured the motion.
+added where nothing measured the motion. Separators and numbers may be those of a
+spreadsheet, see `model.spellings`.
 """
 
 import io
@@ -17,6 +18,7 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_SAMPLES, refuse_large_force
+from hapticplayer.model.spellings import column_names, find_separator, plain
 from hapticplayer.sequence.force_files import MAX_SECONDS
 from hapticplayer.untrusted import open_regular
 
@@ -73,6 +75,8 @@ class _Rows:
     def __init__(self, path: Path, until_s: float) -> None:
         self._path, self._until_s = path, until_s
         self._names: tuple[str, ...] = ()
+        self._columns: tuple[int, ...] = ()
+        self._separator, self._decimal = ",", "."
         self._last = np.empty((0, 0))
         self._count = 0
 
@@ -94,8 +98,12 @@ class _Rows:
 
     def _check_header(self, line: bytes) -> None:
         text = line.removeprefix(b"\xef\xbb\xbf").decode(errors="replace")
-        names = tuple(cell.strip(' \t\r\n"') for cell in text.split(","))
-        if names not in {FORCE_COLUMNS, (*FORCE_COLUMNS, ESTIMATED_COLUMN)}:
+        self._separator = find_separator(text)
+        names = column_names(text.rstrip(" ,;\t\r\n"), self._separator)
+        known = (*FORCE_COLUMNS, ESTIMATED_COLUMN)
+        if set(FORCE_COLUMNS) - set(names) or sorted({*names} & {*known}) != sorted(
+            names
+        ):
             header = f"{','.join(FORCE_COLUMNS)}[,{ESTIMATED_COLUMN}]"
             raise self._fault(
                 1,
@@ -104,21 +112,31 @@ class _Rows:
                 Message("begin the file with {header}", header=header),
             )
         self._names = names
+        self._columns = tuple(names.index(one) for one in known if one in names)
 
     def _parsed(self, chunk: bytes, first: int) -> tuple[Floats, list[int] | range]:
         """Return the numbers of whole lines, with the number of each line."""
-        chunk = chunk.replace(b"\r", b"").replace(b'"', b"")
+        separator = self._separator.encode()
+        chunk = chunk.replace(b"\r", b"")
+        if separator != b"," and b"," in chunk:
+            self._decimal = ","
+        chunk = plain(chunk, self._separator, self._decimal)
         texts = chunk.split(b"\n") if b"\n\n" in chunk else None
         lines: list[int] | range = range(first, first + chunk.count(b"\n") + 1)
         if texts is None and b"_" not in chunk:
             try:
                 values = np.loadtxt(
-                    io.BytesIO(chunk), delimiter=",", comments=None, ndmin=2
+                    io.BytesIO(chunk),
+                    delimiter=self._separator,
+                    comments=None,
+                    usecols=self._columns,
+                    ndmin=2,
                 )
             except ValueError:  # found again below, with its line
                 pass
             else:
-                if values.shape == (len(lines), len(self._names)):
+                cells = chunk.count(separator) + len(lines)
+                if len(values) == len(lines) and cells == len(lines) * len(self._names):
                     return values, lines
         numbered = [
             (number, text)
@@ -126,11 +144,13 @@ class _Rows:
             if text.strip()
         ]
         rows = [self._row(text, number) for number, text in numbered]
-        values = np.array(rows).reshape(-1, len(self._names))
+        values = np.array(rows).reshape(-1, len(self._columns))
         return values, [number for number, _ in numbered]
 
     def _row(self, line: bytes, number: int) -> list[float]:
-        cells = line.decode(errors="replace").split(",")
+        cells = line.decode(errors="replace").split(self._separator)
+        while len(cells) > len(self._names) and not cells[-1].strip():
+            cells.pop()  # separators at the end of the line, as Excel adds them
         if len(cells) != len(self._names):
             what = Message(
                 "has {count} columns, the header has {expected}",
@@ -139,7 +159,8 @@ class _Rows:
             )
             raise self._fault(number, "", what, Message("remove or complete the line"))
         row = []
-        for name, cell in zip(self._names, cells, strict=True):
+        for at in self._columns:
+            name, cell = self._names[at], cells[at]
             try:
                 if not cell.isascii() or "_" in cell:
                     raise ValueError(cell)  # noqa: TRY301 - Python's own digits
@@ -173,7 +194,15 @@ class _Rows:
             row, column = (int(place) for place in bad[0])
             number = float(values[row, column])
             what = Message("{text} is not a finite number", text=number)
-            raise self._fault(lines[row], self._names[column], what, _REMOVE)
+            name = self._names[self._columns[column]]
+            raise self._fault(lines[row], name, what, _REMOVE)
+        late = np.flatnonzero(np.abs(values[:, 0]) > MAX_SECONDS)
+        if len(late):
+            what = Message(
+                "{time_s:.3g} s is later than any clip", time_s=values[late[0], 0]
+            )
+            remedy = Message("give the times in seconds of media time")
+            raise self._fault(lines[int(late[0])], "time_s", what, remedy)
 
     def _check_order(self, time_s: Floats, lines: list[int] | range) -> None:
         last_s = self._last[0, 0] if len(self._last) else -math.inf

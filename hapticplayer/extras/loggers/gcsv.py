@@ -14,11 +14,12 @@ import numpy as np
 
 from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices
-from hapticplayer.capture.csv_table import Shape, column_names, read_table
+from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, SensorStream, counted_on
 from hapticplayer.errors import InputError, Message
+from hapticplayer.model.spellings import column_names
 
 _MARKS = ("GYROFLOW IMU LOG", "CAMERA IMU LOG")
 _DEFAULT_TIME_SCALE = 0.001

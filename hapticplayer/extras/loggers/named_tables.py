@@ -35,19 +35,13 @@ import numpy as np
 
 from hapticplayer.capture.assemble import log_reader, only_one
 from hapticplayer.capture.choices import TIME_UNITS, LogChoices, LogQuestion
-from hapticplayer.capture.csv_table import (
-    Shape,
-    column_names,
-    find_separator,
-    head_lines,
-    is_number,
-    read_table,
-)
+from hapticplayer.capture.csv_table import Shape, head_lines, is_number, read_table
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, split_sensors, unwrapped
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.spellings import column_names, find_separator
 
 UNITS: Mapping[str, str] = {
     "m/s^2": "m/s2",

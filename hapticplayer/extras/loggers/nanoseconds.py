@@ -13,12 +13,13 @@ from collections.abc import Sequence
 
 from hapticplayer.capture.assemble import log_reader, only_one
 from hapticplayer.capture.choices import LogChoices
-from hapticplayer.capture.csv_table import Shape, column_names, read_table
+from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import NANO, RawLog, split
 from hapticplayer.errors import Message
 from hapticplayer.model.limits import FIRST_FRAME_S
+from hapticplayer.model.spellings import column_names
 
 _EUROC = re.compile(r"^#\s*timestamp \[ns\]$")
 _MARS = re.compile(r"^Timestamp\[nanosec\]$")

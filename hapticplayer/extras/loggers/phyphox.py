@@ -13,17 +13,13 @@ from typing import NamedTuple
 
 from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices
-from hapticplayer.capture.csv_table import (
-    Shape,
-    column_names,
-    find_separator,
-    read_table,
-)
+from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message
 from hapticplayer.extras.loggers.named_tables import UNITS
+from hapticplayer.model.spellings import column_names, find_separator
 
 _TIME = "Time (s)"
 _AXIS = re.compile(

@@ -15,7 +15,7 @@ import numpy as np
 
 from hapticplayer.capture.assemble import log_reader
 from hapticplayer.capture.choices import LogChoices, LogQuestion
-from hapticplayer.capture.csv_table import Shape, column_names
+from hapticplayer.capture.csv_table import Shape
 from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import (
@@ -27,6 +27,7 @@ from hapticplayer.capture.streams import (
     read_sensor,
 )
 from hapticplayer.errors import InputError, Message
+from hapticplayer.model.spellings import column_names
 
 _COLUMNS = ("time", "x", "y", "z")
 _IOS, _ANDROID = "ios", "android"

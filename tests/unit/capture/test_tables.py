@@ -10,6 +10,8 @@ import pytest
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import KEYS, LogQuestion, parse_choices
 from hapticplayer.errors import HapticPlayerError, InputError, UsageError
+from tests.faults.import_formats import FORMATS, put
+from tests.faults.import_signal import sample
 from tests.needed_extras import needs
 from tests.unit.capture.conftest import DATA
 
@@ -289,6 +291,32 @@ def test_enormous_times_are_refused_without_a_warning(tmp_path, stamp, where, un
         except InputError:
             continue
         assert np.isfinite(found.time_s).all()
+
+
+@pytest.mark.parametrize("key", FORMATS)
+@pytest.mark.filterwarnings("error")
+def test_enormous_cells_of_any_format_are_no_warnings(tmp_path, key):
+    one = FORMATS[key]
+    files = one.write(sample(4.0, apart=one.apart))
+    if key == "GoPro, raw":
+        pytest.skip("holds no text")
+    for name, content in files.items():
+        lines = content.split(b"\n")
+        row = len(lines) // 2
+        cells = re.split(rb"([,;\t])", lines[row])
+        for at, cell in itertools.product(
+            range(0, len(cells), 2), (b"1e300", b"-1e308")
+        ):
+            spoilt = b"".join([*cells[:at], cell, *cells[at + 1 :]])
+            damaged = b"\n".join([*lines[:row], spoilt, *lines[row + 1 :]])
+            path = put(
+                {**files, name: damaged}, tmp_path / f"{name}{at}{cell.decode()}"
+            )
+            try:
+                imu = read(path, *one.choices).imu
+            except HapticPlayerError:
+                continue
+            assert np.isfinite(imu.specific_force_mps2).all()
 
 
 def followed(path, *given):

@@ -67,10 +67,29 @@ def test_rows_after_the_clip_are_checked(tmp_path, monkeypatch, line, sentence):
         read_force_csv(path, until_s=0.5)
 
 
-def test_times_of_a_force_track_may_be_enormous(tmp_path):
-    lines = ["time_s,fx_n,fy_n,fz_n", "-1e308,1,0,0", "1e308,0,0,0"]
-    track = read_force_csv(write(tmp_path / "force.csv", lines))
-    np.testing.assert_array_equal(track.at(np.array([0.0])), [[1, 0, 0]])
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("line", ["-1e300,1,0,0", "1e300,1,0,0", "2e5,1,0,0"])
+def test_times_beyond_any_clip_are_refused(tmp_path, line):
+    lines = [FORCE_HEADER, "0,1,0,0", "1,0,0,0"]
+    lines.insert(1 if line.startswith("-") else 3, line)
+    with pytest.raises(InputError, match=r"column time_s: .* later than any clip"):
+        read_force_csv(write(tmp_path / "force.csv", lines))
+
+
+@pytest.mark.parametrize(
+    ("head", "rows"),
+    [
+        ("time_s;fx_n;fy_n;fz_n", ["0;1,5;0;0", "1,25;0;0;0"]),
+        ("fx_n,fy_n,time_s,fz_n", ["1.5,0,0,0", "0,0,1.25,0"]),
+        ("time_s,fx_n,fy_n,fz_n,,", ["0,1.5,0,0,,", "1.25,0,0,0,,"]),
+        ("time_s\tfx_n\tfy_n\tfz_n", ["0\t1.5\t0\t0", "1.25\t0\t0\t0"]),
+        ("time_s,fx_n,fy_n,fz_n", ['"0","1.5","0","0"', "1.25,0,0,0,"]),
+    ],
+)
+def test_force_that_a_spreadsheet_wrote_is_read(tmp_path, head, rows):
+    track = read_force_csv(write(tmp_path / "force.csv", [head, *rows]))
+    assert track.time_s.tolist() == [0.0, 1.25]
+    assert track.force_n.tolist() == [[1.5, 0, 0], [0, 0, 0]]
 
 
 @pytest.mark.parametrize(

@@ -4,9 +4,10 @@ Decimal commas, thousands with a separator, quotes, blanks between columns, N/A,
 times and dates. What can be read in two ways is not a number.
 """
 
-import datetime as dt
 import re
 from functools import cache
+
+import numpy as np
 
 SPELLINGS = (
     (",", "."),
@@ -126,7 +127,16 @@ def clock_ns(cell: str) -> int | None:
 @cache
 def _days(year: str, month: str, day: str) -> int | None:
     try:
-        date = dt.date(int(year), int(month), int(day))
+        date = np.datetime64(f"{year}-{int(month):02}-{int(day):02}", "D")
     except ValueError:
         return None
-    return (date - dt.date(1970, 1, 1)).days
+    return int(date.astype(np.int64))
+
+
+def column_names(line: str, separator: str = ",") -> tuple[str, ...]:
+    """Return the cells of a header, without quotes and blanks."""
+    return tuple(cell.strip().strip('"').strip() for cell in line.split(separator))
+
+
+def find_separator(line: str) -> str:
+    return max((",", ";", "\t"), key=line.count)
