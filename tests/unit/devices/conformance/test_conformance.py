@@ -8,6 +8,7 @@ import pytest
 
 from hapticplayer.devices import installed_devices
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.contract import MALFORMED_TRIP, REPLY_RAMP_S
 from hapticplayer.haptics.limiter import limits_of
 from tests.unit.devices.conformance.world import ZERO
 from tests.unit.devices.conformance.worlds import WORLDS, Example, capabilities_of
@@ -147,6 +148,41 @@ def test_nonsense_is_counted_and_dropped(world):
     world.talk_nonsense()
     reading = world.until(lambda reading: reading.malformed >= 20)
     assert math.dist(reading.position_m, place) < 0.001
+
+
+def test_a_slow_device_plays_at_its_own_rate(closed):
+    """A grip that answers within 20 ms, and what takes 0.1 s for each command."""
+    if not closed.can_be_slow:
+        return
+    closed.be_slow()
+    closed.device.open()
+    closed.until(lambda reading: reading.is_homed)
+    closed.until_motors(are_off=False, force_n=PUSH)
+    ages_s = []
+    for k in range(1000):
+        reading = closed.tick((1.0 + 0.5 * math.sin(k / 9), 1.5, 0.5))
+        ages_s.append(closed.clock.now_s() - reading.replied_s)
+    assert max(ages_s) < REPLY_RAMP_S
+    assert reading.malformed == 0
+    assert not reading.notice
+    closed.until_motors(are_off=True, force_n=ZERO)
+
+
+def test_errors_that_a_device_answers_are_heard(world):
+    """By its loop as malformed answers or a notice, or as its end with a reason."""
+    world.tick(PUSH, 5)
+    world.refuse()
+    said = ""
+    for k in range(3000):
+        try:
+            reading = world.tick((1.0 + math.sin(k), 1.5, 0.5))
+        except DeviceError as problem:
+            said = str(problem)
+            break
+        if reading.malformed >= MALFORMED_TRIP:
+            return
+        said = said or reading.notice
+    assert ";" in said
 
 
 def test_an_unplugged_device_says_what_to_do(world):

@@ -23,10 +23,21 @@ class World:
 
     has_place = True
     """Whether the device knows where its grip is."""
-    has_buttons = has_answers = needs_guard = True
+    has_buttons = has_answers = needs_guard = can_be_slow = True
+    is_slow = is_stuck = False
+    takes_s = 0.0
+    """For each command, a device that is slow to take them."""
 
     def __init__(self):
         self.clock = ManualClock()
+
+    def be_slow(self):
+        """Be as slow as no fault is; called before the device is opened."""
+        self.is_slow = True
+
+    def refuse(self):
+        """Answer everything from now on with an error."""
+        self.talk_nonsense()
 
     def tick(self, force_n=ZERO, count=1):
         """Exchange every millisecond; return the last reading."""
@@ -61,22 +72,37 @@ class World:
 
 
 class Stuckable(DirectWriter):
-    """Writes, until its device takes nothing any more."""
+    """Writes, each in its time, until its device takes nothing any more."""
 
     def __init__(self, port, world):
         super().__init__(port)
-        self._world = world
+        self._world, self._newest, self._due_s = world, b"", None
+        self.taken = 0
 
     def post(self, command):
-        if self._world.is_stuck:
-            self.is_waiting = True
-        else:
-            super().post(command)
+        self._newest = command
+        if self._due_s is None:
+            self._due_s = self._world.clock.now_s() + self._world.takes_s
+        self._take()
+
+    @property
+    def is_waiting(self):
+        self._take()
+        return self._due_s is not None
+
+    def _take(self):
+        if self._due_s is None or self._world.is_stuck:
+            return
+        if self._world.clock.now_s() >= self._due_s:
+            self._due_s = None
+            super().post(self._newest)
             self.taken += 1
 
 
 class Process(World):
     """A device that is a process at the other end of a line, in real time."""
+
+    can_be_slow = False  # its driver is slow in virtual time
 
     def __init__(self, name, *more):
         self.clock = SystemClock()

@@ -25,6 +25,11 @@ class Falcon(World):
         self.device = self.grip.driver
         self.device.close()
 
+    def wait(self):
+        super().wait()
+        if self.is_slow and self.clock.now_s() > self.grip.chip.stalled_until_s + 0.004:
+            self.grip.chip.stalled_until_s = self.clock.now_s() + 0.011
+
     def press(self, buttons):
         self.grip.buttons = buttons
 
@@ -50,6 +55,8 @@ class Falcon(World):
 
 class Example(World):
     """The device of docs/devices.md, with a seat at the other side."""
+
+    can_be_slow = False
 
     def __init__(self):
         super().__init__()

@@ -20,6 +20,11 @@ class Inverse3(World):
         self.links.append(VirtualLink(self.service, self.clock))
         return self.links[-1]
 
+    def wait(self):
+        super().wait()
+        if self.is_slow:  # each answer takes 15 ms
+            self.links[-1].answers = round(1e3 * self.clock.now_s()) % 15 == 0
+
     def press(self, buttons):
         self.service.simulation.buttons = buttons
 

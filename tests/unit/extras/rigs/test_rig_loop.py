@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from hapticplayer.clock import ManualClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.extras.rigs.loop import RigGuard, RigLoop
+from hapticplayer.extras.rigs.sender import RigSender
 from hapticplayer.extras.rigs.settings import rig_settings
 from hapticplayer.extras.rigs.step import CAPS, NEUTRAL_S, RAMP_S, TAKE_OVER_S
 from hapticplayer.haptics.block import REFUSED, SENT
@@ -251,6 +252,24 @@ def test_a_receiver_that_is_not_there_yet_is_no_fault(bench):
     bench.run(2.0)
     assert bench.state.mode is Mode.FOLLOWING
     assert bench.block.read_ticks(0)[0]["buttons"][-1] == SENT | REFUSED
+
+
+def test_a_rig_that_leaves_and_comes_back_is_noticed():
+    """By what the network says of the packet before."""
+    motion = STEADY
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
+        end.bind(("127.0.0.1", 0))
+        where = end.getsockname()
+        sender = RigSender(rig_settings(f"outsim,127.0.0.1:{where[1]}"))
+        sender.open()
+        assert sender.send(motion, 0.0)
+        assert sender.send(motion, 0.1)
+    assert [sender.send(motion, k / 10.0) for k in range(2, 6)][1:] == [False] * 3
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
+        end.bind(where)
+        heard = [sender.send(motion, k / 10.0) for k in range(6, 10)]
+        assert heard[1:] == [True] * 3
+        sender.close()
 
 
 def test_a_broken_network_trips_and_is_reported_once(bench):

@@ -20,11 +20,15 @@ class Shaker(World):
 
     def wait(self):
         super().wait()
-        self.card.play()
+        if not self.is_slow or round(1e3 * self.clock.now_s()) % 150 == 0:
+            self.card.play()
 
     def fall_silent(self):
         self.card.is_asking = False
         self.clock.advance(ALIVE_S)
+
+    def refuse(self):
+        self.card.problem = "Device unavailable"
 
     def unplug(self):
         self.card.is_asking = False

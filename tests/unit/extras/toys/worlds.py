@@ -28,6 +28,12 @@ class Toy(World):
     def wait(self):
         self.clock.sleep_until(self.clock.now_s() + 0.001)
 
+    def be_slow(self):
+        self.server.gap_ms = 100
+
+    def refuse(self):
+        self.server.errors = 10**6
+
     def fall_silent(self):
         self.server.answers = False
 
@@ -64,8 +70,7 @@ class Board(World):
         self.end.bind(("127.0.0.1", 0))
         self.end.setblocking(False)
         self.where = f"127.0.0.1:{self.end.getsockname()[1]}"
-        self.strength, self.sender, self.is_stuck = 0, None, False
-        self.babbles = False
+        self.strength, self.sender, self.babbles = 0, None, False
         self.device = installed_devices()["tcode"].make(-1)
         self.options = tcode.tcode_options(self.where)
         self.device.open_port = lambda: tcode.open_board(self.options)
@@ -81,6 +86,12 @@ class Board(World):
                     self.strength = 0 if is_stop else int(line[2:6])
         if self.babbles and self.sender:
             self.end.sendto(b"\xff\xfe", self.sender)
+
+    def be_slow(self):
+        self.takes_s = 0.1
+
+    def refuse(self):
+        self.end.close()  # the network says that nobody listens
 
     def fall_silent(self):
         self.is_stuck = True

@@ -78,7 +78,7 @@ class FakeInput:
     def __init__(self, clock, monkeypatch, title="Wheel"):
         self.clock, self.title = clock, title
         self.is_plugged, self.is_allowed = True, True
-        self.gain, self.garbage = 0xFFFF, 0
+        self.gain, self.garbage, self.refusal = 0xFFFF, 0, 0
         self.effects, self.playing = {}, {}
         self.waiting = deque()
         self._next = 10**6  # no descriptor of this process
@@ -129,6 +129,8 @@ class FakeInput:
             self._erase(argument)
             return 0
         assert request == 0x40304580
+        if self.refusal:
+            raise OSError(self.refusal, os.strerror(self.refusal))
         effect = Effect.from_buffer(argument)
         if effect.id == -1:
             effect.id = len(self.effects)

@@ -1,5 +1,7 @@
 """A wheel and a rumbling pad on a fake kernel."""
 
+import errno
+
 import pytest
 
 from hapticplayer.devices import installed_devices
@@ -16,12 +18,18 @@ class EventDevice(World):
         super().__init__()
         self.patch = pytest.MonkeyPatch()
         self.kernel = FakeInput(self.clock, self.patch)
-        self.name, self.is_stuck = name, False
+        self.name = name
         self.device = installed_devices()[name].make(-1)
         self.device.make_writer = lambda port: Stuckable(port, self)
 
     def press(self, _buttons):
         self.kernel.press(0x122)
+
+    def be_slow(self):
+        self.takes_s = 0.1
+
+    def refuse(self):
+        self.kernel.refusal = errno.ENOSPC
 
     def fall_silent(self):
         self.is_stuck = True
