@@ -198,8 +198,12 @@ class _AxisReader(NamedTuple):
             return
         beyond = sum(not 0.0 <= action.pos <= 100.0 for action in one.actions)
         if beyond:
-            text = "{count} positions of {axis} beyond 0 to 100 were limited"
-            self.assumed.append(Message(text, count=beyond, axis=name))
+            said = Message(
+                "{count} positions of {axis} beyond 0 to 100 were limited",
+                count=beyond,
+                axis=name,
+            )
+            self.assumed.append(said)
         curve = _positions(one)
         same = self.axes.setdefault(name, curve)
         if not all(map(np.array_equal, same, curve)):

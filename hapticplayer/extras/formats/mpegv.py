@@ -62,7 +62,9 @@ def write(
         raise InputError(
             "the track is too long for this format", remedy="choose another format"
         )
-    return ()
+    if choices.motion is None or choices.motion.valid.all():
+        return ()
+    return (Message("the motion where it is not valid"),)
 
 
 def _forces(

@@ -594,6 +594,14 @@ def test_motion_that_is_still_or_invalid_is_not_written(written, motion):
     assert "Rigid" not in written("mpegv", motion=motion).read_text()
 
 
+@pytest.mark.parametrize("valid", [True, False])
+def test_motion_that_is_not_valid_is_said_to_be_left_out(tmp_path, valid):
+    choices = WriteChoices(motion=moving((1, 2, 3), valid))
+    form = force_formats()["mpegv"]
+    report = export_track(NO_FORCE, tmp_path / "a.sem", form, choices)
+    assert bool(report["left_out"]) is not valid
+
+
 def test_more_motion_than_is_read_is_refused(written, monkeypatch):
     monkeypatch.setattr("hapticplayer.extras.formats.mpegv.MAX_TAGS", 60)
     with pytest.raises(InputError, match="too long"):
