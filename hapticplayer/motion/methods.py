@@ -13,7 +13,8 @@ from hapticplayer.model import ImuLog, Sampling
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
-from hapticplayer.motion import ekf, grid, lowpass
+from hapticplayer.motion import grid
+from hapticplayer.motion.ekf import EkfParameters
 from hapticplayer.motion.flaws import Flaws
 from hapticplayer.motion.smoother import (
     InertialSamples,
@@ -24,10 +25,10 @@ from hapticplayer.motion.smoother import (
 )
 from hapticplayer.motion.stillness import StillSpans
 
-Parameters = SmootherParameters | ekf.EkfParameters
-P = TypeVar("P", SmootherParameters, ekf.EkfParameters)
+Parameters = SmootherParameters | EkfParameters
+P = TypeVar("P", SmootherParameters, EkfParameters)
 
-_SMOOTHER, _EKF = SmootherParameters(), ekf.EkfParameters()
+_SMOOTHER, _EKF = SmootherParameters(), EkfParameters()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -204,10 +205,12 @@ def _piecewise(method: Method) -> Method:
 @_piecewise
 def kalman(task: Task) -> Estimate:
     """The quaternion Kalman filter of Sabatini 2006; see `hapticplayer.motion.ekf`."""
+    from hapticplayer.motion.ekf.recording import run_ekf
+
     parameters = _of_type(task.parameters, _EKF)
     task, log = _even(task)
     field = log.magnetic_field_ut if task.heading else None
-    done = ekf.run_ekf(
+    done = run_ekf(
         log.specific_force_mps2,
         log.angular_rate_radps,
         field,
@@ -267,12 +270,17 @@ def offline_vqf(task: Task) -> Estimate:
 @_piecewise
 def low_pass(task: Task) -> Estimate:
     """The slow part of the specific force; see `hapticplayer.motion.lowpass`."""
+    from hapticplayer.motion.lowpass import (
+        lowpass_vertical,
+        orientation_from_vertical,
+    )
+
     if task.heading:
         raise UsageError("the low-pass has no heading; choose one of ekf, vqf")
     _no_parameters(task)
     task, log = _even(task)
-    up = lowpass.lowpass_vertical(log.specific_force_mps2, log.interval_s)
-    q = lowpass.orientation_from_vertical(up)
+    up = lowpass_vertical(log.specific_force_mps2, log.interval_s)
+    q = orientation_from_vertical(up)
     # a filtered value has no half window to be turned back
     q = _at_times(task, log, q)
     return Estimate(q, quat.vertical(q))

@@ -1,6 +1,5 @@
-"""The quaternion Kalman filter of Sabatini 2006."""
+"""The quaternion Kalman filter of Sabatini 2006; a recording loads it when it is chosen."""
 
 from hapticplayer.motion.ekf.parameters import EkfParameters
-from hapticplayer.motion.ekf.recording import EkfResult, run_ekf
 
-__all__ = ["EkfParameters", "EkfResult", "run_ekf"]
+__all__ = ["EkfParameters"]

@@ -9,8 +9,9 @@ import pytest
 from hapticplayer.errors import InputError, UsageError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import quaternions as quat
-from hapticplayer.motion.ekf import EkfParameters, recording, run_ekf
+from hapticplayer.motion.ekf import EkfParameters, recording
 from hapticplayer.motion.ekf.quaternion_filter import QuaternionFilter
+from hapticplayer.motion.ekf.recording import run_ekf
 
 T = 0.01
 FIELD_UT = np.array([0.0, 20.0, -40.0])  # east, north, up; dips by 63 degrees

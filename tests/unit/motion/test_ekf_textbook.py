@@ -7,7 +7,8 @@ import pytest
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2 as G
 from hapticplayer.model import quaternions as quat
-from hapticplayer.motion.ekf import EkfParameters, run_ekf
+from hapticplayer.motion.ekf import EkfParameters
+from hapticplayer.motion.ekf.recording import run_ekf
 
 T = 0.01
 GRAVITY = np.array([0.0, 0.0, G])
