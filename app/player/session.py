@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.bridge.errors import Attempts, ErrorGateway, IsOver, Show
 from app.bridge.jobs import Jobs, in_child
 from hapticplayer.errors import HapticPlayerError, Progress, UsageError, message_of
+from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.latch import STOPPED
@@ -262,4 +263,9 @@ class Session(QObject):
 
 
 def _problems(now: Snapshot) -> list[str]:
-    return [*filter(None, (now.problem, *(one.problem for one in now.outputs)))]
+    """What is wrong; the health line says why the leading output has stopped."""
+    lead = now.leading
+    is_said = now.is_stopped or lead.cause is Cause.NOT_HOMED
+    faults = (one.fault for one in now.outputs if one is not lead or not is_said)
+    problems = (one.problem for one in now.outputs)
+    return [*filter(None, (now.problem, *problems, *faults))]

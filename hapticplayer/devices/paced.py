@@ -39,7 +39,8 @@ class Port(Protocol):
         translator: of forces and reports, for as long as the port is open.
         is_quiet: whether its silence means nothing: it says nothing by itself, and owes
             no answer; then accepting a command is the sign of life.
-        pace_s: shortest time from one command to the next that it can take.
+        pace_s: shortest time from one command to the next that it states; 0 for none,
+            then that of its `rate_hz`.
         notice: what it has reported last and a person should read.
     """
 
@@ -70,7 +71,7 @@ class Port(Protocol):
 
 
 class QuietPort:
-    """What says nothing by itself, and is as fast as its `rate_hz`."""
+    """What says nothing by itself, neither its pace."""
 
     is_quiet, pace_s, notice = True, 0.0, ""
 
@@ -159,7 +160,8 @@ class PacedDriver:
 
     Args:
         name: of the device.
-        capabilities: its record; commands go out at its `rate_hz` at most.
+        capabilities: its record; commands go out at its `rate_hz` at most, or at the
+            pace that the port states.
         open_port: finds and opens it; raises DeviceError with what to do.
         refresh_s: an unchanged command is sent again after so long, unless it
             is `off`.
@@ -205,7 +207,7 @@ class PacedDriver:
         is_refreshing = command != off and age_s >= self._refresh_s
         self._off_s = min(self._off_s, now_s) if command == off else math.inf
         is_stop = now_s - self._off_s >= STOPPED_S
-        is_due = is_stop or age_s >= max(self._period_s, port.pace_s)
+        is_due = is_stop or age_s >= (port.pace_s or self._period_s)
         if (command != self._sent or is_refreshing) and is_due:
             writer.post(command)
             self._sent, self._sent_s = command, now_s

@@ -12,7 +12,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 
 HARMLESS = (Cause.NONE, Cause.PAUSED, Cause.SEEK, Cause.TRACK_ENDED, Cause.CLOSING)
 """Reasons of a normal playback from start to end."""
-HELD_SHARE, HELD_TICKS = 0.25, 100
+HELD_SHARE, HELD_TICKS = 0.25, 500
 """Less than that without force is not worth a word: loading, a short stall."""
 UNHEARD_SHARE = 0.5
 CAUSE_TEXTS = {
@@ -120,8 +120,4 @@ class OutputFaults:
         said = _said(Cause(self._held.most_common(1)[0][0]))
         if not self._acted:
             return Message("nothing was played: {cause}; {remedy}", **said)
-        return Message(
-            "for {percent:.0f} % of the time nothing was played: {cause}; {remedy}",
-            percent=100.0 * held / (held + self._acted),
-            **said,
-        )
+        return Message("at times nothing was played: {cause}; {remedy}", **said)

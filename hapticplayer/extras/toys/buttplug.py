@@ -37,6 +37,7 @@ TITLE = "Intiface"
 REFRESH_S = 1.0
 OVERDUE_S = 0.3
 """An answer comes when a device has taken its strength, which Bluetooth delays."""
+LEAST_GAP_S = 0.02
 MOST_ERRORS = 3
 """So many answers in a row that are errors: nothing is felt any more."""
 _PINGS_PER_LIMIT = 3.0
@@ -107,7 +108,8 @@ class ButtplugPort:
         except DeviceError:
             self._socket.close()
             raise
-        self.pace_s = max(toy.gap_s for toy in self._toys.values())
+        gap_s = max(toy.gap_s for toy in self._toys.values())
+        self.pace_s = max(gap_s, LEAST_GAP_S) if gap_s else 0.0
         self._overdue_s = overdue_s + self.pace_s
         motors = [motor for toy in self._toys.values() for motor in toy.motors]
         self.translator = ButtplugTranslator(motors, self._version)

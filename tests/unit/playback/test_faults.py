@@ -42,7 +42,7 @@ def test_an_output_that_never_played_says_why():
 def test_an_output_that_played_half_of_the_time_says_why():
     late = ticks(Mode.RAMPING, Cause.REPLY_LATE)
     said = faults_of(ticks(Mode.FOLLOWING), late).sentence
-    assert said.startswith("for 50 % of the time nothing was played: device not resp")
+    assert said.startswith("at times nothing was played: device not responding")
     assert "; " in said
 
 
