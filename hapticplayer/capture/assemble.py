@@ -12,6 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture import log_checks
+from hapticplayer.capture.agreement import (
+    ask_about_axes,
+    ask_if_swapped,
+    own_axes,
+    sensors_as_answered,
+)
 from hapticplayer.capture.choices import (
     ACCEL_UNITS,
     FIELD_UNITS,
@@ -76,6 +82,8 @@ def only_one(found: list[str], source: LogSource) -> str:
 def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
     """Return the recording that a raw log holds, in SI and frame A."""
     raw = _decided(raw, choices)
+    if raw.rate is not None and not raw.is_gravity_free:
+        ask_if_swapped(raw, choices, where)
     samples, found = _common(raw, where)
     # ten hours take half a gigabyte: free early
     raw = _without_samples(raw)
@@ -86,19 +94,8 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
     try:
         imu, repairs = _cleaned(in_si, raw, choices, where)
     except InputError as error:
-        other = _other_units(part, raw, choices, where)
-        if other is None:
-            raise
-        what = Message(
-            "{what}, but the numbers would fit another unit", what=error.what
-        )
-        answers = [other]
-        if not choices.rate_unit and "rate-unit" in other:
-            kept = Message(
-                "rate-unit={rate_unit} to take it as it is", rate_unit=raw.rate_unit
-            )
-            answers.append(kept)
-        raise LogQuestion(what, answers, where) from error
+        ask_about_units(error, part, raw, choices, where)
+        raise
     del in_si
     # streams with their own times have their own notes on gaps
     texts = [one.text for one in repairs if not (stream_notes and one.kind == "lost")]
@@ -109,8 +106,9 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
         )
     else:
         log_checks.check_norm(figures, raw, choices, where)
-        notes = log_checks.check_upright(imu, raw, choices, where)
-    log_checks.check_rate(imu, raw, choices, where)
+        log_checks.check_rate(imu, raw, choices, where)
+        notes = ask_about_axes(imu, choices, where, raw.axes)
+        notes += log_checks.check_upright(imu, raw, choices, where)
     first_s, last_s = raw.frames_s or (0.0, 0.0)
     known = raw.frames_s is not None
     return Recording(
@@ -140,7 +138,12 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
 
 def _decided(raw: RawLog, choices: LogChoices) -> RawLog:
     """Return the log with the answers of a person in place of what it declares."""
+    raw = sensors_as_answered(raw, choices)
     accel, units = raw.accel, {"accel_unit": choices.take("accel_unit")}
+    if raw.rate is not None and not raw.is_gravity_free:
+        both = own_axes((accel.values, raw.rate.values), choices)
+        accel = SensorStream(accel.time_s, both[0])
+        raw = dataclasses.replace(raw, rate=SensorStream(raw.rate.time_s, both[1]))
     if choices.take("accel_sign") == "-":
         accel = SensorStream(accel.time_s, -accel.values)
     if raw.rate is not None and not raw.is_gravity_free:
@@ -155,9 +158,16 @@ def _decided(raw: RawLog, choices: LogChoices) -> RawLog:
 def as_answered(recording: Recording, choices: LogChoices) -> Recording:
     """Return a recording whose format states axes and signs, with those of a person."""
     imu = recording.imu
+    force, rate = own_axes((imu.specific_force_mps2, imu.angular_rate_radps), choices)
     if choices.take("accel_sign") == "-":
-        imu = dataclasses.replace(imu, specific_force_mps2=-imu.specific_force_mps2)
-    return dataclasses.replace(recording, imu=mounted(imu, choices.take("axes")))
+        force = -force
+    imu = dataclasses.replace(imu, specific_force_mps2=force, angular_rate_radps=rate)
+    notes = ask_about_axes(imu, choices, imu.source)
+    return dataclasses.replace(
+        recording,
+        imu=mounted(imu, choices.take("axes")),
+        notes=(*recording.notes, *notes),
+    )
 
 
 def _common(raw: RawLog, where: str) -> tuple[Samples, Repeats]:
@@ -236,6 +246,23 @@ def _cleaned(
     free = np.asarray(imu.specific_force_mps2 - _ONE_G)
     repairs = tuple(one for one in repairs if one.kind != "no rotation")
     return dataclasses.replace(imu, specific_force_mps2=free), repairs
+
+
+def ask_about_units(
+    error: InputError, part: Samples, raw: RawLog, choices: LogChoices, where: str
+) -> None:
+    """Ask about the units if the log was refused and a part of it would fit others."""
+    other = _other_units(part, raw, choices, where)
+    if other is None:
+        return
+    what = Message("{what}, but the numbers would fit another unit", what=error.what)
+    answers = [other]
+    if not choices.rate_unit and "rate-unit" in other:
+        kept = Message(
+            "rate-unit={rate_unit} to take it as it is", rate_unit=raw.rate_unit
+        )
+        answers.append(kept)
+    raise LogQuestion(what, answers, where) from error
 
 
 def _other_units(

@@ -39,6 +39,7 @@ FIELD_UNITS: Mapping[str, float] = {
     "gauss": 100.0,
     "mG": 0.1,
 }
+SWAPPED: Mapping[str, str] = {"accel,rate": "rate", "accel,field": "field"}
 TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 
 
@@ -56,6 +57,10 @@ class LogChoices(AppliedAnswers):
         field_unit: uT, gauss ... or the factor to uT.
         axes: right, front and up in the log's axes, such as "x,-z,y".
         accel_sign: "-" if the accelerometer reads -1 g upwards at rest.
+        accel_axes: the accelerometer's x, y, z in its columns, such as "y,x,z", mirrored
+            perhaps; `axes` is of all sensors, and a rotation.
+        rate_axes: the same of the gyroscope.
+        swapped: two sensors whose columns are swapped, such as "accel,rate"; or "no".
         rate_hz: samples per second, for a log without timestamps.
         sampling: "averaged" if each sample is a mean over a window around its time,
             "instant" if not.
@@ -70,6 +75,9 @@ class LogChoices(AppliedAnswers):
     field_unit: str = ""
     axes: str = ""
     accel_sign: str = ""
+    accel_axes: str = ""
+    rate_axes: str = ""
+    swapped: str = ""
     rate_hz: str = ""
     sampling: str = ""
     stuck: str = ""
@@ -113,6 +121,7 @@ _WHY_UNTAKEN: Mapping[str, Message] = {
     "accel-unit": _UNITS_ARE_KNOWN,
     "rate-unit": _UNITS_ARE_KNOWN,
     "field-unit": _UNITS_ARE_KNOWN,
+    "swapped": Message("its format tells its sensors apart, or it has not both"),
     "stuck": Message("no sensor of it was stuck"),
     "rate-hz": Message("its samples have times, or a rate of their own"),
 }
@@ -163,6 +172,10 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
         raise UsageError("accel-sign must be + or -")
     if values.get("sampling", "") not in {"", *(kind.value for kind in Sampling)}:
         raise UsageError("sampling must be averaged or instant")
+    if values.get("swapped", "") not in {"", "no", *SWAPPED}:
+        raise UsageError(
+            "swapped must be {known}", known=joined(Message(" or "), [*SWAPPED, "no"])
+        )
     if values.get("stuck", "") not in {"", "no-force"}:
         raise UsageError("stuck must be no-force")
     return LogChoices(**values)

@@ -16,7 +16,7 @@ from hapticplayer.capture.choices import (
     LogQuestion,
     factor,
 )
-from hapticplayer.capture.mounting import AXES, axes_matrix, mean_up
+from hapticplayer.capture.mounting import AXES, WRONG_SIGN, axes_matrix, mean_up
 from hapticplayer.capture.streams import RawLog
 from hapticplayer.errors import Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
@@ -181,6 +181,10 @@ def check_upright(
         )
     words = Message(" ({words})", words=raw.axes_words) if raw.axes_words else ""
     proposal = _proposal(up, stored[up] < 0.0, raw.back_axis)
+    answers = (
+        Message("axes={axes}, or the axes that were right, front, up", axes=proposal),
+        WRONG_SIGN,
+    )
     raise LogQuestion(
         Message(
             "its axis {axis} was up, so the sensor was not mounted with {axes} to "
@@ -189,12 +193,7 @@ def check_upright(
             axes=raw.axes,
             words=words,
         ),
-        (
-            Message(
-                "axes={axes}, or the axes that were right, front, up", axes=proposal
-            ),
-            Message("accel-sign=- if its accelerometer reads -1 g upwards"),
-        ),
+        answers[::-1] if stored[up] < 0.0 else answers,
         where,
     )
 

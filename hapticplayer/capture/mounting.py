@@ -46,11 +46,13 @@ MOUNTINGS = {
 BY_FRAMES = "auto"
 """In place of a mounting: the one that the frames of the clip tell."""
 
+WRONG_SIGN = Message("accel-sign=- if its accelerometer reads -1 g upwards")
+
 AXES = "xyz"
 _ROUNDING = 2e-3  # of matrices that people type with three digits
 
 
-def _signed_axes(text: str) -> Floats | None:
+def signed_axes(text: str) -> Floats | None:
     """Return the matrix of three axes with signs, mirrored perhaps; None for others."""
     rows = []
     for part in text.lower().replace(" ", "").split(","):
@@ -74,7 +76,7 @@ def axes_matrix(axes: str) -> Floats:
     Raises:
         UsageError: when they are not axes, or mirrored.
     """
-    matrix = _signed_axes(axes)
+    matrix = signed_axes(axes)
     if matrix is None:
         raise UsageError(
             "axes={axes} are not three axes; give right, front and up in the axes "
@@ -117,7 +119,7 @@ def device_axes(text: str) -> Floats:
 
 
 def _device_permutation(text: str) -> Floats:
-    matrix = _signed_axes(text)
+    matrix = signed_axes(text)
     if matrix is None:
         raise UsageError(
             "{text!r} are not three axes; give the device's right, up and towards the "
@@ -171,21 +173,42 @@ def mounting_axes(text: str) -> str:
     return axes
 
 
-def ask_for_mounting(imu: ImuLog, where: str) -> None:
-    """Ask for the mounting if gravity shows that the recorder was not upright."""
+def is_fallen(imu: ImuLog) -> bool:
+    """Whether gravity shows that the recorder was not upright."""
+    up = mean_up(imu)
+    return up is not None and up[2] < UPRIGHT
+
+
+def ask_for_mounting(imu: ImuLog, where: str, *, is_sign_known: bool) -> None:
+    """Ask for the mounting if gravity shows that the recorder was not upright.
+
+    Args:
+        imu: in the recorder's frame.
+        where: the file.
+        is_sign_known: of the accelerometer; with the other sign another side was up.
+    """
     up = mean_up(imu)
     if up is None or up[2] >= UPRIGHT:
         return
     axes = proposed_mounting(up)
     name = next(name for name, one in MOUNTINGS.items() if one.axes == axes)
+    sign = ""
+    if not is_sign_known and is_down(up):
+        sign = Message("--read-as {sign}, or ", sign=WRONG_SIGN)
     raise UsageError(
-        "{file}: {what}; give --mounting {name}, or another of {known}, or auto for what "
-        "the frames tell, or --mounting forward to keep its axes",
+        "{file}: {what}; give {sign}--mounting {name}, or another of {known}, or auto "
+        "for what the frames tell, or --mounting forward to keep its axes",
         file=where,
         what=fallen_text(up),
+        sign=sign,
         name=name,
         known=", ".join(MOUNTINGS),
     )
+
+
+def is_down(up: tuple[float, float, float]) -> bool:
+    """Whether the axis that was up points down, as with the other sign of gravity."""
+    return min(up) < -max(up)
 
 
 def fallen_text(up: tuple[float, float, float]) -> str:

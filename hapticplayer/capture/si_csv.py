@@ -14,7 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.capture.assemble import as_answered
+from hapticplayer.capture.agreement import ask_if_swapped, sensors_as_answered
+from hapticplayer.capture.assemble import as_answered, ask_about_units
 from hapticplayer.capture.choices import (
     ACCEL_UNITS,
     FIELD_UNITS,
@@ -35,7 +36,7 @@ from hapticplayer.capture.csv_table import (
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.streams import on_common_times, split
+from hapticplayer.capture.streams import RawLog, on_common_times, split
 from hapticplayer.capture.stuck import working
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import (
@@ -52,11 +53,10 @@ from hapticplayer.model.spellings import column_names, find_separator
 from hapticplayer.storage import file_replaced
 
 _UNITS = (
-    (1, "accel_unit", ACCEL_UNITS),
-    (4, "rate_unit", RATE_UNITS),
-    (7, "field_unit", FIELD_UNITS),
+    ("accel_unit", "rate_unit", "field_unit"),
+    (ACCEL_UNITS, RATE_UNITS, FIELD_UNITS),
 )
-"""First column, answer and units of each sensor."""
+"""Answers and units of the sensors."""
 
 
 def recognises(source: LogSource) -> Confidence:
@@ -82,25 +82,30 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
     source = source if source.is_one_file else source.alone(_logs(source)[0])
     numbers, others = _read_named(source)
     where, values = str(source.path), numbers.values
-    for first, unit, known in _UNITS[: len(values[0]) // 3]:
-        if given := choices.take(unit):
-            values[:, first : first + 3] *= factor(given, known, unit.replace("_", "-"))
-    _check_accel(values[:, 1:4], where)
-    _check_rate(values[:, 4:7], where)
     from hapticplayer.motion import repair_samples  # brings scipy along
 
     sensors = split(values, values[:, 0], range(1, len(values[0]), 3))
-    streams = working(*sensors, where)
+    raw = sensors_as_answered(RawLog("", *sensors), choices)
+    accel, rate, field = raw.accel, raw.rate, raw.field
+    assert rate is not None
+    for stream, unit, known in zip((accel, rate, field), *_UNITS, strict=True):
+        if stream is not None and (given := choices.take(unit)):
+            stream.values[:] *= factor(given, known, unit.replace("_", "-"))
+    ask_if_swapped(raw, choices, where)
+    streams = working(accel, rate, field, where)
     samples = on_common_times(streams.accel, streams.rate, streams.field, where)
 
     def line_of(row: int) -> int:
         return numbers.line(int(streams.rows[min(row, len(streams.rows) - 1)]))
 
     try:
+        _check_accel(accel.values, where)
+        _check_rate(rate.values, where)
         imu, repairs = repair_samples(
             *samples[:4], source=where, is_rate_unit_known=bool(choices.rate_unit)
         )
     except InputError as error:
+        ask_about_units(error, samples, raw, choices, where)
         raise InputError(
             _in_lines(error.what, line_of),
             where=error.where or where,

@@ -53,6 +53,8 @@ class RawLog:
             without a camera.
         frames_s: when the first frame began and the last ended, on the log's clock.
         is_gravity_free: gravity was removed by the recorder.
+        scale_ratio: of the accelerometer's scale to the gyro's, where the reader has
+            applied scales of a file, each to its columns.
         notes: of the reader.
     """
 
@@ -68,6 +70,7 @@ class RawLog:
     back_axis: str = ""
     frames_s: tuple[float, float] | None = None
     is_gravity_free: bool = False
+    scale_ratio: float = 1.0
     notes: tuple[str, ...] = ()
 
 

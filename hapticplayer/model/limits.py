@@ -71,6 +71,9 @@ PLAUSIBLE_NORM_MPS2 = (4.0, 40.0)
 SURELY_G = (0.8, 1.25)
 """The same of a log in g that needs no second look."""
 
+EARTH_FIELD_UT = (20.0, 70.0)
+"""Norm of the magnetic field, 22 to 67 uT on the ground: as m/s2 it is a compass's."""
+
 UPRIGHT = 0.7
 """Cosine of 45 degrees: an axis farther from up is not z."""
 

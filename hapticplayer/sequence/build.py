@@ -10,7 +10,12 @@ import numpy as np
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
 from hapticplayer.capture.frames import frame_function
-from hapticplayer.capture.mounting import BY_FRAMES, ask_for_mounting, mounted
+from hapticplayer.capture.mounting import (
+    BY_FRAMES,
+    ask_for_mounting,
+    is_fallen,
+    mounted,
+)
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.errors import (
@@ -30,6 +35,7 @@ from hapticplayer.sequence.mounting_by_frames import (
     SHOWN,
     ask_for_shown_mounting,
     mounting_by_frames,
+    sign_by_frames,
 )
 from hapticplayer.sequence.processing import Processed, Processing, process_motion
 from hapticplayer.sequence.report import (
@@ -116,7 +122,14 @@ def build_sequence(
         recording = read_recording(source, choices.log)
         refuse_gravity_free(recording)
         if not choices.mounting and not (choices.log and choices.log.axes):
-            ask_for_mounting(recording.imu, name_of(source))
+            is_sign_known = imu_log is None or bool(
+                choices.log and choices.log.accel_sign
+            )
+            if is_fallen(recording.imu) and not is_sign_known:
+                sign_by_frames(clip, recording, choices.sync, bar.following())
+            ask_for_mounting(
+                recording.imu, name_of(source), is_sign_known=is_sign_known
+            )
         bar.rest(0.0, Message("synchronising"))
         recording = synchronized(clip, recording, choices.sync, bar.following())
         if not choices.mounting:

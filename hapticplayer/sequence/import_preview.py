@@ -8,9 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.capture import read_recording
-from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.frames import FrameRotation, frame_function
-from hapticplayer.capture.mounting import mean_up
+from hapticplayer.capture.mounting import (
+    WRONG_SIGN,
+    fallen_text,
+    gravity_agrees,
+    is_down,
+    is_fallen,
+    mean_up,
+)
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.capture.sync.methods import AUTO
@@ -25,6 +32,7 @@ from hapticplayer.errors import (
 )
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.model import ImuLog
+from hapticplayer.sequence.mounting_by_frames import ask_about_sign
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
     find_sync,
@@ -122,6 +130,8 @@ def preview_import(
     found, problem, sound, frames = _sync(
         clip, recording, method, lambda f, step: progress(0.5 + 0.5 * f, step)
     )
+    if log is not None and not (choices and choices.accel_sign):
+        _ask_about_sign(recording, found)
     imu = recording.imu
     turned, gyro = _turn_rates(imu, frames)
     progress(1.0, "")
@@ -142,6 +152,20 @@ def preview_import(
         gyro=gyro,
         found=found,
         problem=problem,
+    )
+
+
+def _ask_about_sign(recording: Recording, found: Synchronisation | None) -> None:
+    """Ask for the accelerometer's sign where only it, or a recorder upside down, fits."""
+    shown, up = found.mounting if found else None, mean_up(recording.imu)
+    ask_about_sign(recording, shown)
+    is_shown = shown is not None and shown.is_clear and gravity_agrees(up, shown.axes)
+    if up is None or is_shown or not is_fallen(recording.imu) or not is_down(up):
+        return
+    raise LogQuestion(
+        fallen_text(up),
+        (WRONG_SIGN, Message("accel-sign=+ if the recorder was that way up")),
+        recording.imu.source,
     )
 
 

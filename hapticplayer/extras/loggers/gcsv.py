@@ -57,8 +57,8 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
         time_s = counted_on(values[:, 0]) * _scale(
             header, "tscale", where, _DEFAULT_TIME_SCALE
         )
-        rate = values[:, 1:4] * _scale(header, "gscale", where)
-        accel = values[:, 4:7] * _scale(header, "ascale", where)
+        of_rate, of_accel = (_scale(header, k, where) for k in ("gscale", "ascale"))
+        rate, accel = values[:, 1:4] * of_rate, values[:, 4:7] * of_accel
         field = values[:, 7:10] * _scale(header, "mscale", where)
     orientation = header.get("orientation", "")
     return RawLog(
@@ -71,6 +71,7 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
         field=SensorStream(time_s, field) if len(columns) >= 10 else None,
         accel_unit="g",
         field_unit="gauss",
+        scale_ratio=of_accel / of_rate,
         axes_words=Message(
             "as stored, orientation {orientation}", orientation=orientation[:20]
         )

@@ -4,7 +4,9 @@ Units are never changed silently: a clear case is refused with the factor to use
 an unclear one passes with a note.
 """
 
+import itertools
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,7 +14,12 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model import quaternions as quat
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.limits import PLAUSIBLE_NORM_MPS2, SURELY_G, are_gaps
+from hapticplayer.model.limits import (
+    EARTH_FIELD_UT,
+    PLAUSIBLE_NORM_MPS2,
+    SURELY_G,
+    are_gaps,
+)
 
 CALM_WINDOW_S = 0.5
 
@@ -30,6 +37,12 @@ GRAVITY_SIGMA_MPS2 = 0.03 * STANDARD_GRAVITY_MPS2
 VELOCITY_FLOOR_MPS = 0.1
 # A window is used where the two units rotate the specific force at least this far apart.
 LEAST_DIFFERENCE_RAD = 0.1
+# Other axes differ less than another unit. Recordings with optical truth give -0.2 for
+# wrong axes at worst, one window alone (parts of 10 s) -0.95; reversed gyros -1.2 to -7.9.
+AXES_DIFFERENCE_RAD, AXES_IN_DOUBT = 0.03, -0.8
+MAX_WINDOWS_FOR_AXES, STEP_FOR_AXES_S = 8, 0.04
+# Signs that explain a rate so much better than another unit are what is wrong.
+SURELY_AXES = 1.0
 # Prior log odds of the given unit: most logs are right, but above the RMS in a runner's
 # pocket a rate is the less likely the higher it is.
 LABEL_LOG_ODDS = 1.0
@@ -83,6 +96,11 @@ def calm_norm(time_s: Floats, specific_force_mps2: Floats) -> float:
 
 def _force_remedy(norm: float) -> str:
     low = PLAUSIBLE_NORM_MPS2[0]
+    if EARTH_FIELD_UT[0] <= norm <= EARTH_FIELD_UT[1]:
+        return Message(
+            "if these are a magnetometer's readings, give those of the accelerometer; "
+            "else give the specific force in m/s^2, about 9.8 at rest"
+        )
     gravity = STANDARD_GRAVITY_MPS2
     if SURELY_G[0] <= norm <= SURELY_G[1]:
         return Message("it seems to be in g: multiply it by 9.80665")
@@ -135,13 +153,15 @@ def check_rate_unit(
         return None
     is_degrees = rms > SLOW_RMS_RADPS
     factor = np.pi / 180.0 if is_degrees else 180.0 / np.pi
-    evidence = _evidence(time_s, specific_force_mps2, angular_rate_radps, factor)
+    windows = Windows(time_s, specific_force_mps2, angular_rate_radps)
+    evidence = windows.evidence(factor * np.eye(3), LEAST_DIFFERENCE_RAD)
     log_odds = LABEL_LOG_ODDS + evidence + _log_prior(rms) - _log_prior(factor * rms)
     if log_odds > 0.0:
         return None
     may_rest = is_degrees and factor * rms < REST_RMS_RADPS
     is_slight = log_odds > REFUSED_LOG_ODDS or evidence > -MIN_EVIDENCE
-    if is_slight or may_rest or is_known:
+    are_signs_wrong = _of_signs(windows) < log_odds - SURELY_AXES
+    if is_slight or may_rest or is_known or are_signs_wrong:
         return Message(
             "the motion does not clearly agree with the unit of the angular rate; it "
             "was taken as it is"
@@ -166,44 +186,132 @@ def _log_prior(rms_radps: float) -> float:
     return -0.5 * beyond**2
 
 
-def _evidence(
-    time_s: Floats,
-    specific_force_mps2: Floats,
-    angular_rate_radps: Floats,
-    factor: float,
-) -> float:
-    """Return the log likelihood ratio of 1 and `factor` times the rate.
+class Windows:
+    """Parts of a recording, over which rotations by a gyro are compared.
 
-    It is 0 where the two are alike in all windows.
+    Args:
+        time_s: (N,) increasing.
+        specific_force_mps2: (N, 3) finite.
+        angular_rate_radps: (N, 3) finite.
+        number: of the parts at most.
+        step_s: over which the rate is taken for even.
     """
-    interval_s = float(np.median(np.diff(time_s)))
-    span_s = min(WINDOW_S, interval_s * (len(time_s) - 1))
-    step = max(1, round(STEP_S / interval_s))
-    length = round(span_s / interval_s) // step * step
-    if span_s < SHORTEST_WINDOW_S or length < 2 * step:
-        return 0.0
-    number = min(MAX_WINDOWS, (len(time_s) - 1) // length)
-    starts = np.linspace(1, len(time_s) - length, number).astype(int)
-    rows = starts[:, None] + np.arange(length)
-    # a gap counts as one interval
-    held_s = np.diff(time_s)[rows - 1]
-    held_s[are_gaps(held_s, interval_s)] = interval_s
 
-    def coarse(values: Floats) -> Floats:
-        weighted = values[rows] * held_s[..., None]
-        return np.asarray(weighted.reshape(number, -1, step, 3).sum(axis=2))
+    def __init__(
+        self,
+        time_s: Floats,
+        specific_force_mps2: Floats,
+        angular_rate_radps: Floats,
+        number: int = MAX_WINDOWS,
+        step_s: float = STEP_S,
+    ) -> None:
+        interval_s = float(np.median(np.diff(time_s)))
+        span_s = min(WINDOW_S, interval_s * (len(time_s) - 1))
+        step = max(1, round(step_s / interval_s))
+        length = round(span_s / interval_s) // step * step
+        self.is_empty = span_s < SHORTEST_WINDOW_S or length < 2 * step
+        if self.is_empty:
+            return
+        number = min(number, (len(time_s) - 1) // length)
+        starts = np.linspace(1, len(time_s) - length, number).astype(int)
+        rows = starts[:, None] + np.arange(length)
+        # a gap counts as one interval
+        held_s = np.diff(time_s)[rows - 1]
+        held_s[are_gaps(held_s, interval_s)] = interval_s
 
-    step_s = held_s.reshape(number, -1, step).sum(axis=2)[..., None]
-    impulse, angle = coarse(specific_force_mps2), coarse(angular_rate_radps)
-    given, other = _attitude(angle), _attitude(factor * angle)
-    seen_given, seen_other = quat.rotate(given, impulse), quat.rotate(other, impulse)
-    apart = np.linalg.norm(seen_given - seen_other, axis=2).mean(axis=1)
-    used = apart > LEAST_DIFFERENCE_RAD * np.linalg.norm(impulse, axis=2).mean(axis=1)
-    if not used.any():
-        return 0.0
-    ratio = _unexplained_mps2(seen_other, other, step_s)
-    ratio /= _unexplained_mps2(seen_given, given, step_s)
-    return float(np.median(np.log(ratio[used])))
+        def coarse(values: Floats) -> Floats:
+            weighted = values[rows] * held_s[..., None]
+            return np.asarray(weighted.reshape(number, -1, step, 3).sum(axis=2))
+
+        self._step_s = held_s.reshape(number, -1, step).sum(axis=2)[..., None]
+        self._impulse = coarse(specific_force_mps2)
+        self._angle = coarse(angular_rate_radps)
+        self._given = self._rotated(np.eye(3))
+
+    def _rotated(self, change: Floats) -> tuple[Floats, Floats]:
+        """Return the impulse in a frame that does not rotate, and the velocity left, (B,)."""
+        attitude = _attitude(self._angle @ change.T)
+        seen = quat.rotate(attitude, self._impulse)
+        return seen, _unexplained_mps2(seen, attitude, self._step_s)
+
+    def evidence(self, change: Floats, least_difference_rad: float) -> float:
+        """Return the log likelihood ratio of the rate and of another one, the median.
+
+        It is 0 where the two are alike in all windows.
+        """
+        ratios = self.log_ratios(change, least_difference_rad)
+        return float(np.median(ratios)) if len(ratios) else 0.0
+
+    def log_ratios(self, change: Floats, least_difference_rad: float) -> Floats:
+        """Return the log likelihood ratios of the rate and of another one.
+
+        Args:
+            change: (3, 3) that the rate is multiplied with.
+            least_difference_rad: windows are used where the two differ so much.
+        """
+        if self.is_empty:
+            return np.zeros(0)
+        (seen, left), (other, other_left) = self._given, self._rotated(change)
+        apart = np.linalg.norm(seen - other, axis=2).mean(axis=1)
+        size = np.linalg.norm(self._impulse, axis=2).mean(axis=1)
+        used = apart > least_difference_rad * size
+        return np.asarray(np.log(other_left[used] / left[used]))
+
+
+class RateAxes(NamedTuple):
+    """Axes of the gyro in those of the accelerometer.
+
+    Attributes:
+        change: (3, 3) signed permutation that the rate is to be multiplied with.
+        evidence: log likelihood ratio of the rate as given to that; below 0 it is wrong.
+    """
+
+    change: Floats
+    evidence: float
+
+
+def likeliest_axes(windows: Windows) -> RateAxes:
+    """The axes with which the gyro rotates as gravity does in the accelerometer's axes."""
+    found = RateAxes(np.eye(3), 0.0)
+    for order in itertools.permutations(np.eye(3)):
+        for signs in itertools.product((1.0, -1.0), repeat=3):
+            change = np.array(signs)[:, None] * order
+            evidence = windows.evidence(change, AXES_DIFFERENCE_RAD)
+            if evidence < found.evidence:
+                found = RateAxes(change, evidence)
+    return found
+
+
+def _of_signs(windows: Windows) -> float:
+    """Return the log likelihood ratio of the rate to that with the likeliest signs."""
+    flips = [-np.eye(3), *(np.eye(3) - 2.0 * np.diag(axis) for axis in np.eye(3))]
+    return min(windows.evidence(flip, AXES_DIFFERENCE_RAD) for flip in flips)
+
+
+def _explains(windows: Windows) -> bool:
+    """Whether the rate explains more than no rotation would, and than any other sign."""
+    nothing = windows.evidence(np.zeros((3, 3)), AXES_DIFFERENCE_RAD)
+    return nothing > SURELY_AXES and _of_signs(windows) >= 0.0
+
+
+def axes_in_doubt(
+    time_s: Floats, specific_force_mps2: Floats, angular_rate_radps: Floats
+) -> Floats | None:
+    """The change (3, 3) of the rate's axes without which both sensors disagree, or None."""
+    windows = Windows(
+        time_s,
+        specific_force_mps2,
+        angular_rate_radps,
+        MAX_WINDOWS_FOR_AXES,
+        STEP_FOR_AXES_S,
+    )
+    if _explains(windows):  # a tenth of the time
+        return None
+    found = likeliest_axes(windows)
+    if found.evidence > AXES_IN_DOUBT:
+        return None
+    used = len(windows.log_ratios(found.change, AXES_DIFFERENCE_RAD))
+    return found.change if found.evidence < AXES_IN_DOUBT - 1.0 / used else None
 
 
 def _attitude(angle: Floats) -> Floats:

@@ -23,6 +23,9 @@ ANSWERS = {  # none of which leaves any of these logs as it is
     "field-unit": "mT",
     "axes": "y,-x,z",
     "accel-sign": "-",
+    "accel-axes": "y,-x,z",
+    "rate-axes": "y,-x,z",
+    "swapped": "accel,rate",
     "rate-hz": "140",
     "sampling": "averaged",
 }

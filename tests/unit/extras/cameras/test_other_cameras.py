@@ -37,7 +37,7 @@ LIBRARY = """
                 while True: pass
             accl = None if self.kind == "gimbal" else (0.1, 0.2, 9.8)
             return [
-                dict(timestamp_ms=2500.0 + 5.0 * k, gyro=(9.0, 0.0, 0.01 * (k % 7)),
+                dict(timestamp_ms=2500.0 + 5.0 * k, gyro=(0.9, 0.0, 0.01 * (k % 7)),
                      accl=None if self.kind == "half" and k % 2 else
                      accl and (*accl[:2], accl[2] + 0.01 * (k % 5)))
                 for k in range(2000)
@@ -64,7 +64,7 @@ def test_video_becomes_a_log_in_si(camera):
     assert log.imu.rate_hz == pytest.approx(200.0)
     assert log.imu.time_s[0] == pytest.approx(2.5, abs=1e-3)  # the library's own clock
     np.testing.assert_allclose(log.imu.specific_force_mps2[0], [0.1, 0.2, 9.8])
-    assert log.imu.angular_rate_radps[0, 0] == pytest.approx(np.radians(9.0))
+    assert log.imu.angular_rate_radps[0, 0] == pytest.approx(np.radians(0.9))
 
 
 def test_axes_are_asked_for(camera):

@@ -1,0 +1,178 @@
+"""Whether accelerometer and gyroscope tell of one motion; a person is asked if not.
+
+A gyro rotates gravity in the accelerometer's axes. Where it would do so better with
+other axes or signs, one of the two is mirrored, turned, or not what it is taken for.
+"""
+
+import dataclasses
+from collections.abc import Sequence
+
+import numpy as np
+
+from hapticplayer.capture.choices import (
+    ACCEL_UNITS,
+    SWAPPED,
+    LogChoices,
+    LogQuestion,
+    factor,
+)
+from hapticplayer.capture.mounting import (
+    AS_RECORDED,
+    axes_matrix,
+    axes_text,
+    mean_up,
+    signed_axes,
+)
+from hapticplayer.capture.streams import RawLog, SensorStream
+from hapticplayer.errors import Message, UsageError
+from hapticplayer.model import ImuLog
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import COARSE_REST_MPS2, REST_MPS2
+
+_WINDOW_ROWS, _CALM_PERCENT = 32, 20.0
+_KEYS = "accel_axes", "rate_axes"
+
+
+def own_axes(values: Sequence[Floats], choices: LogChoices) -> list[Floats]:
+    """Return accelerometer and gyroscope (N, 3) in the axes that a person gave each."""
+    turned = []
+    for sensor, name in zip(values, _KEYS, strict=True):
+        given = choices.take(name)
+        if given and (change := signed_axes(given)) is not None:
+            turned.append(np.asarray(sensor @ change.T))
+        elif given:
+            raise UsageError(
+                "{key}={axes} are not three axes; give the sensor's x, y, z in its "
+                "columns, such as y,x,z or x,-y,z",
+                key=name.replace("_", "-"),
+                axes=given[:80],
+            )
+        else:
+            turned.append(sensor)
+    return turned
+
+
+def ask_about_axes(
+    imu: ImuLog, choices: LogChoices, where: str, axes: str = AS_RECORDED
+) -> tuple[Message, ...]:
+    """Ask for the sensors' own axes where they contradict each other.
+
+    Args:
+        imu: in frame A.
+        choices: axes that a person gave for a sensor are noted, not questioned.
+        where: the file.
+        axes: right, front, up of frame A in the stored axes.
+    """
+    from hapticplayer.motion.repair.units import axes_in_doubt
+
+    change = axes_in_doubt(imu.time_s, imu.specific_force_mps2, imu.angular_rate_radps)
+    if change is None:
+        return ()
+    what = Message(
+        "its gyroscope does not turn as gravity does in its accelerometer: their axes or "
+        "signs differ"
+    )
+    if choices.accel_axes or choices.rate_axes:
+        return (Message("{what}, as far as was given", what=what),)
+    stored = axes_matrix(axes)
+    fits = [(stored.T @ change @ stored, Message("gyroscope"), "rate-axes")]
+    if np.linalg.det(change) > 0.0:
+        up = mean_up(imu)
+        force = change.T
+        # the sign does not matter to the gyro; up is up
+        if up is not None and (force @ up)[2] < 0.0:
+            force = -force
+        fits.append((stored.T @ force @ stored, Message("accelerometer"), "accel-axes"))
+        fits.sort(key=lambda fit: _edits(fit[0]))
+    answers = [
+        Message(
+            "{key}={axes} if the {sensor} is {how}",
+            key=key,
+            axes=axes_text(axis),
+            sensor=sensor,
+            how=_how(axis),
+        )
+        for axis, sensor, key in fits
+    ]
+    answers.append(
+        Message("rate-axes={axes} to keep both as they are", axes=AS_RECORDED)
+    )
+    raise LogQuestion(what, answers, where)
+
+
+def _edits(change: Floats) -> int:
+    """Return how many mistakes lead to other axes: signs, and columns in another order."""
+    minus = int(np.count_nonzero(change.sum(axis=1) < 0.0))
+    moved = int(np.count_nonzero(np.diag(change) == 0.0))
+    return (1 if minus == 3 else minus) + max(0, moved - 1)
+
+
+def _how(change: Floats) -> Message:
+    is_mirrored, is_in_order = np.linalg.det(change) < 0.0, np.diag(change).all()
+    if is_mirrored:
+        return Message("mirrored") if is_in_order else Message("in swapped columns")
+    return Message("turned")
+
+
+def sensors_as_answered(raw: RawLog, choices: LogChoices) -> RawLog:
+    """Return the log with the columns of two sensors swapped, if a person said so."""
+    if choices.swapped not in SWAPPED:
+        choices.take("swapped")
+        return raw
+    other = SWAPPED[choices.swapped]
+    held = raw.accel, raw.rate if other == "rate" else raw.field
+    if held[1] is None:
+        return raw
+    choices.take("swapped")
+    ratio = raw.scale_ratio if other == "rate" else 1.0
+    accel = SensorStream(held[1].time_s, held[1].values * ratio)
+    values = SensorStream(held[0].time_s, held[0].values / ratio)
+    if other == "rate":
+        return dataclasses.replace(raw, accel=accel, rate=values)
+    return dataclasses.replace(raw, accel=accel, field=values)
+
+
+def ask_if_swapped(raw: RawLog, choices: LogChoices, where: str) -> None:
+    """Ask whether columns are swapped if those of another sensor show gravity."""
+    if choices.swapped:
+        return
+    to_si = factor(raw.accel_unit, ACCEL_UNITS, "accel-unit")
+    norm = to_si * _calm_norm(raw.accel)
+    if COARSE_REST_MPS2[0] <= norm <= COARSE_REST_MPS2[1]:
+        return
+    others = (
+        (Message("gyroscope"), raw.rate, to_si * raw.scale_ratio),
+        (Message("magnetometer"), raw.field, to_si),
+    )
+    for key, (name, other, scale) in zip(SWAPPED, others, strict=True):
+        if other is None:
+            continue
+        found = scale * _calm_norm(other)
+        if REST_MPS2[0] <= found <= REST_MPS2[1]:
+            raise LogQuestion(
+                Message(
+                    "its accelerometer reads {norm:.3g} m/s2 where it is calm, and its "
+                    "{sensor} would read {found:.3g}, as gravity: these columns are "
+                    "swapped",
+                    norm=norm,
+                    sensor=name,
+                    found=found,
+                ),
+                (
+                    Message("swapped={key} to swap them", key=key),
+                    Message("swapped=no to keep them"),
+                ),
+                where,
+            )
+
+
+def _calm_norm(stream: SensorStream) -> float:
+    """Return the norm of the mean of a sensor (N, 3) where it changes least."""
+    values = stream.values[np.isfinite(stream.values).all(axis=1)]
+    count = len(values) // _WINDOW_ROWS
+    if not count:
+        return float(np.linalg.norm(np.median(values, axis=0))) if len(values) else 0.0
+    blocks = values[: count * _WINDOW_ROWS].reshape(count, _WINDOW_ROWS, 3)
+    spread = blocks.var(axis=1).sum(axis=1)
+    calm = spread <= np.percentile(spread, _CALM_PERCENT)
+    return float(np.median(np.linalg.norm(blocks[calm].mean(axis=1), axis=1)))

@@ -1,0 +1,168 @@
+"""Two sensors that contradict each other are asked about, and the remedy is right."""
+
+import functools
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from hapticplayer.capture import read_recording
+from hapticplayer.capture.choices import LogQuestion, parse_choices
+from hapticplayer.errors import InputError, UsageError
+from tests.faults.import_formats import FORMATS, put
+from tests.faults.import_signal import Sampled, sample
+from tests.unit.capture.conftest import case_file
+
+X, Y, Z = np.eye(3)
+MISTAKES = {  # what was done to accelerometer and gyro, and the answer that mends it
+    "gyro reversed": (np.eye(3), -np.eye(3), "rate-axes=-x,-y,-z"),
+    "gyro x mirrored": (np.eye(3), np.diag([-1, 1, 1]), "rate-axes=-x,y,z"),
+    "gyro y mirrored": (np.eye(3), np.diag([1, -1, 1]), "rate-axes=x,-y,z"),
+    "gyro z mirrored": (np.eye(3), np.diag([1, 1, -1]), "rate-axes=x,y,-z"),
+    "gyro x and y swapped": (np.eye(3), np.array([Y, X, Z]), "rate-axes=y,x,z"),
+    "gyro turned": (np.eye(3), np.array([Y, -X, Z]), "rate-axes=-y,x,z"),
+    "accel x mirrored": (np.diag([-1, 1, 1]), np.eye(3), "accel-axes=-x,y,z"),
+    "accel x and y swapped": (np.array([Y, X, Z]), np.eye(3), "accel-axes=y,x,z"),
+    "accel y and z swapped": (np.array([X, Z, Y]), np.eye(3), "accel-axes=x,z,y"),
+}
+TRIED = ("own CSV", "gcsv", "EuRoC", "Sensor Logger Android", "GoPro, raw")
+
+
+@functools.cache
+def tumbling(*, apart: bool = False) -> Sampled:
+    """Return a motion that turns about all axes, from rest, mostly upright."""
+    made, rng = sample(16.0, apart=apart), np.random.default_rng(3)
+    fine_s = np.arange(0.0, 17.0, 0.001)
+    tau = np.maximum(fine_s - 3.0, 0.0)
+    angles = 0.35 * np.sin(np.outer(tau, [1.3, 1.9, 0.8])) * [1.0, 1.0, 2.5]
+    turned = Rotation.from_euler("zyx", angles[:, ::-1])
+    step = (turned[:-1].inv() * turned[1:]).as_rotvec() / 0.001
+    earth = np.sin(np.outer(tau, [5.0, 7.0, 11.0])) * [1.5, 2.0, 1.0] + [0, 0, 9.80665]
+    force = turned.inv().apply(earth)
+
+    def at(time_s, known_s, values, noise):
+        columns = [np.interp(time_s, known_s, column) for column in values.T]
+        return np.stack(columns, axis=1) + rng.normal(0.0, noise, (len(time_s), 3))
+
+    return replace(
+        made,
+        force=at(made.force_s, fine_s, force, 0.01),
+        rate=at(made.rate_s, fine_s[1:], step, 0.001),
+    )
+
+
+def written(key, place, accel=None, rate=None):
+    one = FORMATS[key]
+    made = tumbling(apart=one.apart)
+    accel, rate = (np.eye(3) if turn is None else turn for turn in (accel, rate))
+    made = replace(made, force=made.force @ accel.T, rate=made.rate @ rate.T)
+    return put(one.write(made), place)
+
+
+def first_answer(asked) -> str:
+    return re.match(r"\S+=\S+", str(asked.value.answers[0]))[0]
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+@pytest.mark.parametrize("key", TRIED)
+def test_the_answer_named_first_mends_the_log(tmp_path, key, mistake):
+    accel, rate, remedy = MISTAKES[mistake]
+    plain = FORMATS[key].choices
+    right = read_recording(written(key, tmp_path / "right"), parse_choices(plain))
+    path = written(key, tmp_path / "wrong", accel, rate)
+    with pytest.raises(LogQuestion, match="does not turn as gravity") as asked:
+        read_recording(path, parse_choices(plain))
+    answer = first_answer(asked)
+    if key in {"own CSV", "gcsv"}:  # others have stored axes of their own
+        assert answer == remedy
+    mended = read_recording(path, parse_choices([*plain, answer]))
+    for name in ("specific_force_mps2", "angular_rate_radps"):
+        np.testing.assert_allclose(
+            getattr(mended.imu, name), getattr(right.imu, name), atol=2e-3
+        )
+    assert not any("does not turn" in note for note in mended.notes)
+
+
+@pytest.mark.parametrize("key", FORMATS)
+def test_sensors_that_agree_are_not_asked_about(tmp_path, key):
+    found = read_recording(
+        written(key, tmp_path / "log"), parse_choices(FORMATS[key].choices)
+    )
+    assert not any("does not turn" in note for note in found.notes)
+
+
+def test_both_may_be_kept_as_they_are(tmp_path):
+    path = written("own CSV", tmp_path / "log", rate=-np.eye(3))
+    found = read_recording(path, parse_choices(["rate-axes=x,y,z"]))
+    assert any("does not turn as gravity" in note for note in found.notes)
+
+
+@pytest.mark.parametrize("axes", ["x,y", "x,x,z", "a,b,c", "x,y,z,x"])
+def test_axes_of_a_sensor_are_three(tmp_path, axes):
+    path = written("own CSV", tmp_path / "log")
+    with pytest.raises(UsageError, match="are not three axes"):
+        read_recording(path, parse_choices([f"accel-axes={axes}"]))
+
+
+def swapped(made: Sampled) -> Sampled:
+    return replace(made, force=made.rate, rate=made.force)
+
+
+@pytest.mark.parametrize("key", ["own CSV", "EuRoC"])
+def test_swapped_columns_are_named_and_swapped_back(tmp_path, key):
+    one = FORMATS[key]
+    right = read_recording(written(key, tmp_path / "right"))
+    path = put(one.write(swapped(tumbling())), tmp_path / "wrong")
+    with pytest.raises(LogQuestion, match="these columns are swapped") as asked:
+        read_recording(path)
+    mended = read_recording(path, parse_choices([first_answer(asked)]))
+    np.testing.assert_allclose(
+        mended.imu.specific_force_mps2, right.imu.specific_force_mps2, atol=1e-6
+    )
+
+
+def test_a_compass_in_the_columns_of_the_accelerometer_is_named(tmp_path):
+    made = tumbling()
+    made = replace(made, force=made.field, field=made.force)
+    path = put(FORMATS["own CSV"].write(made), tmp_path / "log")
+    with pytest.raises(LogQuestion, match=r"its magnetometer would read 9\.8") as asked:
+        read_recording(path)
+    mended = read_recording(path, parse_choices([first_answer(asked)]))
+    norm = np.linalg.norm(mended.imu.specific_force_mps2[:200], axis=1)
+    assert norm.mean() == pytest.approx(9.81, abs=0.05)
+
+
+def test_a_compass_alone_is_no_accelerometer(tmp_path):
+    made = replace(tumbling(), force=tumbling().field)
+    path = put(FORMATS["EuRoC"].write(made), tmp_path / "log")
+    with pytest.raises(InputError, match="a magnetometer's readings"):
+        read_recording(path)
+
+
+@pytest.mark.parametrize(
+    ("accel", "rate", "answer"),
+    [(1.0, 180.0 / np.pi, "rate-unit=deg/s"), (1.0 / 9.80665, 1.0, "accel-unit=g")],
+)
+@pytest.mark.parametrize("key", ["own CSV", "EuRoC"])
+def test_another_unit_is_asked_about(tmp_path, key, accel, rate, answer):
+    path = written(key, tmp_path / "log", accel * np.eye(3), rate * np.eye(3))
+    with pytest.raises(LogQuestion) as asked:
+        read_recording(path)
+    assert any(answer in str(one) for one in asked.value.answers)
+    right = read_recording(written(key, tmp_path / "right"))
+    mended = read_recording(path, parse_choices([answer]))
+    for name in ("specific_force_mps2", "angular_rate_radps"):
+        np.testing.assert_allclose(
+            getattr(mended.imu, name), getattr(right.imu, name), atol=1e-4
+        )
+
+
+def test_a_logger_that_swapped_its_columns_is_mended():
+    path = case_file("gcsv-swapped", "swapped.gcsv")
+    with pytest.raises(LogQuestion, match="swapped=accel,rate"):
+        read_recording(path)
+    found = read_recording(path, parse_choices(["swapped=accel,rate"]))
+    norm = np.linalg.norm(found.imu.specific_force_mps2[:250], axis=1)
+    assert norm.mean() == pytest.approx(9.81, abs=0.05)
