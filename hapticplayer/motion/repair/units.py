@@ -128,7 +128,7 @@ def check_rate_unit(
 ) -> Message | None:
     """Refuse an angular rate whose other unit is far more likely.
 
-    Windows in which the units rotate the specific force differently are compared by
+    RotationWindows in which the units rotate the specific force differently are compared by
     a likelihood ratio: the unit whose rotation leaves the smaller velocity is more
     likely. Swinging keeps the specific force along one axis of the sensor, as if it
     did not rotate, so that a small ratio gives a note only. The windows of one
@@ -153,7 +153,7 @@ def check_rate_unit(
         return None
     is_degrees = rms > SLOW_RMS_RADPS
     factor = np.pi / 180.0 if is_degrees else 180.0 / np.pi
-    windows = Windows(time_s, specific_force_mps2, angular_rate_radps)
+    windows = RotationWindows(time_s, specific_force_mps2, angular_rate_radps)
     evidence = windows.evidence(factor * np.eye(3), LEAST_DIFFERENCE_RAD)
     log_odds = LABEL_LOG_ODDS + evidence + _log_prior(rms) - _log_prior(factor * rms)
     if log_odds > 0.0:
@@ -186,7 +186,7 @@ def _log_prior(rms_radps: float) -> float:
     return -0.5 * beyond**2
 
 
-class Windows:
+class RotationWindows:
     """Parts of a recording, over which rotations by a gyro are compared.
 
     Args:
@@ -270,7 +270,7 @@ class RateAxes(NamedTuple):
     evidence: float
 
 
-def likeliest_axes(windows: Windows) -> RateAxes:
+def likeliest_axes(windows: RotationWindows) -> RateAxes:
     """The axes with which the gyro rotates as gravity does in the accelerometer's axes."""
     found = RateAxes(np.eye(3), 0.0)
     for order in itertools.permutations(np.eye(3)):
@@ -282,13 +282,13 @@ def likeliest_axes(windows: Windows) -> RateAxes:
     return found
 
 
-def _of_signs(windows: Windows) -> float:
+def _of_signs(windows: RotationWindows) -> float:
     """Return the log likelihood ratio of the rate to that with the likeliest signs."""
     flips = [-np.eye(3), *(np.eye(3) - 2.0 * np.diag(axis) for axis in np.eye(3))]
     return min(windows.evidence(flip, AXES_DIFFERENCE_RAD) for flip in flips)
 
 
-def _explains(windows: Windows) -> bool:
+def _explains(windows: RotationWindows) -> bool:
     """Whether the rate explains more than no rotation would, and than any other sign."""
     nothing = windows.evidence(np.zeros((3, 3)), AXES_DIFFERENCE_RAD)
     return nothing > SURELY_AXES and _of_signs(windows) >= 0.0
@@ -298,7 +298,7 @@ def axes_in_doubt(
     time_s: Floats, specific_force_mps2: Floats, angular_rate_radps: Floats
 ) -> Floats | None:
     """The change (3, 3) of the rate's axes without which both sensors disagree, or None."""
-    windows = Windows(
+    windows = RotationWindows(
         time_s,
         specific_force_mps2,
         angular_rate_radps,
