@@ -19,8 +19,9 @@ ESCAPED = "backslashreplace"
 """For encoding text that may hold the name of a file which is not UTF-8: its bytes are
 surrogates in a `str`, and are written as JSON escapes them."""
 
-MAX_ATTACHED_BYTES = 256 << 20
-"""All files attached to a video; force of 6 h at 200 Hz with its random track is 180 MB."""
+MAX_ATTACHED_BYTES = 128 << 20
+"""All files attached to a video, and all their arrays: both are in memory together. Force of 4 h
+at 200 Hz with its random track is 115 MB."""
 
 MAX_ATTACHED_FILES = 64
 

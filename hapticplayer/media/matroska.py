@@ -19,7 +19,11 @@ from hapticplayer.untrusted import (
 
 EBML = b"\x1a\x45\xdf\xa3"
 _SEGMENT, _ATTACHMENTS, _ATTACHED_FILE = 0x18538067, 0x1941A469, 0x61A7
-_CLUSTER = 0x1F43B675
+_CLUSTER, _CUES, _TRACKS = 0x1F43B675, 0x1C53BB6B, 0x1654AE6B
+_TAGS, _CHAPTERS = 0x1254C367, 0x1043A770
+_MOST_BYTES = {_CUES: 16 << 20, _TRACKS: 4 << 20, _TAGS: 4 << 20, _CHAPTERS: 4 << 20}
+"""48 h with a cue every half second have 7 MB; FFmpeg needs up to 25 times as much."""
+
 _NAME, _MEDIA_TYPE, _DATA = 0x466E, 0x4660, 0x465C
 _MAX_ELEMENTS = 500_000
 """Clusters of 48 h are 35,000; of a live stream without sizes, each block is counted."""
@@ -42,9 +46,10 @@ class Attachment(NamedTuple):
 
 
 class _Element(NamedTuple):
-    """An element: its number, where its content begins, where it ends; None: unknown."""
+    """An element: its number, where it and its content begin, where it ends; None: unknown."""
 
     number: int
+    at: int
     content_at: int
     end: int | None
 
@@ -88,6 +93,28 @@ def _attachments(
     ]
 
 
+def attachments_at(
+    reader: BinaryIO, size_bytes: int, *, is_remote: bool = False
+) -> tuple[int, ...]:
+    """Return where attachments begin; of a remote file those before its frames."""
+    if reader.read(len(EBML)) != EBML:
+        return ()
+    found = []
+    for element in _elements(reader, 0, size_bytes, {_SEGMENT}):
+        if is_remote and element.number == _CLUSTER:
+            break
+        if element.number == _ATTACHMENTS:
+            found.append(element.at)
+        elif _length(element) > _MOST_BYTES.get(element.number, _length(element)):
+            raise MediaError(
+                "its index, tags or chapters are too large ({size_mb} MB)",
+                where=str(getattr(reader, "name", "")),
+                remedy="remux it with MKVToolNix or FFmpeg, without them",
+                size_mb=_length(element) >> 20,
+            )
+    return tuple(found)
+
+
 def _attached(
     reader: BinaryIO, size_bytes: int, before: set[int]
 ) -> Iterator[_Element]:
@@ -124,9 +151,8 @@ def _elements(
         if not used or not width:
             return  # damaged from here on
         content_at = at + used + width
-        element = _Element(
-            number, content_at, None if size is None else content_at + size
-        )
+        end_at = None if size is None else content_at + size
+        element = _Element(number, at, content_at, end_at)
         yield element
         is_entered = element.end is None or number in entered
         at = content_at if is_entered else element.end or content_at

@@ -2,13 +2,18 @@
 
 FFmpeg follows references: playlists, `concat:` names and network addresses. So a
 file is opened by an absolute path with the `file:` prefix, only with demuxers that
-read one file, and only if it is a regular file (a FIFO would hang for ever). What is no
-file of this machine (`ClipBytes`) is read for FFmpeg, which opens nothing itself.
+read one file, and only if it is a regular file (a FIFO would hang for ever). It keeps
+attachments and tables in memory, too: a file is looked at by a `HeaderReader` first, and
+read by one if it has attachments or is remote (`ClipBytes`); FFmpeg opens nothing then.
 Every failure becomes one MediaError that says what to do.
 """
 
 import contextlib
+import ctypes
+import functools
+import io
 import math
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO, cast
@@ -24,23 +29,25 @@ from hapticplayer.errors import MediaError, Message
 from hapticplayer.media.clip_bytes import (
     AnyClip,
     ClipBytes,
-    LimitedReader,
+    HeaderReader,
     open_clip,
     size_of,
 )
 from hapticplayer.media.containers import CONTAINERS, refuse_others
+from hapticplayer.media.matroska import attachments_at
 from hapticplayer.media.mp4 import TOP, boxes
 from hapticplayer.model.limits import (
     INDEX_TAIL,
+    MAX_BLOCK_BYTES,
     MAX_PIXELS,
-    MAX_REMOTE_SAMPLES,
+    MAX_SAMPLES,
     MAX_SIDE_PX,
     MAX_STREAMS,
 )
-from hapticplayer.untrusted import COPY_AGAIN, MAX_ATTACHED_BYTES, resolve_regular
+from hapticplayer.untrusted import COPY_AGAIN, FileState, resolve_regular
 
+_HEADERS_ONLY = {"probesize": "5000", "analyzeduration": "1"}
 OPTIONS = {
-    "protocol_whitelist": "file",
     "format_whitelist": ",".join(name for c in CONTAINERS for name in c.demuxers),
 }
 CONVERT = Message(
@@ -72,16 +79,51 @@ def open_media(path: AnyClip, *, has_edits: bool = True) -> InputContainer:
 
 
 def _opened(clip: Path | ClipBytes, more: dict[str, str]) -> InputContainer:
-    if not isinstance(clip, ClipBytes):
-        return av.open(
-            f"file:{clip}", "r", options={**OPTIONS, **more}, metadata_errors="ignore"
-        )
-    # FFmpeg itself opens nothing then: no protocol has this name
+    _limit_blocks()
+    if isinstance(clip, ClipBytes):
+        with clip.open() as reader:
+            hidden = attachments_at(reader, clip.size_bytes, is_remote=True)
+        return _opened_by(HeaderReader(clip.open(), hidden), more)
+    if hidden := _hidden_in(FileState.of(clip)):
+        return _opened_by(_reader_of(clip, hidden), more)
+    options = {**OPTIONS, **more, "protocol_whitelist": "file"}
+    return av.open(f"file:{clip}", "r", options=options, metadata_errors="ignore")
+
+
+def _opened_by(reader: HeaderReader, more: dict[str, str]) -> InputContainer:
+    """Let FFmpeg read by us; it opens nothing itself then: no protocol has this name."""
     options = {**OPTIONS, **more, "protocol_whitelist": "none"}
-    reader = LimitedReader(clip.open(), MAX_ATTACHED_BYTES)
     container = av.open(reader, "r", options=options, metadata_errors="ignore")
-    reader.left_bytes = math.inf
+    reader.is_opening = False
     return container
+
+
+def _reader_of(file: Path, hidden: tuple[int, ...]) -> HeaderReader:
+    with open_clip(file) as reader:
+        descriptor = os.dup(reader.fileno())
+    return HeaderReader(io.FileIO(descriptor, closefd=False), hidden, descriptor)
+
+
+@functools.lru_cache(maxsize=16)
+def _hidden_in(state: FileState) -> tuple[int, ...]:
+    """Where the attachments of a file are; its headers are refused if they are too large."""
+    with open_clip(state.path) as reader:
+        hidden = attachments_at(reader, state.size_bytes)
+    reader_of_headers = _reader_of(state.path, hidden)
+    with contextlib.suppress(av.error.FFmpegError):  # the next one names it
+        _opened_by(reader_of_headers, _HEADERS_ONLY).close()
+    return hidden
+
+
+@functools.cache
+def _limit_blocks() -> None:
+    """Let FFmpeg request no larger piece of memory, however large a file says that it is."""
+    maps = Path("/proc/self/maps").read_text(encoding="utf-8", errors="replace")
+    for line in maps.splitlines():
+        path = line.split(maxsplit=5)[5:]
+        if path and "libavutil" in path[0]:
+            ctypes.CDLL(path[0]).av_max_alloc(ctypes.c_size_t(MAX_BLOCK_BYTES))
+            return
 
 
 @contextlib.contextmanager
@@ -112,14 +154,21 @@ def media_errors(path: AnyClip, what: str, remedy: str = COPY_AGAIN) -> Iterator
 
 def _check_tables(file: Path | ClipBytes) -> None:
     """Refuse an index that FFmpeg would fill the memory with."""
-    most: float = _size_bytes(file)
-    if isinstance(file, ClipBytes):
-        most = min(most, MAX_REMOTE_SAMPLES)
-    if declared_samples(file) > most:
+    samples = declared_samples(file)
+    if samples > _size_bytes(file):
         raise MediaError(
             "its index lists more samples than it has bytes",
             where=str(file),
             remedy=COPY_AGAIN,
+        )
+    if samples > MAX_SAMPLES:
+        raise MediaError(
+            "its index lists {count} frames and pieces of sound, which is too much "
+            "(limit: {most})",
+            where=str(file),
+            remedy="cut it into parts of some hours",
+            count=samples,
+            most=MAX_SAMPLES,
         )
 
 

@@ -186,7 +186,7 @@ def _copy(
         if packet.stream_index == video.index and packet.is_discard:
             raise MediaError(
                 "its beginning is hidden by an edit list, which no copy keeps",
-                where=Path(clip.name).name,
+                where=clip.name,
                 remedy="convert it to MP4 (H.264 and AAC) and import it again",
             )
         counter.add(packet)

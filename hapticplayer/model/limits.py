@@ -211,8 +211,17 @@ MAX_TELEMETRY_PACKET_BYTES = 8 * 1024**2
 MAX_TELEMETRY_BYTES = 1024**3
 """All telemetry of one file; 48 h of a GoPro are about 0.8 GB."""
 
-MAX_REMOTE_SAMPLES = 20_000_000
-"""In the index of a clip whose size a server states; FFmpeg keeps 480 MB for them."""
+MAX_SAMPLES = 3_000_000
+"""In all tables of an MP4: ten hours of 60 fps with sound; FFmpeg keeps 60 bytes of each."""
+
+MAX_HEADER_BYTES = 48 * 1024**2
+"""Read at opening: the tables of so many samples, and what is no frame."""
+
+MAX_OPENING_BYTES = 180 * 1024**2
+"""By which the process may grow at opening."""
+
+MAX_BLOCK_BYTES = 128 * 1024**2
+"""In one piece of memory that FFmpeg requests: a packet, a frame, a table."""
 
 INDEX_TAIL = 4096
 """Last entries of each stream's index that are held against the file's size."""

@@ -70,14 +70,15 @@ class _AttachedFiles:
 
     def __init__(self, where: str, attached: Mapping[str, Attachment]) -> None:
         self.where, self._attached = where, attached
+        self._left_bytes = MAX_ATTACHED_BYTES
 
     def arrays(
         self, name: str, listed: Mapping[str, FileEntry]
     ) -> dict[str, NDArray[Any]]:
-        content = self.content(name, listed)
-        return arrays_in(
-            io.BytesIO(content), f"{self.where}: {name}", MAX_ATTACHED_BYTES
-        )
+        content, where = self.content(name, listed), f"{self.where}: {name}"
+        found = arrays_in(io.BytesIO(content), where, self._left_bytes)
+        self._left_bytes -= sum(one.nbytes for one in found.values())
+        return found
 
     def content(self, name: str, listed: Mapping[str, FileEntry]) -> bytes:
         """Return a file whose size and checksum are as listed."""

@@ -151,6 +151,8 @@ OWN = {
     ("hapticplayer/haptics/scheduling.py", "os.open"): "a device, to hold it",
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",
     ("hapticplayer/media/opening.py", "open"): "by its resolved name",
+    ("hapticplayer/media/opening.py", "read_text"): "a file of the system",
+    ("hapticplayer/media/clip_bytes.py", "open"): "a file of the system",
     ("hapticplayer/storage.py", "os.open"): "to sync, to lock, and new files",
     ("hapticplayer/study/journal.py", "os.open"): "to append, and to lock",
     ("hapticplayer/extras/wheels/ports.py", "os.open"): "a device",

@@ -68,19 +68,30 @@ def test_addresses_in_it_are_never_asked(text):
 def test_an_index_beyond_the_limit_is_refused(tiny_clip, monkeypatch):
     clip = InMemory(tiny_clip.path.read_bytes())
     clip.size_bytes = 1 << 60  # as a server may say
-    monkeypatch.setattr("hapticplayer.media.opening.MAX_REMOTE_SAMPLES", 10)
-    with pytest.raises(MediaError, match="its index lists more samples"):
+    monkeypatch.setattr("hapticplayer.media.opening.MAX_SAMPLES", 10)
+    with pytest.raises(MediaError, match=r"its index lists \d+ frames .*limit: 10"):
         probe(clip)
 
 
-def test_headers_beyond_the_limit_are_refused(tiny_clip, tmp_path, monkeypatch):
-    monkeypatch.setattr("hapticplayer.media.opening.MAX_ATTACHED_BYTES", 1 << 20)
-    target = tmp_path / "large.mkv"
-    one = Attachment("large", "application/octet-stream", bytes(2 << 20))
-    remux(tiny_clip.path, target, MATROSKA, Additions((one,)))
-    probe(target)
+def test_headers_beyond_the_limit_are_refused(tiny_clip, monkeypatch):
+    content = tiny_clip.path.read_bytes()
+    monkeypatch.setattr("hapticplayer.media.clip_bytes.MAX_HEADER_BYTES", 100)
     with pytest.raises(MediaError, match="its headers are too large"):
-        probe(InMemory(target.read_bytes()))
+        probe(InMemory(content))
+    path = tiny_clip.path.with_name("again.mp4")
+    path.write_bytes(content)
+    with pytest.raises(MediaError, match="its headers are too large"):
+        probe(path)
+
+
+def test_attachments_are_not_fetched(tiny_clip, tmp_path):
+    target = tmp_path / "large.mkv"
+    one = Attachment("large", "application/octet-stream", bytes(4 << 20))
+    remux(tiny_clip.path, target, MATROSKA, Additions((one,)))
+    clip = InMemory(target.read_bytes())
+    before = probe(target)
+    assert probe(clip).duration_s == before.duration_s
+    assert before.frame_rate_hz == tiny_clip.frame_rate_hz
 
 
 def test_a_clip_that_ends_early_is_refused(tiny_clip):

@@ -5,6 +5,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import av
 import numpy as np
 import pytest
 
@@ -107,9 +108,11 @@ def test_attachments_and_metadata_are_written(clip: Path, tmp_path: Path) -> Non
     copy = tmp_path / "copy.mkv"
     note = Attachment("note.json", "application/json", b"{}")
     remux(clip, copy, MATROSKA, Additions((note,), {"hapticplayer": "yes"}))
-    with open_media(copy) as container:
+    with av.open(str(copy)) as container:
         held = [s for s in container.streams if s.type == "attachment"]
         assert [(s.name, s.mimetype, s.data) for s in held] == [note]
+    with open_media(copy) as container:
+        assert {s.type for s in container.streams} == {"video", "audio"}
     assert probe(copy).names_force
     assert not probe(clip).names_force
 

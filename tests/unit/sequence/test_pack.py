@@ -255,6 +255,18 @@ def test_pickled_forces_are_never_loaded(sequence_folder, tmp_path):
         read_packed(target)
 
 
+def test_arrays_that_are_too_large_together_are_refused(
+    sequence_folder, tmp_path, monkeypatch
+):
+    pack(sequence_folder, tmp_path / "ride.mkv")
+    tracks = read_packed(tmp_path / "ride.mkv").sequence.tracks
+    kept = [tracks[name] for name in ("realistic", "random")]
+    both = sum(one.time_s.nbytes + one.force_n.nbytes for one in kept)
+    monkeypatch.setattr("hapticplayer.sequence.packed.MAX_ATTACHED_BYTES", both - 1000)
+    with pytest.raises(InputError, match=r"force_\w+\.npz: is too large"):
+        read_packed(tmp_path / "ride.mkv")
+
+
 def test_two_attachments_of_one_name_are_refused(sequence_folder, tmp_path):
     pack(sequence_folder, tmp_path / "ride.mkv")
     attached = read_attachments(tmp_path / "ride.mkv", MANIFEST)
