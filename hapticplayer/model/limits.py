@@ -32,6 +32,9 @@ MAX_GAP_S = 3600.0
 MAX_REACH_S = 1.0
 """Longest extrapolation of a slow sensor (compass, gravity)."""
 
+MAX_SECONDS = 48 * 3600.0
+"""Longer than any clip; times of force beyond it are damage."""
+
 FIRST_FRAME_S = -60.0
 """A video that begins earlier than this before its log does not belong to it."""
 

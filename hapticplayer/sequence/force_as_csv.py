@@ -3,6 +3,8 @@
 A column `is_estimated` of ones marks a motion that nothing measured.
 """
 
+import math
+from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
@@ -10,12 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message
-from hapticplayer.model import ForceTrack
+from hapticplayer.model import ForceTrack, Reconstruction
+from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import MAX_SECONDS
 from hapticplayer.sequence.force_csv import (
     ESTIMATED_COLUMN,
     FORCE_COLUMNS,
-    force_csv_parts,
     read_force_csv,
+    rows_of_csv,
 )
 from hapticplayer.sequence.force_files import (
     ForceFile,
@@ -46,7 +50,21 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
 def loss(track: ForceTrack, path: Path, choices: WriteChoices) -> Loss:
     """How a file differs, which is never in memory as a whole."""
     until_ms = end_ms(track, choices.duration_s)
-    return force_loss(track, force_csv_parts(path), until_ms)
+    return force_loss(track, _parts(path), until_ms)
+
+
+def _parts(path: Path) -> Iterator[tuple[int, ForceTrack]]:
+    """Yield the force of a file in parts, each with the millisecond at which it ends."""
+    before = np.zeros((0, 0))
+    for rows in rows_of_csv(path, math.inf):
+        held = np.concatenate([before, rows]) if len(before) else rows
+        yield math.ceil(float(held[-1, 0]) * 1000.0), _held(held)
+        before = rows[-1:]
+    yield round(1000.0 * MAX_SECONDS), _held(before)
+
+
+def _held(rows: Floats) -> ForceTrack:
+    return ForceTrack(rows[:, 0], rows[:, 1:4].astype(np.float32), Reconstruction.HOLD)
 
 
 def write(

@@ -17,9 +17,8 @@ import numpy as np
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.limits import MAX_SAMPLES, refuse_large_force
+from hapticplayer.model.limits import MAX_SAMPLES, MAX_SECONDS, refuse_large_force
 from hapticplayer.model.spellings import column_names, find_separator, plain
-from hapticplayer.sequence.force_files import MAX_SECONDS
 from hapticplayer.untrusted import open_regular
 
 FORCE_COLUMNS = ("time_s", "fx_n", "fy_n", "fz_n")
@@ -41,8 +40,7 @@ def read_force_csv(
         path: of the file.
         until_s: later rows are checked, and only the last one is kept.
     """
-    with open_regular(path) as stream:
-        values = np.concatenate(list(_Rows(Path(path), until_s).read(stream)))
+    values = np.concatenate(list(rows_of_csv(path, until_s)))
     is_estimated = bool(values[:, len(FORCE_COLUMNS) :].any())
     return ForceTrack(
         time_s=values[:, 0],
@@ -53,20 +51,10 @@ def read_force_csv(
     )
 
 
-def force_csv_parts(path: Path) -> Iterator[tuple[int, ForceTrack]]:
-    """Yield the force in a file in parts, each with the millisecond at which it ends."""
-    before: Floats | None = None
+def rows_of_csv(path: str | os.PathLike[str], until_s: float) -> Iterator[Floats]:
+    """Yield time, force and mark of the rows of a file, some at a time."""
     with open_regular(path) as stream:
-        for rows in _Rows(path, math.inf).read(stream):
-            held = rows if before is None else np.concatenate([before, rows])
-            yield math.ceil(float(held[-1, 0]) * 1000.0), _held(held)
-            before = rows[-1:]
-    if before is not None:
-        yield round(1000.0 * MAX_SECONDS), _held(before)
-
-
-def _held(rows: Floats) -> ForceTrack:
-    return ForceTrack(rows[:, 0], rows[:, 1:4].astype(np.float32), Reconstruction.HOLD)
+        yield from _Rows(Path(path), until_s).read(stream)
 
 
 class _Rows:

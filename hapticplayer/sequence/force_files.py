@@ -12,9 +12,6 @@ from hapticplayer.model.applied import AppliedAnswers
 from hapticplayer.model.ranges import Range
 from hapticplayer.storage import IsOurs
 
-MAX_SECONDS = 48 * 3600.0
-"""Longer than any clip; times beyond it are damage."""
-
 TOLERANCE_N = Range(1e-4, 1.0, "N")
 SAMPLE_RATE_HZ = Range(1000, 8000, "Hz", is_whole=True)
 FULL_SCALE_N = Range(0.01, 10.0, "N")

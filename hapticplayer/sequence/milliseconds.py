@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence.force_files import MAX_SECONDS, Loss
+from hapticplayer.model.limits import MAX_SECONDS
+from hapticplayer.sequence.force_files import Loss
 
 Ticks = NDArray[np.int64]
 

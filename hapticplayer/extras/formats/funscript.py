@@ -23,10 +23,9 @@ from hapticplayer.extras.formats.thinning import Polyline, thin
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.limits import refuse_large_force
+from hapticplayer.model.limits import MAX_SECONDS, refuse_large_force
 from hapticplayer.sequence.excursion import travel_m
 from hapticplayer.sequence.force_files import (
-    MAX_SECONDS,
     ForceFile,
     Loss,
     ReadChoices,

@@ -14,7 +14,7 @@ from hapticplayer.extras.formats import hjif_signals as signals
 from hapticplayer.extras.formats.hjif_file import EffectEntry, HjifBand
 from hapticplayer.extras.formats.hjif_signals import EffectCurve, HjifEffect, Keyframes
 from hapticplayer.extras.formats.hjif_wavelet import block_height
-from hapticplayer.sequence.force_files import MAX_SECONDS
+from hapticplayer.model.limits import MAX_SECONDS
 from hapticplayer.untrusted import ANOTHER
 
 MAX_SAMPLES = 3_000_000

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
 from hapticplayer.errors import InputError, Message
-from hapticplayer.sequence.force_files import MAX_SECONDS
+from hapticplayer.model.limits import MAX_SECONDS
 from hapticplayer.untrusted import ANOTHER
 
 _XSI = "{http://www.w3.org/2001/XMLSchema-instance}type"
