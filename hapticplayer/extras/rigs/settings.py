@@ -15,11 +15,12 @@ from hapticplayer.devices.options import (
     milliseconds,
     one_of,
 )
+from hapticplayer.errors import DeviceError
 from hapticplayer.extras.rigs.extension import RIG
 from hapticplayer.extras.rigs.packets import FORMATS, RigFormat
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.model.ranges import Range
-from hapticplayer.model.rig import RigMotion
+from hapticplayer.model.rig import NEUTRAL, RigMotion
 
 LOOPBACK = "127.0.0.1"
 RATE_HZ = Range(50, 500, "Hz")
@@ -70,9 +71,21 @@ class RigSettings(DeviceOptions):
 def rig_settings(text: str) -> RigSettings:
     """The settings in a text; "" is OutSim to this machine. Raises DeviceError."""
     settings = RigSettings(**fields_of("rig", text, _place, _OPTIONS))
+    without = replace(settings, id=0)
+    if settings.id and _packet(settings) == _packet(without):
+        raise DeviceError(
+            "rig option id={id} has no effect: packets of {format} have no ID; leave it "
+            "out",
+            id=settings.id,
+            format=settings.format.name,
+        )
     address = settings.address or f"{LOOPBACK}:{settings.format.port}"
     record = replace(RIG, rate_hz=settings.rate_hz)
     return replace(settings, address=address, capabilities=record)
+
+
+def _packet(settings: RigSettings) -> bytes:
+    return settings.format.encode(NEUTRAL, 0.0, settings)
 
 
 def _place(part: str) -> Fields:
