@@ -7,7 +7,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from hapticplayer import storage
-from hapticplayer.cli.common import interruptible, say, say_figures, shown_progress
+from hapticplayer.cli.common import (
+    interruptible,
+    refuse_idle,
+    say,
+    say_figures,
+    shown_progress,
+)
 from hapticplayer.errors import UsageError
 from hapticplayer.rendering.condition import Value
 from hapticplayer.rendering.effects import (
@@ -130,7 +136,10 @@ def _changed(effects: EffectList, options: argparse.Namespace) -> EffectList:
 
 
 def _new(options: argparse.Namespace) -> Effect:
-    known = {one.name: one for one in kind_of(options.kind).parameters}
+    kind = kind_of(options.kind)
+    if kind.wave is None:
+        refuse_idle(options, f"on {kind.name}, which adds nothing", "--direction")
+    known = {one.name: one for one in kind.parameters}
     parameters: dict[str, float] = {}
     for text in options.param:
         name, _, value = text.partition("=")

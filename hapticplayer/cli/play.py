@@ -142,6 +142,8 @@ def run(options: argparse.Namespace, open_window: OpenWindow | None) -> int:
         return open_window(options)
     if options.headless:
         refuse_idle(options, "without a window", *_OF_THE_WINDOW)
+    elif idle := [one for one in _OF_THE_WINDOW if one in options.given]:
+        say_aside(f"there is no window here: {', '.join(idle)} has no effect")
     if not options.source:
         from hapticplayer.sequence.demo import demo_folder
 

@@ -197,3 +197,9 @@ def test_options_of_the_command_line_reach_that_check(
     said = refused("import-force", csv, sequence_folder, "--full-scale=2")
     assert "--full-scale has no effect" in said
     assert "in" not in json.loads((sequence_folder / "sequence.json").read_text())
+
+
+def test_an_effect_that_adds_nothing_takes_no_direction(refused, sequence_folder):
+    words = ["effects", sequence_folder, "add", "gain", "--start=0", "--end=1"]
+    said = refused(*words, "--direction=1,0,0")
+    assert "--direction would have no effect on gain, which adds nothing" in said

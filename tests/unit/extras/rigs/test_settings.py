@@ -27,8 +27,7 @@ def test_each_format_has_its_port_and_stays_here(name, port):
 
 def test_everything_can_be_said():
     settings = rig_settings(
-        "outsim,192.168.1.7:30500,rate=500,id=7,gain=0.5,latency_ms=40,"
-        "invert=sway+yaw"
+        "outsim,192.168.1.7:30500,rate=500,id=7,gain=0.5,latency_ms=40,invert=sway+yaw"
     )
     assert settings.address == "192.168.1.7:30500"
     assert (settings.rate_hz, settings.id, settings.gain) == (500.0, 7, 0.5)
