@@ -7,6 +7,7 @@ out are the same for all, and are here.
 
 import atexit
 import contextlib
+import logging
 import math
 import threading
 from collections.abc import Callable
@@ -151,6 +152,14 @@ class NewestWriter:
                 self._port.write(command)
             except DeviceError as problem:
                 self._problem = problem
+                return
+            except Exception as problem:  # a thread's top: it would be lost
+                logging.getLogger(__name__).exception("a command failed")
+                self._problem = DeviceError(
+                    "the driver of the device has failed ({reason}); report this, and "
+                    "choose the device again",
+                    reason=repr(problem)[:200],
+                )
                 return
             self.taken += 1
 

@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from hapticplayer.clock import ManualClock
+from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices.capabilities import VIBRATION
 from hapticplayer.devices.paced import (
     NewestWriter,
@@ -147,7 +147,7 @@ def test_the_guard_switches_off_beside_the_loop_and_after_it():
 
 def test_a_program_that_ends_without_closing_leaves_no_motor_on():
     code = """
-from hapticplayer.clock import ManualClock
+from hapticplayer.clock import ManualClock, SystemClock
 from hapticplayer.devices.capabilities import VIBRATION
 from hapticplayer.devices.paced import PacedDriver
 from tests.unit.devices.test_paced import FakePad
@@ -237,4 +237,30 @@ def test_a_force_that_passes_zero_sends_no_stop():
         device.exchange(ZERO, clock.now_s())
         clock.advance(0.001)
     assert pad.motors == (0, 0)
+    device.close()
+
+
+@pytest.mark.parametrize(
+    "problem", [DeviceError("it is gone; connect it"), ValueError(7)]
+)
+def test_a_failure_of_the_writing_thread_is_heard(problem):
+    pad = FakePad()
+
+    def write(_command):
+        raise problem
+
+    pad.write = write
+    device = PacedDriver("pad", VIBRATION, lambda: pad, REFRESH_S)
+    device.open()
+
+    def play():
+        clock = SystemClock()
+        end_s = clock.now_s() + 30.0
+        while (now_s := clock.now_s()) < end_s:
+            device.exchange((math.sin(now_s), 1.0, 0.0), now_s)
+            clock.sleep_until(now_s + 0.001)
+
+    with pytest.raises(DeviceError, match=r"it is gone; |has failed \(ValueError"):
+        play()
+    del pad.write
     device.close()

@@ -115,6 +115,34 @@ def test_a_trial_whose_ticks_could_not_be_recorded_is_not_valid(source, monkeypa
         stage.player.close()
 
 
+@pytest.mark.parametrize(
+    ("change", "is_valid"),
+    [
+        ({"fault": "stopped: device not responding; test it"}, False),
+        ({"note": "nobody listens", "is_unheard": True}, False),
+        ({"note": "a rig moves only with the realistic feedback"}, True),
+    ],
+)
+def test_a_fault_of_a_second_output_is_in_the_record(
+    source, monkeypatch, change, is_valid
+):
+    stage, clock = stage_of(source, "simulated")
+    try:
+        stage.player.wait_ready()
+        stage.prepare(Condition("clip", "none"))
+        stage.begin()
+        run(stage, clock)
+        now = stage.player.snapshot()
+        second = replace(now.leading, name="rig", **change)
+        both = replace(now, outputs=(now.leading, second))
+        monkeypatch.setattr(stage.player, "snapshot", lambda: both)
+        played = stage.played()
+        assert ("output_fault" not in played.reasons) is is_valid
+        assert list(played.playback["output_faults"]) == ["rig"]
+    finally:
+        stage.player.close()
+
+
 def test_limits_make_a_playback_invalid(source):
     strict = PlaybackLimits(dropped_share=-1.0)
     stage, clock = stage_of(
