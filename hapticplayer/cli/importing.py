@@ -230,7 +230,7 @@ def import_batch(options: argparse.Namespace) -> int:
     Raises:
         UsageError: for options that only one video can have.
     """
-    for name in ("imu", "offset", "title"):
+    for name in ("imu", "offset", "drift", "title"):
         if getattr(options, name) is not None:
             raise UsageError(f"--{name} belongs to one video; import them one by one")
     videos = [Path(video) for video in options.videos]
@@ -278,10 +278,10 @@ def _import(video: Path, target: Path, choices: Choices, progress: Progress) -> 
     if clock is None or ESTIMATE in made_of:
         text = f"{sequence.duration_s:.1f} s, {made_of['motion_source']}"
         return Row(video.name, str(folder), 0, text)
-    method = made_of["synchronisation"]["method"]
+    sync = made_of["synchronisation"]
     text = (
         f"{sequence.duration_s:.1f} s at {made_of['imu_rate_hz']:.0f} Hz, "
-        f"offset {clock.offset_s:.3f} s by {method} "
+        f"offset {sync['offset_s']:.3f} s by {sync['method']} "
         f"(confidence {clock.confidence:.2f}), {len(made_of['notes'])} notes"
     )
     return Row(video.name, str(folder), 0, text)

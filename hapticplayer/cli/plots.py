@@ -205,7 +205,7 @@ def draw_sync(
             panels[1, column].set_xlabel("media time, s")
         panels[0, 0].set_ylabel("sound")
         panels[1, 0].set_ylabel("specific force, m/s²")
-        default = f"offset {clock.offset_s:.3f} s, confidence {clock.confidence:.2f}"
+        default = f"offset {found.offset_s:.3f} s, confidence {clock.confidence:.2f}"
         panels[0, 0].set_title(title or default, loc="left", parse_math=False)
         panels[0, 1].set_title("the pats", loc="left")
         _save(figure, path)

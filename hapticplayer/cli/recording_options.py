@@ -53,7 +53,15 @@ def add_reading(command: argparse.ArgumentParser) -> None:
 
 OF_A_RECORDING = (
     *("--read-as", "--save-template", "--mounting", "--sync", "--offset", "--camera"),
-    *("--skew", "--method", "--time-constant", "--remove-spikes", "--repair-clipping"),
+    *(
+        "--drift",
+        "--slow-motion",
+        "--skew",
+        "--method",
+        "--time-constant",
+        "--remove-spikes",
+        "--repair-clipping",
+    ),
     *("--average", "--lowpass", "--calibration"),
 )
 """Options that say how a recording is read, synchronised and processed."""
@@ -87,7 +95,23 @@ def add_sync(command: argparse.ArgumentParser, method: str) -> None:
         "--offset",
         ranges.OFFSET_S,
         metavar="S",
-        help="media time at which the log's clock reads zero",
+        help="media time at which the log's clock reads zero; with --drift as it is in the "
+        "middle of the clip, as it is printed",
+    )
+    add_number(
+        group,
+        "--drift",
+        ranges.DRIFT_PPM,
+        metavar="PPM",
+        help="with --offset: by how much faster the video runs than the log's clock",
+    )
+    add_number(
+        group,
+        "--slow-motion",
+        ranges.SLOWED,
+        metavar="N",
+        help="the video plays N times as slow as it was recorded (0.1: ten times as "
+        "fast), 1 for not at all, whatever its metadata say",
     )
     group.add_argument(
         "--camera",
@@ -174,6 +198,8 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
     if options.sync_method not in {methods.AUTO, "offset"}:
         why = f"with the method {options.sync_method}, which finds it"
         refuse_idle(options, why, "--offset")
+    if options.offset is None:
+        refuse_idle(options, "without --offset, which it belongs to", "--drift")
     late_s = options.skew
     is_stored = getattr(options, "store_skew", False)
     if late_s is not None and not is_stored:
@@ -190,6 +216,8 @@ def chosen_sync(options: argparse.Namespace) -> SyncChoices:
     return SyncChoices(
         method=options.sync_method,
         offset_s=options.offset,
+        drift_ppm=options.drift or 0.0,
+        slowed=options.slow_motion,
         sound_late_s=late_s,
         refuses_idle_skew=late_s is not None and not is_stored,
     )
@@ -244,6 +272,11 @@ def sync_text(found: Mapping[str, Any]) -> str:
         skew_ms = 1e3 * found["sound_late_s"]
         first += f", {skew_ms:.0f} ms of the camera's skew taken off"
     lines = [first, *_lag_text(found), *_frames_text(found)]
+    if found["drift_is_fitted"]:
+        lines.append(
+            f"  the same again: --offset {found['offset_s']:.6f} "
+            f"--drift {found['drift_ppm']:.3f}"
+        )
     for count, pat in enumerate(found["pats"], start=1):
         lines.append(
             f"  pat {count}: heard at {pat['heard_s']:.3f} s, felt at "

@@ -29,6 +29,7 @@ from hapticplayer.errors import MediaError, TelemetryError, UsageError
 from hapticplayer.media.clip_info import ClipInfo, probe
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
+    ask_for_pace,
     contradicted,
     find_sync,
     store_skew,
@@ -83,11 +84,13 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     with interruptible():
         choices, plot = chosen_sync(options), plot_target(options)
         if options.check:
-            refuse_idle(options, "with --check", "--plot", "--method", "--offset")
+            idle = ("--plot", "--method", "--offset", "--drift", "--slow-motion")
+            refuse_idle(options, "with --check", *idle)
             checked = _read_either(options)
             keep_template(options)
             return _check(checked, options, choices)
         clip = probe(options.clip)
+        ask_for_pace(clip, choices)
         recording = read_recording(options.imu or options.clip, chosen_log(options))
         keep_template(options)
         found = find_sync(clip, recording, choices)

@@ -64,6 +64,12 @@ MEDIA_TIME_S = Range(0.0, 1e7, "s")
 OFFSET_S = Range(-1e10, 1e10, "s")
 """Clocks count from 1970 at the earliest; float64 still tells 2 us apart there."""
 
+DRIFT_PPM = Range(-2000.0, 2000.0, "ppm")
+"""Ten times what quartzes differ by, and a film of 29.97 shown at 30."""
+
+SLOWED = Range(1e-4, 1e4)
+"""From a frame a minute to the fastest camera, shown at 30."""
+
 SPEED = Range(0.5, 4.0)
 """Beyond it, speech is not understood and frames are dropped."""
 

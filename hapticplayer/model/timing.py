@@ -48,6 +48,18 @@ class ClockMap:
                 rate=self.rate,
             )
 
+    @classmethod
+    def at(cls, media_s: float, offset_s: float, rate: float = 1.0) -> "ClockMap":
+        """The clock with an offset (media less IMU time) that holds at a media time.
+
+        At the IMU's zero, which may be years away, a rate would count for hours.
+        """
+        return cls(media_s - rate * (media_s - offset_s), rate)
+
+    def offset_at(self, media_s: float) -> float:
+        """Media less IMU time, at a media time."""
+        return media_s - (media_s - self.offset_s) / self.rate
+
 
 @dataclass(frozen=True, slots=True)
 class PlaybackClock:

@@ -23,6 +23,7 @@ from hapticplayer.errors import (
     MediaError,
     Message,
     Progress,
+    UsageError,
     no_progress,
 )
 from hapticplayer.media.clip_info import ClipInfo, probe
@@ -43,7 +44,7 @@ from hapticplayer.sequence.report import (
     notes_on_sequence,
 )
 from hapticplayer.sequence.surroundings import surroundings
-from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
+from hapticplayer.sequence.synchronizing import SyncChoices, ask_for_pace, synchronized
 from hapticplayer.sequence.writing import Content, RenderChoices, write_folder
 from hapticplayer.storage import FOLDER, refuse_existing
 from hapticplayer.untrusted import HeldFile
@@ -110,7 +111,13 @@ def build_sequence(
         bar = _Bar(report)
         bar.rest(0.0, Message("reading {name}", name=video.name))
         clip = probe(video)
+        ask_for_pace(clip, choices.sync)
         if choices.suggest_gain is not None:
+            if choices.sync.slowed not in {None, 1.0}:
+                raise UsageError(
+                    "{clip}: motion is estimated as the video plays; give --slow-motion 1",
+                    clip=video.name,
+                )
             content = frame_function("suggest")(
                 clip,
                 imu_log,

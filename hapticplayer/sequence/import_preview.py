@@ -35,6 +35,7 @@ from hapticplayer.model import ImuLog
 from hapticplayer.sequence.mounting_by_frames import ask_about_sign
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
+    ask_for_pace,
     find_sync,
     notes_on_sync,
     watch,
@@ -181,6 +182,7 @@ def _sync(
 
     found, problem = None, ""
     try:
+        ask_for_pace(clip, SyncChoices())
         if method != "offset":  # which is left to a person
             found = find_sync(clip, recording, SyncChoices(method), look=look)
     except (InputError, UsageError) as failure:

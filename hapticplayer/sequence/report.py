@@ -31,6 +31,7 @@ from hapticplayer.sequence.description import Description, ExcursionEntry, Track
 LARGE_LEAK_MPS2 = 0.05
 """Noticed as a steady pull at the default gain."""
 
+_NO_DRIFT_PPM = 2e4
 _UNCOVERED_S = 0.5  # shorter ends without motion are not noticed
 _RATE_PARTS = 10
 _LEAST_PART = 50  # samples; fewer give no rate
@@ -143,7 +144,7 @@ def _sync(found: Mapping[str, Any], clock: ClockMap | None) -> Finding | None:
 
 def _drift(found: Mapping[str, Any]) -> Finding | None:
     ppm = _number(found, "drift_ppm")
-    if ppm is None:
+    if ppm is None or abs(ppm) > _NO_DRIFT_PPM:  # slow motion, as was answered
         return None
     is_fitted = bool(found.get("drift_is_fitted"))
     if found.get("method") == "embedded" and not is_fitted:

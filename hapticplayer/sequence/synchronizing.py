@@ -26,8 +26,10 @@ from hapticplayer.errors import (
     UsageError,
     joined,
     no_progress,
+    shell_line,
 )
 from hapticplayer.media.clip_info import ClipInfo
+from hapticplayer.media.pace import Pace, pace_of
 from hapticplayer.model import ClockMap
 from hapticplayer.model.ranges import SKEW_S
 from hapticplayer.structures import read_json
@@ -49,7 +51,10 @@ class SyncChoices:
 
     Attributes:
         method: one of `capture.sync.methods.SYNC_METHODS`.
-        offset_s: media time of the log's time zero.
+        offset_s: media less log time, in the middle of the clip.
+        drift_ppm: by how much faster media time runs than the log's clock.
+        slowed: how many times as slow as it was recorded the video plays; None where
+            its metadata may not say that it does.
         sound_late_s: how much later than its frames the camera's sound comes; None
             for the stored skew of the clip's camera.
         refuses_idle_skew: a skew that has no effect is refused.
@@ -59,6 +64,8 @@ class SyncChoices:
 
     method: str = AUTO
     offset_s: float | None = None
+    drift_ppm: float = 0.0
+    slowed: float | None = None
     sound_late_s: float | None = None
     refuses_idle_skew: bool = False
     accepted: Synchronisation | None = None
@@ -155,8 +162,8 @@ def find_sync(
         heard.append(read_sound(clip.path, late_s))
         return heard[-1]
 
-    offset_s, own = choices.offset_s, recording.clock_map
-    given = None if offset_s is None else ClockMap(offset_s)
+    middle_s, own = 0.5 * clip.duration_s, recording.clock_map
+    given = _given(clip, choices, middle_s)
     known = own if own.confidence > 0.0 else None
     contradiction = contradicted(recording, clip)
     inputs = SyncInput(
@@ -169,7 +176,7 @@ def find_sync(
         contradiction or "",
         recording.placing.others if recording.placing else (),
     )
-    found = sync_method(choices.method).function()(inputs)
+    found = _at(sync_method(choices.method).function()(inputs), middle_s)
     if choices.refuses_idle_skew and not heard:
         raise UsageError(
             "{clip}: the skew of the sound would have no effect, because the offset "
@@ -178,6 +185,62 @@ def find_sync(
             method=found.method,
         )
     return found
+
+
+def _given(clip: ClipInfo, choices: SyncChoices, middle_s: float) -> ClockMap | None:
+    """The clock map that a person gave.
+
+    Raises:
+        UsageError: for another pace without an offset.
+    """
+    slowed = 1.0 if choices.slowed is None else choices.slowed
+    if choices.offset_s is None:
+        if slowed != 1.0:
+            raise UsageError(
+                "{clip}: pats and frames cannot be compared at another pace; give "
+                "--offset S with --slow-motion",
+                clip=clip.path.name,
+            )
+        return None
+    rate = slowed * (1.0 + 1e-6 * choices.drift_ppm)
+    return ClockMap.at(middle_s, choices.offset_s, rate)
+
+
+def ask_for_pace(clip: ClipInfo, choices: SyncChoices) -> None:
+    """Refuse a clip that says that it plays at another pace, where nobody answered.
+
+    Raises:
+        UsageError: with what can be done.
+    """
+    if choices.slowed is not None or choices.accepted is not None:
+        return
+    if (pace := pace_of(clip.path)) is not None:
+        raise UsageError(_pace_question(clip, pace))
+
+
+def _pace_question(clip: ClipInfo, pace: Pace) -> Message:
+    path = clip.path
+    slowed = pace.slowed or 1.0
+    real = path.with_name(f"{path.stem}-real{path.suffix}")
+    scale = f"{1.0 / slowed:.6g}"
+    words = ("-itsscale", scale, "-i", path, "-map", "0:v", "-c", "copy", real)
+    copy = shell_line("ffmpeg", *words)
+    if pace.slowed is None:
+        copy = Message("your video editor")
+    return Message(
+        "{clip}: {why}; make a copy at its real speed ({copy}), or give --slow-motion 1 to "
+        "take it as it plays, or --slow-motion {slowed} with --offset S to stretch the motion",
+        clip=path.name,
+        why=pace.why,
+        copy=copy,
+        slowed=f"{slowed:.4g}" if pace.slowed else "N",
+    )
+
+
+def _at(found: Synchronisation, middle_s: float) -> Synchronisation:
+    """The result with offsets as they are in the middle of the clip."""
+    second = None if found.second is None else _at(found.second, middle_s)
+    return dataclasses.replace(found, middle_s=middle_s, second=second)
 
 
 def contradicted(recording: Recording, clip: ClipInfo) -> Message | None:
@@ -264,7 +327,7 @@ def _reason(found: Synchronisation) -> Message:
         "the pats are uncertain (confidence {confidence:.2f}); the best offset is "
         "{offset_s:.3f} s{next_best}",
         confidence=clock.confidence,
-        offset_s=clock.offset_s,
+        offset_s=found.offset_s,
         next_best=next_best,
     )
 
@@ -282,8 +345,8 @@ def _disagreement(found: Synchronisation, clip: str) -> str:
         "s; choose --sync pats or --sync frames (sync: --method), or give --offset S; "
         "if the camera's sound is late, --skew settles it",
         clip=clip,
-        pats_s=pats.clock_map.offset_s,
-        frames_s=frames.clock_map.offset_s,
+        pats_s=pats.offset_s,
+        frames_s=frames.offset_s,
     )
 
 
@@ -297,7 +360,7 @@ def _doubtful_frames(found: Synchronisation) -> Message:
         "({doubt})",
         confidence=found.clock_map.confidence,
         explained=evidence.explained,
-        offset_s=found.clock_map.offset_s,
+        offset_s=found.offset_s,
         doubt=evidence.doubt,
     )
 

@@ -189,6 +189,7 @@ class Synchronisation:
         lag: of the camera's own motion, if its clock is used.
         contradiction: why the recording's own clock was not believed by itself.
         others: places by other sources, where that remains undecided.
+        middle_s: of the clip, at which the printed offset holds.
     """
 
     clock_map: ClockMap
@@ -208,6 +209,12 @@ class Synchronisation:
     lag: ClockLag | None = None
     contradiction: Message | str = ""
     others: tuple[OtherPlace, ...] = ()
+    middle_s: float = 0.0
+
+    @property
+    def offset_s(self) -> float:
+        """Media less log time in the middle of the clip, as people give it."""
+        return self.clock_map.offset_at(self.middle_s)
 
     @property
     def is_confident(self) -> bool:
@@ -239,7 +246,7 @@ class Synchronisation:
         clock = self.clock_map
         return {
             "method": self.method,
-            "offset_s": round(clock.offset_s, 6),
+            "offset_s": round(self.offset_s, 6),
             "drift_ppm": round(self.drift_ppm, 3),
             "drift_is_fitted": self.has_drift,
             "residual_s": round(clock.residual_s, 6),

@@ -62,7 +62,7 @@ def options_of_a_recording():
 SHOWN = options_of_a_recording()
 
 
-@pytest.mark.parametrize("name", sorted({*SHOWN} - {"--overwrite"}))
+@pytest.mark.parametrize("name", sorted({*SHOWN} - {"--overwrite", "--slow-motion"}))
 def test_estimated_motion_takes_no_option_of_a_recording(name, refused, tmp_path):
     assert name in OF_A_RECORDING
     words = [f"{name}={VALUES.get(name, 1)}" if SHOWN[name] else name]
@@ -80,6 +80,8 @@ def test_estimated_motion_takes_no_option_of_a_recording(name, refused, tmp_path
         (["play", "a.mp4", "--headless", "--no-plots"], "--no-plots"),
         (["play", "a.mp4", "--headless", "--close-at-end"], "--close-at-end"),
         (["sync", "a.mp4", "--check", "--offset=1"], "--offset"),
+        (["sync", "a.mp4", "--check", "--slow-motion=1"], "--slow-motion"),
+        (["import", "a.mp4", "--drift=1", "-o", "x"], "--drift"),
         (["sync", "a.mp4", "--check", "--method=pats"], "--method"),
         (["sync", "a.mp4", "--check", "--plot=x.png"], "--plot"),
         (["sync", "a.mp4", "--method=pats", "--offset=1"], "--offset"),
