@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from hapticplayer.clock import Clock, SystemClock
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, message_of
 from hapticplayer.untrusted import ESCAPED, HeldFile, open_regular
 
 FOLDER, FILE = Message("folder"), Message("file")
@@ -42,13 +42,52 @@ class StorageError(InputError):
 
     @classmethod
     def of(cls, problem: OSError, path: Path) -> "StorageError":
-        """The error for a failed call."""
+        """The error for a failed call; what was written aside has been removed."""
+        if problem.errno not in _FULL:
+            return cls(
+                "cannot be written ({reason})",
+                where=str(path),
+                remedy="choose a folder with write permission",
+                reason=write_problem(problem, path),
+            )
         return cls(
-            "cannot be written ({reason})",
+            "cannot be written ({reason}); what was there before is unchanged, and "
+            "what had been written was removed",
             where=str(path),
-            remedy="free some space, or choose a folder with write permission",
-            reason=problem,
+            remedy="free some space there, or choose a folder on another disk",
+            reason=write_problem(problem, path),
         )
+
+
+_FULL = {
+    errno.ENOSPC: Message("the disk at {disk} is full"),
+    errno.EDQUOT: Message("your quota of the disk at {disk} is used up"),
+    errno.EFBIG: Message("larger than a file on the disk at {disk} may be (ulimit -f)"),
+}
+
+
+def write_problem(problem: OSError, path: Path) -> Message:
+    """Why a file cannot be written, with the place of its disk where that is full."""
+    sentence = _FULL.get(problem.errno or 0)
+    if sentence is None:
+        return message_of(problem)
+    disk = disk_of(path)
+    return Message(sentence, disk=disk)
+
+
+def raise_if_full(problem: BaseException, path: Path) -> None:
+    """Raise StorageError for what a full disk has done, whatever reports it."""
+    if isinstance(problem, OSError) and problem.errno in _FULL:
+        with _named(path):
+            raise problem
+
+
+def disk_of(path: Path) -> Path:
+    """Where the disk is mounted on which a path is, or would be."""
+    place = next(one for one in (path, *path.absolute().parents) if one.exists())
+    return next(
+        one for one in (place.resolve(), *place.resolve().parents) if one.is_mount()
+    )
 
 
 def cache_home() -> Path:
@@ -334,6 +373,8 @@ def _named(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as problem:
+        if any(part.startswith(_SCRATCH_BEGIN) for part in path.parts):
+            raise  # the one who made the temporary folder knows what it is to become
         raise StorageError.of(problem, path) from problem
 
 

@@ -28,6 +28,8 @@ from hapticplayer.sequence.editing import set_effects
 from hapticplayer.sequence.effects_file import written
 from hapticplayer.sequence.figures import sequence_figures
 
+_ROUNDED_S = 1e-3
+"""By which the end of a clip may be typed too large."""
 _KINDS = "; ".join(
     f"{kind.name}: {', '.join(one.name for one in kind.parameters) or 'no parameters'}"
     for kind in EFFECTS
@@ -100,7 +102,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         sequence = open_sequence(folder)
         effects = store.effects_of(sequence)
         if is_changed:
-            effects = _changed(effects, options)
+            effects = _changed(effects, options, sequence.duration_s)
             with interruptible(), shown_progress() as progress:
                 set_effects(folder, effects, progress=progress)
     if options.json:
@@ -115,10 +117,12 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     return 0
 
 
-def _changed(effects: EffectList, options: argparse.Namespace) -> EffectList:
+def _changed(
+    effects: EffectList, options: argparse.Namespace, duration_s: float
+) -> EffectList:
     every = list(effects.effects)
     if options.action == "add":
-        return EffectList((*every, _new(options)))
+        return EffectList((*every, _within(_new(options), duration_s)))
     row = options.number - 1
     if not 0 <= row < len(every):
         raise UsageError(
@@ -129,10 +133,23 @@ def _changed(effects: EffectList, options: argparse.Namespace) -> EffectList:
     if options.action == "remove":
         del every[row]
     elif options.action == "move":
-        every[row] = every[row].moved(options.by)
+        every[row] = _within(every[row].moved(options.by), duration_s)
     else:
         every[row] = replace(every[row], enabled=options.action == "enable")
     return EffectList(tuple(every))
+
+
+def _within(effect: Effect, duration_s: float) -> Effect:
+    """The effect, unless a part of it could never be felt."""
+    if effect.start_s < 0.0 or effect.end_s > duration_s + _ROUNDED_S:
+        raise UsageError(
+            "an effect from {start_s:g} to {end_s:g} s is not within the clip; give "
+            "times from 0 to {most:.3f} s",
+            start_s=effect.start_s,
+            end_s=effect.end_s,
+            most=duration_s,
+        )
+    return effect
 
 
 def _new(options: argparse.Namespace) -> Effect:

@@ -198,6 +198,7 @@ def status(options: argparse.Namespace) -> int:
     """Say who took part, what is missing, and how balanced it is."""
     study = open_study(options.study)
     sessions, notices = study.sessions()
+    notices += study.order_notices()
     report = {
         "title": study.definition.title,
         "conditions": len(study.definition.conditions),

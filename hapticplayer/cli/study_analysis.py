@@ -1,8 +1,9 @@
 """The actions `study analyse`, `simulate` and `power`."""
 
 import argparse
+import contextlib
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +27,14 @@ from hapticplayer.simulation.participants import (
     simulated_answers,
 )
 from hapticplayer.simulation.sessions import write_answers
-from hapticplayer.storage import FOLDER, refuse_existing
+from hapticplayer.storage import (
+    FOLDER,
+    PRIVATE_FOLDER,
+    StorageError,
+    folder_written_aside,
+    refuse_existing,
+    write_private,
+)
 from hapticplayer.study.analysis import (
     AnalysisOptions,
     MissingPolicy,
@@ -48,8 +56,9 @@ from hapticplayer.study.analysis.report import (
 )
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 from hapticplayer.study.answers import collect_answers, read_answers
-from hapticplayer.study.creation import chosen_text, create_study
+from hapticplayer.study.creation import chosen_text, new_definition
 from hapticplayer.study.definition import StudyFeedback
+from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.study_folder import Study, open_study
 
 _SEED = 2012
@@ -209,8 +218,21 @@ def analyse(options: argparse.Namespace) -> int:
 def simulate(options: argparse.Namespace) -> int:
     """Add simulated participants to a study, as sessions that are marked as such."""
     effect_named(options.effect)
-    study, paper = _design(options.study), paper_effect()
-    design = collect_answers(study)
+    with interruptible(), _to_be_filled(options.study) as study:
+        like, origin, codes = _simulated(study, options)
+    report = {"study": str(options.study), **origin, "participants": codes}
+    text = f"{options.study}: {len(codes)} simulated participants, marked as such"
+    say(_json(report) if options.json else text)
+    if not options.json:
+        _say_assumed(like)
+    return 0
+
+
+def _simulated(
+    study: Study, options: argparse.Namespace
+) -> tuple[dict[str, str], dict[str, Any], list[str]]:
+    """Write the sessions; what feedbacks are rated like, their origin, their codes."""
+    design, paper = collect_answers(study), paper_effect()
     if set(design.factors) != set(paper.factors):
         raise UsageError(
             "only studies with the paper's factors can be simulated "
@@ -226,14 +248,7 @@ def simulate(options: argparse.Namespace) -> int:
     )
     origin = {"simulated": True, "effect": options.effect, "seed": options.seed}
     origin |= {"rated_like": like}
-    with interruptible():
-        codes = write_answers(study, answers, SystemClock(), origin=origin)
-    report = {"study": str(options.study), **origin, "participants": codes}
-    text = f"{options.study}: {len(codes)} simulated participants, marked as such"
-    say(_json(report) if options.json else text)
-    if not options.json:
-        _say_assumed(like)
-    return 0
+    return like, origin, write_answers(study, answers, SystemClock(), origin=origin)
 
 
 def _rated_like(
@@ -330,8 +345,23 @@ def _power_text(found: Power, measure: str, source: str) -> str:
     return "\n".join(lines)
 
 
-def _design(folder: Path) -> Study:
-    """Return a study; a missing one is made, an empty folder is one."""
-    if folder.is_dir() and not any(folder.iterdir()):
+@contextlib.contextmanager
+def _to_be_filled(folder: Path) -> Iterator[Study]:
+    """A study; one that is missing, or an empty folder, becomes one when it is filled."""
+    is_empty = folder.is_dir() and not any(folder.iterdir())
+    if folder.exists() and not is_empty:
+        try:
+            yield open_study(folder)
+        except OSError as problem:
+            raise StorageError.of(problem, folder) from problem
+        return
+    if is_empty:
         folder.rmdir()
-    return open_study(folder) if folder.exists() else create_study(folder)
+    try:
+        with folder_written_aside(folder, PRIVATE_FOLDER) as aside:
+            write_private(aside / DEFINITION, new_definition())
+            yield open_study(aside)
+    except BaseException:
+        if is_empty:
+            folder.mkdir(exist_ok=True)
+        raise

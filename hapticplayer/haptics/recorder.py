@@ -26,6 +26,7 @@ from hapticplayer.haptics.records import RecordWriter, open_record
 from hapticplayer.haptics.scheduling import outlive_the_player
 from hapticplayer.haptics.shared import TICK, SharedBlock
 from hapticplayer.haptics.spawn import Process, run_module
+from hapticplayer.storage import disk_of
 
 READ_PERIOD_S = 0.05
 SYNC_PERIOD_S = 1.0
@@ -61,10 +62,9 @@ class LoopRecording:
         """Why the recording is incomplete, "" while all is well; never waits."""
         status = self.process.poll() if self.process else None
         if status and not self._problem:
-            self._problem = _REASONS.get(status) or Message(
-                "the recording is incomplete: its process ended with status {status}",
-                status=status,
-            )
+            reason = _REASONS.get(status, _ENDED)
+            disk = disk_of(self._path)
+            self._problem = Message(reason, disk=disk, status=status)
         return self._problem
 
     def start(self, loop_pid: int, header: Mapping[str, Any]) -> None:
@@ -164,9 +164,10 @@ class Status(enum.IntEnum):
     FAILED = 5
 
 
+_ENDED = Message("the recording is incomplete: its process ended with status {status}")
 _REASONS: dict[int, Message] = {
     Status.FULL: Message(
-        "the recording is incomplete: the disk is full, or the file has reached its size limit"
+        "the recording is incomplete: the disk at {disk} is full, or the file has reached its size limit"
     ),
     Status.REMOVED: Message("the recording is incomplete: its file was removed"),
     Status.FAILED: Message(

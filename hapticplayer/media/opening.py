@@ -44,6 +44,7 @@ from hapticplayer.model.limits import (
     MAX_SIDE_PX,
     MAX_STREAMS,
 )
+from hapticplayer.storage import raise_if_full
 from hapticplayer.untrusted import COPY_AGAIN, FileState, resolve_regular
 
 _HEADERS_ONLY = {"probesize": "5000", "analyzeduration": "1"}
@@ -143,6 +144,7 @@ def media_errors(path: AnyClip, what: str, remedy: str = COPY_AGAIN) -> Iterator
         OverflowError,
         AttributeError,  # PyAV looks into a codec context that is not there
     ) as error:
+        raise_if_full(error, Path(str(path)))
         raise MediaError(
             "{what} ({reason})",
             where=str(path),

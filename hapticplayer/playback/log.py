@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message
-from hapticplayer.storage import make_way
+from hapticplayer.storage import make_way, write_problem
 from hapticplayer.untrusted import ESCAPED
 
 
@@ -30,7 +30,7 @@ class PlaybackLog:
     def __init__(
         self, path: Path, header: dict[str, Any], *, overwrite: bool = False
     ) -> None:
-        self.problem = ""
+        self.problem, self._path = "", path
         self._queue: queue.SimpleQueue[dict[str, Any] | NDArray[Any] | None]
         self._queue = queue.SimpleQueue()
         make_way(path, is_log if overwrite else None)
@@ -68,7 +68,10 @@ class PlaybackLog:
             self._note(problem)
 
     def _note(self, problem: Exception) -> None:
-        self.problem = Message("the log is incomplete ({reason})", reason=problem)
+        reason: object = problem
+        if isinstance(problem, OSError):
+            reason = write_problem(problem, self._path)
+        self.problem = Message("the log is incomplete ({reason})", reason=reason)
 
     def _run(self) -> None:
         while (item := self._queue.get()) is not None:

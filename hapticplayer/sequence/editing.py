@@ -153,8 +153,28 @@ def render_sequence(
     if fits_gain:
         gain = fitted_gain(sequence, mapping)
         mapping = dataclasses.replace(mapping, gain_n_per_mps2=gain)
-    chosen = store.effects_of(sequence) if effects is None else effects
+    stored = store.effects_of(sequence)
+    if effects is not None:
+        _refuse_unfelt(effects, stored, sequence.duration_s)
+    chosen = stored if effects is None else effects
     return mapping, rendering_of(sequence, preset, mapping).track(chosen)
+
+
+def _refuse_unfelt(effects: EffectList, stored: EffectList, duration_s: float) -> None:
+    """Refuse new effects that nobody would ever feel, as those of a longer clip."""
+    known = {(one.start_s, one.end_s) for one in stored.effects}
+    for number, one in enumerate(effects.effects, 1):
+        is_felt = one.end_s > 0.0 and one.start_s < duration_s
+        if not is_felt and (one.start_s, one.end_s) not in known:
+            raise UsageError(
+                "effect {number} ({kind}, from {start_s:g} to {end_s:g} s) is beyond the "
+                "clip, which lasts {duration_s:.3f} s; move or remove it",
+                number=number,
+                kind=one.kind,
+                start_s=one.start_s,
+                end_s=one.end_s,
+                duration_s=duration_s,
+            )
 
 
 def set_effects(
@@ -283,7 +303,11 @@ def _check_new(name: str, description: Description) -> None:
             "dots and hyphens",
             name=name,
         )
-    if name.lower() in {*map(str.lower, description.feedbacks), *_OWN}:
+    if rendering.condition_named(name.lower()) is not None:
+        raise UsageError(
+            "{name!r} is the name of a condition; choose another name", name=name
+        )
+    if name.lower() in map(str.lower, description.feedbacks):
         raise UsageError("a track {name!r} exists; choose another name", name=name)
 
 
@@ -351,10 +375,10 @@ def _put(
     except OSError as problem:
         _remove(made)
         raise SequenceError(
-            "cannot be written ({reason})",
+            "cannot be written ({reason}); it is as it was",
             where=str(folder),
             remedy="free some space or copy the sequence to a folder of your own",
-            reason=problem,
+            reason=storage.write_problem(problem, folder),
         ) from problem
     except BaseException:
         _remove(made)

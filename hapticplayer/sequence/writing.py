@@ -137,9 +137,9 @@ def _copy_clip(clip: Path, target: Path, progress: Progress) -> str:
         free = shutil.disk_usage(target.parent).free
         if free < source.size_bytes:
             raise InputError(
-                "needs {needed_mb} MB and only {free_mb} MB are free",
-                where=str(target.parent.parent),
-                remedy="free some space or choose another folder",
+                "the clip needs {needed_mb} MB and only {free_mb} MB are free",
+                where=str(storage.disk_of(target)),
+                remedy="free some space or choose a folder on another disk",
                 needed_mb=source.size_bytes >> 20,
                 free_mb=free >> 20,
             )

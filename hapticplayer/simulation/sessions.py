@@ -1,6 +1,9 @@
 """Sessions that no person sat through, such as simulated ones; marked as such."""
 
-from collections.abc import Callable, Mapping
+import shutil
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
+from pathlib import Path
 from typing import Any
 
 from hapticplayer.clock import Clock
@@ -31,39 +34,52 @@ def write_scripted_session(
     """
     session = begin_session(study, study.definition.languages[0], {}, clock)
     journal = Journal(session.folder / ANSWERS, clock)
-    try:
+    with _removed_on_failure([session.folder]), closing(journal):
         journal.append("begin", scripted=dict(origin))
         journal.append("answers", step=SHEET, values=dict(sheet))
         for number, condition in enumerate(session.plan.order):
             _write_trial(journal, number + 1, condition, rate(condition))
         journal.append("end", complete=True, reason="")
-    finally:
-        journal.close()
     return session.code
+
+
+@contextmanager
+def _removed_on_failure(written: Sequence[Path]) -> Iterator[None]:
+    """Leave no part of what nobody answered; what a full disk says is an OSError."""
+    try:
+        yield
+    except BaseException as problem:
+        for folder in written:
+            shutil.rmtree(folder, ignore_errors=True)
+        if isinstance(problem.__cause__, OSError):
+            raise problem.__cause__ from problem
+        raise
 
 
 def write_answers(
     study: Study, answers: Answers, clock: Clock, *, origin: Mapping[str, Any]
 ) -> list[str]:
-    """Add simulated participants to a study, and return their codes there."""
+    """Add simulated participants to a study, all or none, and return their codes."""
     found: dict[tuple[str, str, str], dict[str, int | None]] = {}
     for one in answers.ratings:
         cell = found.setdefault((one.participant, one.sequence, one.feedback), {})
         cell[one.factor] = one.value
-    codes = []
-    for person in answers.participants:
-        sheet = {
-            "age": person.age,
-            "gender": person.gender,
-            "handedness": person.handedness,
-            "used_device_before": person.used_device_before,
-        }
+    written: list[Path] = []
+    with _removed_on_failure(written):
+        for person in answers.participants:
+            sheet = {
+                "age": person.age,
+                "gender": person.gender,
+                "handedness": person.handedness,
+                "used_device_before": person.used_device_before,
+            }
 
-        def rate(condition: Condition, code: str = person.code) -> Values:
-            return found[code, condition.sequence, condition.feedback]
+            def rate(condition: Condition, code: str = person.code) -> Values:
+                return found[code, condition.sequence, condition.feedback]
 
-        codes.append(write_scripted_session(study, sheet, rate, clock, origin=origin))
-    return codes
+            made = write_scripted_session(study, sheet, rate, clock, origin=origin)
+            written.append(study.session_folder(made))
+    return [folder.name for folder in written]
 
 
 def _write_trial(

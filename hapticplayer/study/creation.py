@@ -42,10 +42,22 @@ def create_study(
     folders: Mapping[str, Path] | None = None,
     feedbacks: Sequence[str] = (),
 ) -> Study:
-    """Make a study's folder from a template.
+    """Make a study's folder, which must not exist yet; see `new_definition`."""
+    text = new_definition(template, folders, feedbacks)
+    refuse_estimates(parse_definition(text, template), template, folder)
+    with storage.folder_written_aside(folder, storage.PRIVATE_FOLDER) as aside:
+        storage.write_private(aside / DEFINITION, text)
+    return open_study(folder)
+
+
+def new_definition(
+    template: str = "qoe2012",
+    folders: Mapping[str, Path] | None = None,
+    feedbacks: Sequence[str] = (),
+) -> bytes:
+    """The definition of a new study, from a template.
 
     Args:
-        folder: must not exist yet.
         template: one of `template_names()`.
         folders: of the sequences, by key; others stay empty.
         feedbacks: in place of the template's, see `chosen_text`.
@@ -59,11 +71,7 @@ def create_study(
         sequence["folder"] = str(path.resolve())
     if feedbacks:
         content["feedbacks"] = [_described(chosen_text(text)) for text in feedbacks]
-    text = definition_text(content)
-    refuse_estimates(parse_definition(text, template), template, folder)
-    with storage.folder_written_aside(folder, storage.PRIVATE_FOLDER) as aside:
-        storage.write_private(aside / DEFINITION, text)
-    return open_study(folder)
+    return definition_text(content)
 
 
 def _described(feedback: StudyFeedback) -> str | dict[str, Any]:

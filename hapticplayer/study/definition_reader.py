@@ -20,6 +20,7 @@ from hapticplayer.study.definition import (
     VERSION,
     Definition,
     OrderMethod,
+    Question,
     QuestionKind,
     StudyFeedback,
     Text,
@@ -40,6 +41,7 @@ def parse_definition(content: bytes, path: str) -> Definition:
     _check_keys(made, path)
     _check_feedbacks(made, path)
     _check_questions(made, path)
+    _check_used(made, path)
     if made.order.no_sequence_twice_in_a_row:
         _check_constraint(made, path)
     return made
@@ -88,6 +90,9 @@ def _check_feedbacks(made: Definition, path: str) -> None:
     """Refuse parameters that a condition does not have, or values out of range."""
     for number, one in enumerate(made.chosen_feedbacks):
         field, found = f"feedbacks[{number}]", condition_named(one.condition)
+        if one.key not in (None, one.condition) and condition_named(str(one.key)):
+            what = Message("{key!r} is the name of another condition", key=str(one.key))
+            refuse(path, f"{field}.key", what, Message("choose another key"))
         if found is None:  # a track of each sequence, which is looked for there
             if one.parameters:
                 what = Message("{name!r} has no parameters", name=one.condition)
@@ -145,8 +150,52 @@ def _check_questions(made: Definition, path: str) -> None:
     asked = made.consistency
     if asked is not None and asked.kind is not QuestionKind.YES_NO:
         refuse(path, "consistency", Message("must be a yes-no question"))
-    if any(question.for_each_feedback for question in made.sheet):
-        refuse(path, "sheet", Message("asks about feedbacks before the first trial"))
+
+
+_REMOVE = Message("remove it")
+_OF_OTHER_TRIALS: dict[TrialKind, dict[str, Any]] = {
+    TrialKind.RATING: {"levels": (), "repeats": 1, "consistency": None},
+    TrialKind.CONSISTENCY: {"factors": ()},
+}
+_USED = {
+    QuestionKind.NUMBER: ("least", "most"),
+    QuestionKind.TEXT: ("most",),
+    QuestionKind.CHOICE: ("choices",),
+}
+"""Which of these a kind of question uses."""
+
+
+def _check_used(made: Definition, path: str) -> None:
+    """Refuse entries that would change nothing: their author expects them to."""
+    for name, unused in _OF_OTHER_TRIALS[made.trial].items():
+        if getattr(made, name) != unused:
+            what = Message("is not used in {kind} trials", kind=made.trial.value)
+            refuse(path, name, what, _REMOVE)
+    if len(set(made.levels)) < len(made.levels):
+        what = Message("holds a level twice")
+        refuse(path, "levels", what, Message("use 'repeats'"))
+    for field, question in _questions(made):
+        for name in ("least", "most", "choices"):
+            if getattr(question, name) and name not in _USED.get(question.kind, ()):
+                kind = question.kind.value
+                what = Message("is not used in {kind} questions", kind=kind)
+                refuse(path, f"{field}.{name}", what, _REMOVE)
+    for field, question in _questions(made):
+        if question.for_each_feedback and not field.startswith("post_test"):
+            what = Message("is only used after the last trial")
+            refuse(path, f"{field}.for_each_feedback", what, _REMOVE)
+    if made.use_published and not any(one.published for _, one in _questions(made)):
+        what = Message("no question has a published wording")
+        refuse(path, "use_published", what, Message("enter one, or set it to false"))
+
+
+def _questions(made: Definition) -> Iterator[tuple[str, Question]]:
+    """Yield each question with its place."""
+    for name in ("sheet", "factors", "post_test"):
+        for number, one in enumerate(getattr(made, name)):
+            yield f"{name}[{number}]", one
+    if made.consistency is not None:
+        yield "consistency", made.consistency
 
 
 def _check_constraint(made: Definition, path: str) -> None:

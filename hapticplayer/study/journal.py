@@ -21,7 +21,7 @@ from msgspec import Meta, Struct
 
 from hapticplayer.clock import Clock, utc_now_iso
 from hapticplayer.errors import InputError, Message, StudyError
-from hapticplayer.storage import StorageError
+from hapticplayer.storage import StorageError, write_problem
 from hapticplayer.structures import convert
 from hapticplayer.structures import decode as decode_json
 from hapticplayer.study.definition import read_file
@@ -265,7 +265,7 @@ class Journal:
                 "the answer could not be saved ({reason})",
                 where=str(self._path.parent.name),
                 remedy="call the experimenter",
-                reason=problem,
+                reason=write_problem(problem, self._path),
             ) from problem
         made = JournalRecord(self._next, utc, monotonic_s, kind, content)
         self._next += 1

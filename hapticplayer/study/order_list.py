@@ -4,6 +4,7 @@ order,position,sequence,feedback[,delay_s,gain,repeat]
 """
 
 import csv
+import io
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -59,7 +60,7 @@ def _rows(path: Path) -> Iterator[tuple[str, Mapping[str, str]]]:
         text = read_file(path).decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         raise StudyError("is not UTF-8 text", where=str(path)) from problem
-    reader = csv.DictReader(text.splitlines(), strict=True)
+    reader = csv.DictReader(io.StringIO(text, newline=""), strict=True)
 
     def where() -> Message:
         line = max(1, reader.line_num)

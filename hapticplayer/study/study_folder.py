@@ -126,6 +126,24 @@ class Study:
             return []
         return read_orders(self.folder / ORDERS, self.definition)
 
+    def order_notices(self) -> list[str]:
+        """What is wrong with `orders.csv`, or that it is not used."""
+        path = self.folder / ORDERS
+        method = self.definition.order.method
+        if method is not OrderMethod.LIST and path.exists():
+            return [
+                Message(
+                    "{file} is not used: order.method is {method}",
+                    file=ORDERS,
+                    method=method.value,
+                )
+            ]
+        try:
+            self.listed_orders()
+        except StudyError as problem:
+            return [str(problem)]
+        return []
+
     def deleted_count(self) -> int:
         """Return the number of deleted participants."""
         folder = self.folder / DELETED

@@ -30,8 +30,9 @@ from hapticplayer.sequence.packed import MANIFEST, read_packed
 from hapticplayer.sequence.synchronizing import stored_skews
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.answers import read_answers, read_reviewed
-from hapticplayer.study.creation import create_study
+from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.journal import decode, encode
+from hapticplayer.study.order_list import ORDERS
 from hapticplayer.study.plan import parse_plan_file
 from hapticplayer.study.study_folder import open_study
 
@@ -226,6 +227,53 @@ def test_a_spoilt_list_of_reviewed_texts_approves_nothing(session):
     for _, text in spoilt({"passed": ["a" * 64]}):
         (folder / "reviewed.json").write_bytes(text)
         assert read_reviewed(folder) <= {"a" * 64}
+
+
+CELLS = [
+    "",
+    " ",
+    "text",
+    "-1",
+    "1.5",
+    "1e999",
+    "nan",
+    "9" * 400,
+    "=1",
+    '"',
+    "\0",
+    "a,b",
+]
+
+
+def test_a_spoilt_list_of_orders_is_refused(tmp_path):
+    study = create_study(tmp_path / "study")
+    content = json.loads(study.content)
+    content["order"]["method"] = "list"
+    study = change_definition(study, content)
+    path = study.folder / ORDERS
+    names = ("order", "position", "sequence", "feedback", "delay_s", "gain", "repeat")
+    rows = [
+        ["a", str(place), one.sequence, one.feedback, "0", "1.0", "1"]
+        for place, one in enumerate(study.definition.conditions)
+    ]
+    refused = 0
+    for row, column, cell in itertools.product((0, 1, 12), range(len(names)), CELLS):
+        table = [list(names), *(list(one) for one in rows)]
+        table[row][column] = cell
+        path.write_text("\n".join(map(",".join, table)))
+        said = refusal(study.listed_orders, (row, column, cell))
+        refused += bool(said)
+        assert not said or ORDERS in said
+        assert "\n" not in said
+        assert not said or said in study.order_notices()
+        if not said:  # another name of the order, or what is so where nothing is given
+            (order,) = study.listed_orders()
+            assert set(order) == set(study.definition.conditions)
+    assert refused > 200
+    for text in (b"", b"\xff\xfe", b'order,position,sequence,feedback\n"a', b"a\n" * 9):
+        path.write_bytes(text)
+        said = refusal(study.listed_orders, text)
+        assert ORDERS in said or not text.strip(), text
 
 
 def test_records_of_a_spoilt_journal_are_left_out_and_kept(session):

@@ -1,10 +1,14 @@
 """`hapticplayer study analyse`, `simulate` and `power` on folders of studies."""
 
+import errno
+import itertools
 import json
+import os
 
 import pytest
 
 from hapticplayer import cli
+from hapticplayer.storage import disk_of
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import create_study
@@ -152,6 +156,45 @@ def test_an_empty_folder_becomes_a_study_and_a_full_one_stays(run, tmp_path):
     assert status == 1
     assert [path.name for path in full.iterdir()] == ["letter.txt"]
     assert "full" in said
+
+
+def failing(at, problem):
+    """A sync that fails when it is called for the time `at`."""
+    calls = itertools.count(1)
+    real = os.fsync
+
+    def fsync(descriptor):
+        if next(calls) == at:
+            raise problem
+        real(descriptor)
+
+    return fsync
+
+
+FULL = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+@pytest.mark.parametrize("at", [1, 9, 40])
+@pytest.mark.parametrize("problem", [FULL, KeyboardInterrupt()])
+@pytest.mark.parametrize("place", ["missing", "empty", "study"])
+def test_a_simulation_that_ends_early_leaves_nothing(
+    run, tmp_path, monkeypatch, at, problem, place
+):
+    folder = tmp_path / "s"
+    if place == "study":
+        create_study(folder)
+        assert run("simulate", folder, "--participants", "1")[0] == 0
+    elif place == "empty":
+        folder.mkdir()
+    before = sorted(path.name for path in tmp_path.rglob("*"))
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", failing(at, problem))
+        status, _, said = run("simulate", folder, "--participants", "2")
+    assert status == (1 if problem is FULL else 130)
+    if problem is FULL:
+        assert f"the disk at {disk_of(folder)} is full" in said
+        assert ".part" not in said
+    assert sorted(path.name for path in tmp_path.rglob("*")) == before
 
 
 def test_a_study_that_is_not_there_is_refused(run, tmp_path):

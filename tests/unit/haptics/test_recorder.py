@@ -263,7 +263,7 @@ def test_a_full_disk_ends_it_with_a_reason_and_a_whole_record(start, ring, capfd
     resource.prlimit(recorder.process.pid, resource.RLIMIT_FSIZE, (limit, limit))
     ring.tick(200)
     assert recorder.process.wait(PATIENCE_S) == Status.FULL
-    assert "the disk is full" in recorder.problem
+    assert "the disk at /" in recorder.problem
     record = read_record(path)
     assert len(record.ticks) >= 100
     assert numbers(record) == list(range(len(record.ticks)))

@@ -78,7 +78,19 @@ def test_a_stopped_change_leaves_the_old_state(folder, csv, stop, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "name", ["", "realistic", "None", "a/b", "../x", "x" * 41, "."]
+    "name",
+    [
+        "",
+        "realistic",
+        "None",
+        "Delayed",
+        "shuffled",
+        "edited",
+        "a/b",
+        "../x",
+        "x" * 41,
+        ".",
+    ],
 )
 def test_names_that_cannot_be_are_refused(folder, csv, name):
     with pytest.raises(UsageError):

@@ -11,7 +11,8 @@ from hapticplayer import cli
 from hapticplayer.capture.recording import Recording
 from hapticplayer.errors import SequenceError
 from hapticplayer.model import ClockMap
-from hapticplayer.sequence import open_sequence, store, verify_sequence
+from hapticplayer.rendering.effects import Effect, EffectList
+from hapticplayer.sequence import effects_file, open_sequence, store, verify_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import read_packed
@@ -74,6 +75,29 @@ def test_a_forbidden_change_of_effects_changes_nothing(folder, capsys):
     assert do(folder, *MUTE, "--param", "size=3") == 2
     assert "mute has no such parameter" in capsys.readouterr().err
     assert (folder / "sequence.json").read_bytes() == before
+
+
+@pytest.mark.parametrize("span", [("5000", "5001"), ("0.5", "5000"), ("-1", "0.5")])
+def test_an_effect_beyond_the_clip_is_refused(folder, capsys, span):
+    before = (folder / "sequence.json").read_bytes()
+    words = ("add", "mute", f"--start={span[0]}", f"--end={span[1]}")
+    assert do(folder, *words) == 2
+    said = capsys.readouterr().err
+    assert "is not within the clip" in said or "start" in said
+    assert (folder / "sequence.json").read_bytes() == before
+    assert do(folder, *MUTE) == 0
+    assert do(folder, "move", "1", "--by", "5000") == 2
+    assert "is not within the clip" in capsys.readouterr().err
+
+
+def test_a_list_of_a_longer_clip_is_refused(folder, tmp_path, capsys):
+    late = EffectList((Effect("mute", 5000.0, 5001.0),))
+    (tmp_path / "late.json").write_text(json.dumps(effects_file.written(late)))
+    target = tmp_path / "other"
+    words = ["render", str(folder), "-o", str(target)]
+    assert cli.main([*words, "--effects", str(tmp_path / "late.json")]) == 2
+    assert "effect 1 (mute, from 5000 to 5001 s) is beyond" in capsys.readouterr().err
+    assert not target.exists()
 
 
 def test_render_takes_a_list_from_a_file(folder, tmp_path, capsys):

@@ -122,7 +122,16 @@ SPOILT = [
     (chosen("none"), "duplicate key 'none'"),
     (lambda d: d["feedbacks"].append(7), "feedbacks[3]: must be a text / an object"),
     (lambda d: d["feedbacks"].append({}), "feedbacks[3]: missing entry 'condition'"),
+    (chosen("delayed", key="edited"), "feedbacks[3].key: 'edited' is the name of"),
     (lambda d: d.update(factors=[]), "factors"),
+    (lambda d: d.update(repeats=2), "repeats: is not used in rating trials"),
+    (lambda d: d.update(levels=[{}]), "levels: is not used in rating trials"),
+    (lambda d: d["factors"][0].update(most=7), "factors[0].most: is not used"),
+    (lambda d: d["sheet"][3].update(least=1), "sheet[3].least: is not used"),
+    (lambda d: d["post_test"][0].update(least=5), "post_test[0].least: is not used"),
+    (lambda d: d["factors"][1].update(for_each_feedback=True), "for_each_feedback"),
+    (lambda d: d["sheet"][1].update(for_each_feedback=True), "for_each_feedback"),
+    (lambda d: d.update(use_published=True), "use_published: no question has"),
     (lambda d: d["texts"].update(consent="yes"), "texts.consent"),
     (lambda d: d["sheet"][0].pop("least"), "'least'"),
     (lambda d: d["sheet"][1].update(choices=[]), "sheet[1]: 'choices'"),
@@ -146,6 +155,24 @@ def test_a_wrong_field_of_a_study_is_named(template, spoil, place):
         parse(template)
     assert place in str(refusal.value)
     assert "study.json" in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("change", "place"),
+    [
+        ({"factors": 1}, "factors: is not used in consistency trials"),
+        ({"levels": [{"gain": 1.0}, {"gain": 1.0}]}, "levels: holds a level twice"),
+    ],
+)
+def test_entries_that_consistency_trials_ignore_are_named(
+    tmp_path, template, change, place
+):
+    made = create_study(tmp_path / "s", "consistency")
+    given = (
+        {**change, "factors": template["factors"]} if "factors" in change else change
+    )
+    with pytest.raises(StudyError, match=place):
+        parse({**json.loads(made.content), **given})
 
 
 @pytest.mark.parametrize(
