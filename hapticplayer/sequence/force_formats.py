@@ -39,7 +39,7 @@ _MOST_COMPRESSED = 16
 """Chunks of a file; of a longer one these are compressed, evenly apart."""
 
 _ROWS_AT_ONCE = 1 << 20
-_JUMP_S, _MS = 1e-5, 0.9995e-3
+_JUMP_S, _MS = 1e-5, 0.99e-3
 """Entries between them are nearer than the milliseconds of a file, and no jump."""
 
 

@@ -230,6 +230,14 @@ def test_an_export_of_all_leaves_nothing_out(name, tmp_path):
     assert str(loss_line(report)).endswith("left out: nothing")
 
 
+def test_a_jump_between_milliseconds_leaves_nothing_out(tmp_path):
+    times, rows = [0.0, 0.001, 0.002 - 1e-6, 0.002, 0.003], [[0, 1, 0]] * 2
+    track = ForceTrack(times, [*rows, *rows, [0, 0, 0]])
+    path = tmp_path / "a.csv"
+    report = export_track(track, path, force_formats()["csv"], WriteChoices())
+    assert report["left_out"] == []
+
+
 @pytest.mark.parametrize(("rate", "is_said"), [(1000, True), (8000, False)])
 def test_a_faster_wav_keeps_what_is_within_a_millisecond(tmp_path, rate, is_said):
     track, form = SPECIAL["faster than the loop"], force_formats()["wav"]
