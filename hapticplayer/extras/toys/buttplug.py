@@ -42,6 +42,8 @@ MOST_ERRORS = 3
 """So many answers in a row that are errors: nothing is felt any more."""
 _PINGS_PER_LIMIT = 3.0
 _MOST_SAID = 120
+_NONSENSE = b"?"
+"""Stands for what makes no sense; the loop counts it."""
 
 
 class ButtplugTranslator:
@@ -150,7 +152,9 @@ class ButtplugPort:
         if not received:
             return b""
         self._owed_since_s = None
-        for kind, left, reason in self._heard(received):
+        if (heard := self._heard(received)) is None:
+            return _NONSENSE
+        for kind, left, reason in heard:
             self._keep(left)
             self._count_error(reason, is_error=kind == "Error")
         return received.encode() if isinstance(received, str) else received
@@ -159,18 +163,15 @@ class ButtplugPort:
         """Let go; the server stops all devices."""
         self._socket.close()
 
-    def _heard(self, received: str | bytes) -> list[tuple[str, set[int], str]]:
-        """Of each message its kind, the toys after it, and its reason.
-
-        None of nonsense, which the loop counts.
-        """
+    def _heard(self, received: str | bytes) -> list[tuple[str, set[int], str]] | None:
+        """Of each message its kind, the toys after it, and its reason; None of nonsense."""
         try:
             return [
                 (kind, self._left(kind, content), error_text(content))
                 for kind, content in messages_in(received, self._name)
             ]
         except DeviceError:
-            return []
+            return None
 
     def _left(self, kind: str, content: dict[str, Any]) -> set[int]:
         """The numbers of the toys that are there after a message."""

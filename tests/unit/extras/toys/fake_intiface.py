@@ -63,9 +63,15 @@ class FakeIntiface:
                 connection.socket.shutdown(socket.SHUT_RDWR)
 
     def babble(self, count):
+        self.send("}{", count)
+
+    def say(self, messages, count):
+        self.send(json.dumps(messages), count)
+
+    def send(self, text, count):
         for connection in self.connections:
             for _ in range(count):
-                connection.send("}{")
+                connection.send(text)
 
     def leave(self):
         """The toy is switched off: the server says so, and refuses its commands."""

@@ -141,6 +141,25 @@ def test_a_strange_greeting_is_one_sentence(field, value):
         server.close()
 
 
+@pytest.mark.parametrize(
+    "value", [v for v in HOSTILE if v != {}], ids=lambda value: str(value)[:9]
+)
+@pytest.mark.parametrize("kind", ["DeviceRemoved", "DeviceList", "Error", "Ok"])
+def test_strange_messages_while_it_plays_are_counted(intiface, toy, kind, value):
+    """As nonsense, which trips the loop, or as an error; never as an answer."""
+    wait_until(lambda: intiface.strength, toy, HALF)
+    readings = []
+    inner = {"DeviceRemoved": "DeviceIndex", "DeviceList": "Devices"}
+    content = {inner[kind]: value} if kind in inner else value
+    intiface.say([{kind: content}], 30)
+
+    def is_counted():
+        readings.append(toy.exchange(HALF, SystemClock().now_s()))
+        return readings[-1].malformed > 0
+
+    wait_until(is_counted)
+
+
 @pytest.mark.parametrize("value", [*HOSTILE, True], ids=lambda value: str(value)[:9])
 @pytest.mark.parametrize("field", ["steps", "index", "gap", "name", "features"])
 def test_a_strange_toy_is_refused_in_a_sentence_or_read(field, value):
