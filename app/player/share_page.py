@@ -32,6 +32,7 @@ from hapticplayer.sequence.contents import MOTION_FILES, Contents, Part
 from hapticplayer.sequence.library import name_from
 from hapticplayer.sequence.pack import is_packed, outputs_of
 from hapticplayer.sequence.sharing import share, shared_contents
+from hapticplayer.untrusted import without_controls
 
 translate = QCoreApplication.translate
 
@@ -44,6 +45,7 @@ class Wanted(NamedTuple):
 
     ending: str
     with_motion: bool
+    with_places: bool = False
 
 
 class SharePage(JobDialog):
@@ -61,6 +63,7 @@ class SharePage(JobDialog):
         self.one_file = QRadioButton(self.tr("&One file (MKV)"))
         self.two_files = QRadioButton(self.tr("M&P4, with a second file for the force"))
         self.with_motion = QCheckBox(self.tr("Include &motion and recorded samples"))
+        self.with_places = QCheckBox(self.tr("Include &names, dates and places"))
         self.table = plain_table(
             self.tr("What is shared"),
             [self.tr("Content"), self.tr("File"), self.tr("Size")],
@@ -88,7 +91,8 @@ class SharePage(JobDialog):
         self.with_motion.setToolTip(
             self.tr("Others can then render another force from it")
         )
-        for button in (self.one_file, self.two_files, self.with_motion):
+        choices = (self.one_file, self.two_files, self.with_motion, self.with_places)
+        for button in choices:
             button.toggled.connect(self._show_contents)
         self.progress = JobRow(
             text_button(self.tr("C&ancel"), self.tr("Cancel; nothing is kept"))
@@ -107,6 +111,7 @@ class SharePage(JobDialog):
             paragraph(text),
             row_of(self.one_file, self.two_files, STRETCH, spacing=16),
             self.with_motion,
+            self.with_places,
             (self.table, 1),
             self.status,
             self.progress,
@@ -119,7 +124,9 @@ class SharePage(JobDialog):
     def wanted(self) -> Wanted:
         """What is chosen now."""
         ending = ".mkv" if self.one_file.isChecked() else ".mp4"
-        return Wanted(ending, self.with_motion.isChecked())
+        return Wanted(
+            ending, self.with_motion.isChecked(), self.with_places.isChecked()
+        )
 
     def _take(self, found: Contents) -> None:
         self._contents = found
@@ -144,6 +151,15 @@ class SharePage(JobDialog):
             (capitalised(translated(part.text)), part.name, part.size_bytes)
             for part in parts
         ]
+        if self._contents is not None:
+            how = (
+                self.tr("goes along")
+                if self.wanted.with_places
+                else self.tr("left out")
+            )
+            for one in self._contents.personal:
+                text = f"{capitalised(translated(one.text))} ({how})"
+                rows.append((text, without_controls(one.value), 0))
         whole = sum(part.size_bytes for part in parts)
         rows.append((self.tr("Total"), "", whole))
         self.table.setRowCount(len(rows))
@@ -179,14 +195,15 @@ class SharePage(JobDialog):
         """Write the file, unless something runs."""
         if self.jobs.is_busy:
             return
-        folder, with_motion = self._folder, self.wanted.with_motion
+        folder, wanted = self._folder, self.wanted
 
         def work(progress: Progress) -> Path:
             in_child(
                 share,
                 folder,
                 target,
-                with_motion=with_motion,
+                with_motion=wanted.with_motion,
+                with_places=wanted.with_places,
                 is_ours=is_packed,
                 progress=progress,
             )

@@ -12,6 +12,7 @@ from hapticplayer.sequence.contents import Contents
 from hapticplayer.sequence.pack import container_of, is_packed, outputs_of
 from hapticplayer.sequence.sharing import share, shared_contents
 from hapticplayer.storage import FILE, refuse_existing
+from hapticplayer.untrusted import without_controls
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -30,7 +31,13 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "--with-motion",
         action="store_true",
         help="also the motion and the recorded samples, from which others can render "
-        "another force; in an MP4 the camera's own motion track too, which may hold places",
+        "another force",
+    )
+    command.add_argument(
+        "--with-places",
+        action="store_true",
+        help="also names of the original files, dates, numbers of devices, and with "
+        "--with-motion in an MP4 the camera's own track, which may hold places",
     )
     command.add_argument(
         "--dry-run", action="store_true", help="say what it would hold, write nothing"
@@ -46,7 +53,9 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     container_of(target)
     for path in outputs_of(target):
         refuse_existing(path, FILE, is_ours)
-    what = shared_contents(folder, with_motion=options.with_motion)
+    what = shared_contents(
+        folder, with_motion=options.with_motion, with_places=options.with_places
+    )
     report = {"outputs": [str(path) for path in outputs_of(target)], **listing(what)}
     if not options.json:
         say(text_of(what))
@@ -56,6 +65,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
                 folder,
                 target,
                 with_motion=options.with_motion,
+                with_places=options.with_places,
                 is_ours=is_ours,
                 progress=progress,
             )
@@ -78,6 +88,8 @@ def listing(what: Contents) -> dict[str, Any]:
         "feedbacks": list(what.feedbacks),
         "has_motion": what.has_motion,
         "size_bytes": what.size_bytes,
+        "personal": [[str(one.text), one.value] for one in what.personal],
+        "with_places": what.with_places,
         "video": {"name": what.video.name, "size_bytes": what.video.size_bytes},
         "attached": [
             {
@@ -99,7 +111,9 @@ def text_of(what: Contents) -> str:
     ]
     head = f"{what.title} - feedbacks {', '.join(what.feedbacks)}"
     whole = f"  {'together':24} {megabytes(what.size_bytes):>10}"
-    return "\n".join([head, *parts, whole])
+    how = "goes along" if what.with_places else "left out, see --with-places"
+    told = [f"  {how}: {one.text} {one.value}".rstrip() for one in what.personal]
+    return without_controls("\n".join([head, *parts, whole, *told]), "\n")
 
 
 def megabytes(size_bytes: int) -> str:

@@ -1,7 +1,7 @@
 """The files that are packed with the video of a sequence, and a description for people."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,6 +14,7 @@ from hapticplayer.model import Feedback
 from hapticplayer.sequence import store
 from hapticplayer.sequence.description import written
 from hapticplayer.sequence.packed import MANIFEST, Packed, refuse_twins
+from hapticplayer.sequence.personal import Personal, personal, without_personal
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular, without_controls
 
 MOTION_FILES = (store.MOTION, store.IMU, "truth.npz", "estimate.npz")
@@ -52,6 +53,8 @@ class Contents:
         video: the clip; its size is that of the file, which no longer holds the rest.
         attached: the files with it.
         has_motion: whether the motion is among them.
+        personal: what the sequence holds of people and places.
+        with_places: whether that goes along.
     """
 
     title: str
@@ -59,6 +62,8 @@ class Contents:
     video: Part
     attached: tuple[Part, ...]
     has_motion: bool
+    personal: tuple[Personal, ...] = ()
+    with_places: bool = False
 
     @property
     def size_bytes(self) -> int:
@@ -67,11 +72,19 @@ class Contents:
 
 
 def contents(
-    folder: Path, *, with_motion: bool = False, extras: Iterable[Attachment] = ()
+    folder: Path,
+    *,
+    with_motion: bool = False,
+    with_places: bool = False,
+    extras: Iterable[Attachment] = (),
 ) -> Contents:
     """The contents that `pack` would write of a sequence; nothing is written."""
     sequence = store.open_sequence(folder)
-    return _contents(sequence, files_to_pack(sequence, extras, with_motion=with_motion))
+    files = files_to_pack(
+        sequence, extras, with_motion=with_motion, with_places=with_places
+    )
+    found = _contents(sequence, files)
+    return replace(found, personal=personal(sequence), with_places=with_places)
 
 
 def contents_of(packed: Packed) -> Contents:
@@ -83,7 +96,11 @@ def contents_of(packed: Packed) -> Contents:
 
 
 def files_to_pack(
-    sequence: store.Sequence, extras: Iterable[Attachment], *, with_motion: bool
+    sequence: store.Sequence,
+    extras: Iterable[Attachment],
+    *,
+    with_motion: bool,
+    with_places: bool,
 ) -> tuple[Attachment, ...]:
     """Return the description and the files of a sequence that are packed with its clip."""
     description = sequence.description
@@ -95,7 +112,10 @@ def files_to_pack(
     small = [attachment_of(name, _content(sequence, name)) for name in names]
     kept = {*names, sequence.clip.name}
     listed = {k: one for k, one in description.files.items() if k in kept}
-    text = storage.json_text(written(structs.replace(description, files=listed)))
+    described = structs.replace(description, files=listed)
+    if not with_places:
+        described = without_personal(described)
+    text = storage.json_text(written(described))
     made = (attachment_of(store.DESCRIPTION, text), *small, *extras)
     refuse_twins([MANIFEST, *(one.name for one in made)], sequence.folder)
     if sum(len(one.content) for one in made) > MAX_ATTACHED_BYTES:

@@ -3,13 +3,13 @@
 import hashlib
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from msgspec import to_builtins
 
 from hapticplayer import __version__, storage
-from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import (
     Message,
     Progress,
@@ -31,6 +31,7 @@ from hapticplayer.sequence.packed import (
     VERSION,
     side_car_of,
 )
+from hapticplayer.sequence.personal import without_personal
 from hapticplayer.storage import IsOurs
 
 CONTAINERS = {".mkv": remux.MATROSKA, ".mp4": remux.MP4}
@@ -56,11 +57,12 @@ def outputs_of(target: Path) -> list[Path]:
     return [target] if is_one else [target, side_car_of(target)]
 
 
-def pack(
+def pack(  # noqa: PLR0913 - what goes along, and what for
     folder: Path,
     target: Path,
     *,
     with_motion: bool = False,
+    with_places: bool = False,
     extras: Iterable[Attachment] = (),
     is_ours: IsOurs | None = None,
     progress: Progress = no_progress,
@@ -73,13 +75,20 @@ def pack(
         folder: of the sequence.
         target: ends with .mkv, or with .mp4 for a plain video and a side-car with the force.
         with_motion: share motion and recorded samples too.
+        with_places: share names of files, dates, numbers of devices, and in an MP4 with its
+            motion the camera's own track, which may hold places.
         extras: files for other programs.
         is_ours: recognises a file that may be overwritten.
         progress: called with each step; raises Cancelled to stop.
     """
     kind = container_of(target)
     sequence = store.open_sequence(folder)
-    attached = files_to_pack(sequence, extras, with_motion=with_motion)
+    if not with_places:
+        shared = without_personal(sequence.description)
+        sequence = replace(sequence, title=shared.title)
+    attached = files_to_pack(
+        sequence, extras, with_motion=with_motion, with_places=with_places
+    )
     _check_clip(sequence, lambda f: progress(_CHECK * f, Message("checking the clip")))
     payload = remux.video_payload(
         sequence.clip,
@@ -94,7 +103,7 @@ def pack(
         if side_part is None:
             additions = remux.Additions(attached, metadata)
         else:
-            additions = remux.Additions((), metadata, with_motion)
+            additions = remux.Additions((), metadata, with_motion and with_places)
             remux.write_attachments(side_part, attached)
         _copy(sequence.clip, part, kind, additions, payload, progress)
         progress(1.0, Message("done"))
@@ -113,7 +122,6 @@ def _manifest(
         "schema": SCHEMA,
         "version": VERSION,
         "program": f"hapticplayer {__version__}",
-        "created_utc": utc_now_iso(),
         "title": sequence.title,
         "video": to_builtins(payload),
         "files": {

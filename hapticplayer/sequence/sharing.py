@@ -42,11 +42,17 @@ def shared_contents(
     folder: Path,
     *,
     with_motion: bool = False,
+    with_places: bool = False,
     progress: Progress = no_progress,
 ) -> Contents:
     """The contents that `share` would write; see `sequence.contents.contents`."""
     progress(0.0, Message("writing the force for other programs"))
-    return contents(folder, with_motion=with_motion, extras=force_for_others(folder))
+    return contents(
+        folder,
+        with_motion=with_motion,
+        with_places=with_places,
+        extras=force_for_others(folder),
+    )
 
 
 def share(
@@ -54,6 +60,7 @@ def share(
     target: Path,
     *,
     with_motion: bool = False,
+    with_places: bool = False,
     is_ours: IsOurs | None = None,
     progress: Progress = no_progress,
 ) -> VideoDigest:
@@ -63,6 +70,7 @@ def share(
         folder,
         target,
         with_motion=with_motion,
+        with_places=with_places,
         extras=force_for_others(folder),
         is_ours=is_ours,
         progress=progress,

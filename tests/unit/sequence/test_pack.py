@@ -19,8 +19,10 @@ from hapticplayer.model import ForceTrack, Mapping
 from hapticplayer.sequence import editing, open_sequence, verify_sequence
 from hapticplayer.sequence.contents import contents, contents_of
 from hapticplayer.sequence.force_import import export_force
+from hapticplayer.sequence.library import read_entry
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
+from hapticplayer.sequence.store import read_recorded
 from hapticplayer.sequence.unpack import unpack
 
 FORCES = ("force_realistic.npz", "force_random.npz")
@@ -36,7 +38,7 @@ def _own_cache(tmp_path_factory):
 @pytest.fixture(params=["ride.mkv", "ride.mp4"])
 def packed_file(request, sequence_folder, tmp_path):
     target = tmp_path / request.param
-    pack(sequence_folder, target, with_motion=True)
+    pack(sequence_folder, target, with_motion=True, with_places=True)
     return target
 
 
@@ -265,6 +267,35 @@ def test_arrays_that_are_too_large_together_are_refused(
     monkeypatch.setattr("hapticplayer.sequence.packed.MAX_ATTACHED_BYTES", both - 1000)
     with pytest.raises(InputError, match=r"force_\w+\.npz: is too large"):
         read_packed(tmp_path / "ride.mkv")
+
+
+def test_names_dates_and_numbers_stay_here_unless_asked_for(
+    sequence_folder, tmp_path, capsys
+):
+    path = sequence_folder / "sequence.json"
+    made = json.loads(path.read_text())
+    told = {"video": "Anna Elm Street.mp4", "motion_source": "Anna Elm Street.csv"}
+    made["provenance"] |= {**told, "note": "Anna Elm Street.csv, line 3"}
+    made["provenance"] |= {"created_utc": "2026-05-01T10", "camera_serial": "C3441"}
+    path.write_text(json.dumps({**made, "title": "Anna Elm Street"}))
+    secret = (b"Anna", b"2026-05-01", b"C3441")
+    words = ["pack", str(sequence_folder), "--with-motion"]
+    assert cli.main([*words, "-o", str(tmp_path / "a.mkv"), "--dry-run"]) == 0
+    said = capsys.readouterr().out
+    assert "left out, see --with-places: name of a file Anna Elm Street.mp4" in said
+    assert all(word.decode() in said for word in secret)
+    for name in ("a.mkv", "a.mp4"):
+        assert cli.main([*words, "-o", str(tmp_path / name)]) == 0
+        for one in tmp_path.glob("a.*"):
+            assert not [word for word in secret if word in one.read_bytes()]
+    unpack(tmp_path / "a.mkv", tmp_path / "again")
+    verify_sequence(tmp_path / "again")
+    assert not read_entry(tmp_path / "again").problem
+    read_recorded(tmp_path / "again")
+    assert cli.main([*words, "-o", str(tmp_path / "b.mkv"), "--with-places"]) == 0
+    assert "goes along: date 2026-05-01T10" in capsys.readouterr().out
+    content = (tmp_path / "b.mkv").read_bytes()
+    assert all(word in content for word in secret)
 
 
 def test_two_attachments_of_one_name_are_refused(sequence_folder, tmp_path):
