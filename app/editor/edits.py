@@ -7,9 +7,7 @@ from hapticplayer.errors import UsageError
 from hapticplayer.rendering.effects import Effect, EffectList, kind_of
 from hapticplayer.rendering.event import LEAST_EFFECT_S
 
-USUAL_S, SHORT_S = 1.0, 0.2
 USUAL_FADE_S = 0.05
-_SHORT = ("knock", "pulse")
 _DIGITS = 6  # of a second: no 0.30000000000000004 in a file
 
 
@@ -23,9 +21,10 @@ def new_effect(kind: str, at_s: float, duration_s: float) -> Effect:
 
     What changes the force is faded, so that it does not jump.
     """
-    length_s = min(SHORT_S if kind in _SHORT else USUAL_S, duration_s)
+    row = kind_of(kind)
+    length_s = min(row.usual_s, duration_s)
     start_s = _tidy(min(max(at_s, 0.0), duration_s - length_s))
-    is_added = kind_of(kind).wave is not None
+    is_added = row.wave is not None
     fade_s = 0.0 if is_added else min(USUAL_FADE_S, 0.25 * length_s)
     end_s = _tidy(start_s + length_s)
     return Effect(kind, start_s, end_s, fade_in_s=fade_s, fade_out_s=fade_s)

@@ -117,8 +117,7 @@ class Bench:
         return (x, y, z)
 
     def _check(self, reading: DeviceReading) -> None:
-        if reading.buttons:
-            raise DeviceError("stopped by a button on the grip")
+        _refuse_button(reading)
         if not reading.is_homed:
             raise DeviceError("the Falcon is not homed; run `hapticplayer device home`")
         recent = self._recent
@@ -231,12 +230,21 @@ def _breakaway(driver: FalconDriver, clock: Clock, way: Vector) -> float:
     return math.nan
 
 
+def _refuse_button(reading: DeviceReading) -> None:
+    if reading.buttons:
+        raise DeviceError("stopped by a button on the grip")
+
+
 def stops(driver: FalconDriver, clock: Clock, duration_s: float) -> dict[str, Any]:
-    """Return how far a person moves the grip without force: counts, and m in frame D."""
+    """Return how far a person moves the grip without force: counts, and m in frame D.
+
+    A button ends it here, too: no force follows.
+    """
     counts, places = [], []
     end_s = clock.now_s() + duration_s
     while clock.now_s() < end_s:
         reading = driver.exchange(_ZERO, clock.now_s())
+        _refuse_button(reading)
         if reading.is_homed and driver.reply is not None:
             counts.append(driver.reply.counts)
             places.append(reading.position_m)

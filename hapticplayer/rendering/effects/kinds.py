@@ -10,6 +10,7 @@ from hapticplayer.rendering.condition import Parameter, ParameterKind
 from hapticplayer.rendering.effects import signals
 from hapticplayer.rendering.effects.signals import Span
 
+SHORT_S = 0.2
 AMPLITUDE = "N or m/s^2"
 """Unit of what is added: N to a force, m/s^2 to a motion."""
 
@@ -24,6 +25,7 @@ class EffectKind(NamedTuple):
         change: returns the new signal (N, 3); None for what is added.
         wave: returns what is added along the effect's direction, (N,), else None.
         curve: the parameter for which control points may stand, "" where none.
+        usual_s: length of a new one.
     """
 
     name: str
@@ -32,6 +34,7 @@ class EffectKind(NamedTuple):
     change: Callable[[Span], Floats] | None = None
     wave: Callable[[Span], Floats] | None = None
     curve: str = ""
+    usual_s: float = 1.0
 
 
 def _number(name: str, text: Message, default: float, range_: Range) -> Parameter:
@@ -80,7 +83,13 @@ EFFECTS: tuple[EffectKind, ...] = (
         change=signals.high_passed,
     ),
     EffectKind("mute", Message("Mute (silence instead)"), change=signals.silent),
-    EffectKind("pulse", Message("Pulse"), (_amplitude(1.0),), wave=signals.pulse),
+    EffectKind(
+        "pulse",
+        Message("Pulse"),
+        (_amplitude(1.0),),
+        wave=signals.pulse,
+        usual_s=SHORT_S,
+    ),
     EffectKind(
         "ramp",
         Message("Ramp"),
@@ -99,6 +108,7 @@ EFFECTS: tuple[EffectKind, ...] = (
             _number("decay_s", Message("Decay time"), 0.03, Range(0.002, 2.0, "s")),
         ),
         wave=signals.knock,
+        usual_s=SHORT_S,
     ),
     EffectKind(
         "noise",

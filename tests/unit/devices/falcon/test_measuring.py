@@ -120,6 +120,8 @@ def test_a_button_and_a_fast_grip_end_it_without_force():
         lab.simulation.buttons = 1
         with pytest.raises(DeviceError, match="button"):
             measuring.friction(lab.driver, lab.clock)
+        with pytest.raises(DeviceError, match="button"):  # no force, none follows
+            measuring.stops(lab.driver, lab.clock, 4.0)
         lab.simulation.buttons = 0
         bench = measuring.Bench(lab.driver, lab.clock)
         lab.simulation.let_go()
