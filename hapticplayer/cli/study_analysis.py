@@ -43,6 +43,7 @@ from hapticplayer.study.analysis import (
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.parts import ReportParts
 from hapticplayer.study.analysis.power import (
+    TESTS,
     Draw,
     Power,
     PowerGoal,
@@ -342,7 +343,7 @@ def _power_text(found: Power, measure: str, source: str) -> str:
     for name, needed in found.needed.items():
         text = f"{needed}" if needed is not None else f"more than {goal.largest}"
         lines.append(f"  {name:<20}{text}")
-    return "\n".join(lines)
+    return "\n".join([*lines, f"tests: {TESTS}"])
 
 
 @contextlib.contextmanager

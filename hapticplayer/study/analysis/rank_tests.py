@@ -127,6 +127,26 @@ def _sums(doubled: NDArray[np.float64]) -> Floats:
     return share
 
 
+def signed_rank_p(differences: Floats) -> Floats:
+    """Exact p, as of `signed_rank`, of each row (D, n) of differences."""
+    is_zero = differences == 0.0
+    ranks = scipy.stats.rankdata(np.abs(differences), axis=1)
+    ranks -= is_zero.sum(axis=1, keepdims=True)
+    doubled = np.where(is_zero, 0, np.rint(2.0 * ranks)).astype(np.int64)
+    smaller = np.minimum(
+        (doubled * (differences > 0.0)).sum(axis=1),
+        (doubled * (differences < 0.0)).sum(axis=1),
+    )
+    share = np.zeros((len(doubled), int(smaller.max()) + 1))
+    share[:, 0] = 1.0
+    for step in doubled.T:
+        source = np.arange(share.shape[1]) - step[:, None]
+        moved = np.take_along_axis(share, np.maximum(source, 0), axis=1)
+        share = (share + moved * (source >= 0)) / 2.0
+    tail = np.cumsum(share, axis=1)[np.arange(len(doubled)), smaller]
+    return np.asarray(np.minimum(1.0, 2.0 * tail), np.float64)
+
+
 def smaller_tail(share: Floats, at: float) -> float:
     """Return the two-sided p of a value from the distribution of all."""
     place = round(at)

@@ -6,7 +6,13 @@ from statsmodels.stats.power import TTestPower
 
 from hapticplayer.errors import Cancelled, UsageError
 from hapticplayer.simulation.participants import draw_effect, effect_named
-from hapticplayer.study.analysis.power import PowerGoal, draw_pilot, find_power
+from hapticplayer.study.analysis.power import (
+    PowerGoal,
+    draw_pilot,
+    find_power,
+    power_summary,
+)
+from hapticplayer.study.analysis.rank_tests import signed_rank, signed_rank_p
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 
 NAMES = ("none", "random", "realistic")
@@ -52,6 +58,27 @@ def test_a_pilot_stands_for_the_population(make_answers):
     few = sample_of(scores_of(make_answers(3, 4)), "qoe")
     with pytest.raises(UsageError, match="five complete participants"):
         draw_pilot(few)
+
+
+@pytest.mark.parametrize("people", [3, 7, 8, 15])
+def test_pairs_are_tested_as_a_real_study_is(people):
+    """Ratings have ties and pairs without a difference."""
+    draw = draw_effect(effect_named("0.5"), "comfort", 4)
+    values = draw(40, people, np.random.default_rng(3))
+    differences = np.round(values[:, :, 2] - values[:, :, 1], 9)
+    differences[0] = 0.0
+    expected = [signed_rank(np.zeros(people), row)["p"] or 1.0 for row in differences]
+    np.testing.assert_allclose(signed_rank_p(differences), expected, atol=1e-12)
+
+
+def test_seven_participants_have_the_power_of_exact_tests():
+    """By the normal approximation, which cannot reach 0.05 / 3, it would be 0.002."""
+    draw = draw_effect(effect_named("paper"), "qoe", 4)
+    found = find_power(draw, NAMES, PowerGoal(largest=8, studies=600))
+    seven = found.participants.index(7)
+    assert found.curves["none-realistic"][seven] == pytest.approx(0.95, abs=0.04)
+    assert found.needed["none-realistic"] == 7
+    assert "exact to 20 participants" in power_summary(found)["tests"]
 
 
 def test_the_power_calculation_stops_when_asked():
