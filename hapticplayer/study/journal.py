@@ -250,7 +250,7 @@ class Journal:
         Raises:
             StudyError: when that failed; it can be retried.
         """
-        monotonic_s, utc = self._clock.now_s(), utc_now_iso("milliseconds")
+        monotonic_s, utc = round(self._clock.now_s(), 6), utc_now_iso("milliseconds")
         line = encode(self._next, utc, monotonic_s, kind, content)
         # an incomplete line of an interrupted write stays separate
         line = b"\n" + line if self._is_torn else line

@@ -13,7 +13,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message, StudyError, message_of
 from hapticplayer.storage import StorageError
 from hapticplayer.study.definition import Condition
-from hapticplayer.study.journal import Journal
+from hapticplayer.study.journal import Journal, JournalRecord
 from hapticplayer.study.pages import Page, PageKind, PageMaker, check_answers
 from hapticplayer.study.plan import describe
 from hapticplayer.study.session_folder import ANSWERS, SessionState
@@ -21,9 +21,12 @@ from hapticplayer.study.stage import PlaybackResult, TrialStage
 from hapticplayer.study.steps import (
     CONSENT,
     DEMONSTRATION,
+    FIRST_FRAME,
+    MARKED,
     POST_TEST,
     SHEET,
     attempts_of,
+    marker_text,
     position_of,
     steps_done,
     steps_of,
@@ -103,6 +106,7 @@ class SessionRunner:
         self._done = steps_done(records)
         self._attempts = {s: attempts_of(records, s) for s in self._steps}
         self._again = ""
+        self._is_first_frame_told = False
         self._mode, self._before_pause = StepMode.AT_PAGE, StepMode.AT_PAGE
         self._before_problem = StepMode.AT_PAGE
         self._pending: Callable[[], None] | None = None
@@ -113,7 +117,7 @@ class SessionRunner:
 
     def _open(self, *, is_resumed: bool) -> None:
         try:
-            self._journal.append(
+            record = self._journal.append(
                 "resume" if is_resumed else "begin",
                 program=f"hapticplayer {__version__}",
                 step=self.step,
@@ -121,6 +125,7 @@ class SessionRunner:
         except StudyError:
             self._journal.close()
             raise
+        self._tell(record)
         self._enter()
 
     # --- state ----------------------------------------------------------------
@@ -336,6 +341,8 @@ class SessionRunner:
 
     def poll(self) -> None:
         """Check whether a clip has ended."""
+        if self._mode is StepMode.PLAYING:
+            self._tell_first_frame()
         is_playing = self._mode in (StepMode.PLAYING, StepMode.SHOWING)
         if is_playing and self.stage.is_stopped:
             self.halt("force_stopped")
@@ -357,10 +364,11 @@ class SessionRunner:
     def _store(self, kind: str, then: Callable[[], None], **content: Any) -> None:
         """Store a record, then continue."""
         try:
-            self._journal.append(kind, **content)
+            record = self._journal.append(kind, **content)
         except StudyError as problem:
             self._fail(problem, lambda: self._store(kind, then, **content))
         else:
+            self._tell(record)
             then()
 
     def _fail(self, problem: InputError, again: Callable[[], None]) -> None:
@@ -406,8 +414,7 @@ class SessionRunner:
     def _play(self) -> None:
         self._mode = StepMode.PLAYING
         self.stage.begin()
-        assert self.condition is not None
-        self._mark(f"{self.step} begin {self.condition.key}")
+        self._is_first_frame_told = False
         self._next_page()
 
     def _show(self) -> None:
@@ -417,8 +424,7 @@ class SessionRunner:
 
     def _finish_trial(self, then: Callable[[], None], *reasons: str) -> None:
         played = self.last_trial = self.stage.played(*reasons)
-        assert self.condition is not None
-        self._mark(f"{self.step} end {self.condition.key}")
+        self._tell_first_frame()
         self._store(
             "trial",
             then,
@@ -458,10 +464,24 @@ class SessionRunner:
         def ended() -> None:
             self._is_complete = is_complete
             self._mode = StepMode.AT_PAGE
-            self._mark("session end")
             self._next_page()
 
         self._store("end", ended, complete=is_complete, reason=reason, by=by)
+
+    def _tell(self, record: JournalRecord) -> None:
+        """Hand a record to the observer as a marker, with its own time."""
+        if self._observer is not None and record.kind in MARKED:
+            step = str(record.content.get("step") or "")
+            text = marker_text(step, MARKED[record.kind], self._conditions)
+            self._observer.marker(text, record.monotonic_s)
+
+    def _tell_first_frame(self) -> None:
+        shown_s = self.stage.first_frame_s
+        if self._is_first_frame_told or shown_s is None or self._observer is None:
+            return
+        self._is_first_frame_told = True
+        text = marker_text(self.step, FIRST_FRAME, self._conditions)
+        self._observer.marker(text, shown_s)
 
     def _mark(self, text: str) -> None:
         if self._observer is not None:

@@ -61,6 +61,11 @@ class TrialStage(Protocol):
         ...
 
     @property
+    def first_frame_s(self) -> float | None:
+        """When media time 0 was on the screen, monotonic; None before that."""
+        ...
+
+    @property
     def is_stopped(self) -> bool:
         """Whether the force is stopped until a person re-arms it."""
         ...
@@ -138,6 +143,11 @@ class PlayerStage:
         return self.player.snapshot().phase in (Phase.ENDED, Phase.EMPTY)
 
     @property
+    def first_frame_s(self) -> float | None:
+        """When media time 0 was on the screen, monotonic; None before that."""
+        return _stamp(self.player.first_frame_s)
+
+    @property
     def is_stopped(self) -> bool:
         """Whether the force is stopped until a person re-arms it."""
         return self.player.latch.is_set
@@ -165,6 +175,11 @@ class PlayerStage:
             figures["record"] = self._record
         distinct = tuple(dict.fromkeys(found))
         return PlaybackResult(not distinct, distinct, figures)
+
+
+def _stamp(monotonic_s: float | None) -> float | None:
+    """A time as records keep it."""
+    return None if monotonic_s is None else round(monotonic_s, 6)
 
 
 class _PlaybackMonitor:
@@ -218,6 +233,7 @@ class _PlaybackMonitor:
         return {
             "begun_mono_s": round(self._begun_s, 6),
             "ended_mono_s": round(now_s, 6),
+            "first_frame_mono_s": _stamp(self._player.first_frame_s),
             "media_s": round(after.media_s, 3),
             "duration_s": round(after.duration_s, 3),
             "frames_shown": after.frames_shown - self._before.frames_shown,

@@ -1,7 +1,7 @@
 """The steps of a session, and which of them its records contain."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -56,6 +56,27 @@ def position_of(step: str) -> int | None:
     """Return the position of a trial step; None for other steps."""
     found = _TRIAL_STEP.fullmatch(step)
     return int(found[1]) if found else None
+
+
+MARKED = {
+    "trial-begin": "begin",
+    "trial": "end",
+    "pause": "pause",
+    "go-on": "go on",
+    "repeat": "repeat",
+    "skip": "skip",
+    "resume": "resume",
+    "end": "session end",
+}
+"""What records are called as markers for other programs, by their kind."""
+FIRST_FRAME = "first frame"
+
+
+def marker_text(step: str, what: str, order: Sequence[Condition]) -> str:
+    """A marker, such as `trial-03 begin bike/random`; without answers."""
+    position = position_of(step)
+    key = order[position - 1].key if position else ""
+    return " ".join(filter(None, (step, what, key)))
 
 
 def steps_of(definition: Definition, trials: int) -> list[str]:

@@ -11,21 +11,10 @@ from hapticplayer.errors import Message, Progress
 from hapticplayer.study.answers import Answers
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.session_folder import StoredSession
-from hapticplayer.study.steps import position_of
+from hapticplayer.study.steps import FIRST_FRAME, MARKED, marker_text
 from hapticplayer.study.ticks import tick_chunks
 from hapticplayer.study.trial_force import TrialForce
 from hapticplayer.study.trial_forces import TrialKey, measure_trial_forces
-
-_MARKED = {
-    "trial-begin": "begin",
-    "trial": "end",
-    "pause": "pause",
-    "go-on": "go on",
-    "repeat": "repeat",
-    "skip": "skip",
-    "resume": "resume",
-    "end": "session end",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,17 +66,18 @@ class Marker:
 
 def markers_of(session: StoredSession) -> list[Marker]:
     """Return the events of a session, in order of time within each run."""
-    found = []
+    found: list[Marker] = []
+    begun = 0
     for record in session.records.intact:
-        if record.kind not in _MARKED:
+        if record.kind not in MARKED:
             continue
         step = str(record.content.get("step") or "")
-        parts = [step, _MARKED[record.kind], _condition_key(session, step)]
-        found.append(Marker(record.monotonic_s, " ".join(filter(None, parts))))
+        if record.kind == "trial-begin":
+            begun = len(found) + 1
+        shown_s = record.content.get("playback", {}).get("first_frame_mono_s")
+        if record.kind == "trial" and shown_s is not None:
+            text = marker_text(step, FIRST_FRAME, session.plan.order)
+            found.insert(begun, Marker(shown_s, text))
+        text = marker_text(step, MARKED[record.kind], session.plan.order)
+        found.append(Marker(record.monotonic_s, text))
     return found
-
-
-def _condition_key(session: StoredSession, step: str) -> str:
-    """Return the condition of a trial; empty for other steps."""
-    position = position_of(step)
-    return session.plan.order[position - 1].key if position else ""

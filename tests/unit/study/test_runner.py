@@ -14,6 +14,7 @@ from hapticplayer.study.pages import PageKind
 from hapticplayer.study.runner import SessionRunner
 from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.stage import PlaybackResult
+from hapticplayer.study.study_data import markers_of
 from hapticplayer.study.study_folder import begin_session
 from tests.unit.study.conftest import SHEET, VALUES
 
@@ -28,6 +29,7 @@ class FakeStage:
         self.halts = self.interrupts = 0
         self.is_stopped = False
         self.reasons = ()
+        self.clock, self.first_frame_s = None, None
 
     def prepare(self, condition: Condition):
         self.prepared.append(condition)
@@ -37,6 +39,7 @@ class FakeStage:
 
     def begin(self):
         assert not self.is_stopped
+        self.first_frame_s = round(self.clock.now_s() + 0.012, 6)
         self.playing, self.ended = True, False
 
     def is_over(self):
@@ -44,7 +47,8 @@ class FakeStage:
 
     def played(self, *reasons):
         found = (*reasons, *self.reasons)
-        return PlaybackResult(not found, found, {"frames_shown": 50})
+        figures = {"frames_shown": 50, "first_frame_mono_s": self.first_frame_s}
+        return PlaybackResult(not found, found, figures)
 
     def halt(self):
         self.halts += 1
@@ -63,6 +67,7 @@ class RunningSession:
 
     def __init__(self, study, clock, code=None, observer=None):
         self.study, self.clock, self.stage = study, clock, FakeStage()
+        self.stage.clock = clock
         self.code = code or begin_session(study, "en", {}, clock).code
         self.runner = SessionRunner(study, self.code, self.stage, clock, observer)
 
@@ -370,7 +375,9 @@ def test_a_full_disk_stops_the_session_before_an_answer_counts(
         patch.setattr(journals.os, call, refuse)
         running.runner.answer(VALUES)
         assert running.kind is PageKind.PROBLEM
-        assert os.strerror(number) in running.runner.problem
+        is_full = number == errno.ENOSPC
+        reason = "is full" if is_full else os.strerror(number)
+        assert reason in running.runner.problem
         running.runner.retry()
         assert running.kind is PageKind.PROBLEM
     running.runner.retry()
@@ -496,6 +503,36 @@ def test_an_observer_hears_markers_but_no_answers_and_no_code(study, manual_cloc
     assert not any(running.code in text for text in texts)
     times = [at for _, at in heard.markers]
     assert times == sorted(times)
+
+
+def test_live_markers_are_those_of_the_records(study, manual_clock):
+    class Heard:
+        def __init__(self):
+            self.markers = []
+
+        def marker(self, text, monotonic_s):
+            self.markers.append((text, monotonic_s))
+
+    heard = Heard()
+    running = RunningSession(study, manual_clock, observer=heard)
+    running.to_trials()
+    running.trial()
+    running.runner.pause()
+    running.runner.resume()
+    running.trial()
+    running.runner.stop("ill")
+    running.runner.close()
+    stored = markers_of(study.session(running.code))
+    pages = (" page", " questions")  # no record is written for these
+    live = [(text, at) for text, at in heard.markers if not text.endswith(pages)]
+    assert live == [(one.text, one.monotonic_s) for one in stored]
+    key = running.runner.plan.order[0].key
+    begin, first = (live[i] for i in (0, 1))
+    assert (begin[0], first[0]) == (
+        f"trial-01 begin {key}",
+        f"trial-01 first frame {key}",
+    )
+    assert begin[1] <= first[1]
 
 
 def test_the_operator_s_notes_and_checks_are_kept(running):
