@@ -11,7 +11,7 @@ from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.texts import local
 from hapticplayer.capture.sync.methods import title_of
-from hapticplayer.sequence.report import Finding, Mark, worst
+from hapticplayer.sequence.report import Finding, Mark, needs_recording, worst
 
 translate = QCoreApplication.translate
 _SIGNS = {Mark.GOOD: "\u25cf", Mark.DOUBTFUL: "\u25b2", Mark.BAD: "\u25a0"}
@@ -32,7 +32,7 @@ class QualityView(QTextBrowser):
     ) -> None:
         """Show a report."""
         whole = worst(list(findings))
-        head = f"<h3>{_sign(whole)} {escape(verdict(whole))}</h3>"
+        head = f"<h3>{_sign(whole)} {escape(verdict(list(findings)))}</h3>"
         rows = "".join(_row(one) for one in findings)
         said = "".join(f"<li>{escape(translated(note))}</li>" for note in notes)
         more = ""
@@ -55,8 +55,11 @@ class QualityView(QTextBrowser):
         )
 
 
-def verdict(mark: Mark) -> str:
+def verdict(findings: list[Finding]) -> str:
     """The overall quality."""
+    mark = worst(findings)
+    if mark is Mark.BAD and not needs_recording(findings):
+        return translate("Quality", "Bad: change the rendering")
     return {
         Mark.GOOD: translate("Quality", "Good: ready for use"),
         Mark.DOUBTFUL: translate("Quality", "Doubtful: check the marked items"),
@@ -172,7 +175,9 @@ def _advice(one: Finding) -> str:
         return translate("Quality", "The force would be stopped; lower the gain")
     return {
         "estimate": translate("Quality", "Record the motion with the next video"),
-        "sync": translate(
+        "sync": translate("Quality", "Check the synchronisation")
+        if one.more.get("method") == "pats"
+        else translate(
             "Quality",
             "Check the synchronisation; next time tap the recorder three times",
         ),

@@ -107,6 +107,10 @@ MAX_USUAL_RATE_RADPS = 35.0
 
 # --- force of a device -----------------------------------------------------------
 
+AT_LIMIT = 0.99
+"""Share of the force limit from which a force counts as saturated: between two entries
+at the limit a line is a little shorter."""
+
 MAX_FORCE_N = 1000.0
 """Beyond any haptic device of this kind, the Falcon has 9 N: it is in another unit."""
 

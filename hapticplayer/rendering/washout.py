@@ -35,6 +35,7 @@ from numpy.typing import NDArray
 from hapticplayer.errors import InputError
 from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import AT_LIMIT
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 
 Spectra = NDArray[np.complexfloating[Any, Any]]
@@ -190,6 +191,10 @@ def washed_out(
     for begin in range(0, len(time_s), rows_at_once):
         rows = slice(begin, begin + rows_at_once)
         force_n[rows] = _corrected(track, correction, time_s[rows], washout)
+    if provenance.get("saturated_share"):  # of what is left after it
+        limit_n = AT_LIMIT * float(provenance["force_limit_n"])
+        at_limit = np.linalg.norm(force_n, axis=1) >= limit_n
+        provenance["saturated_share"] = float(np.mean(at_limit))
     return replace(track, time_s=time_s, force_n=force_n, provenance=provenance)
 
 

@@ -6,14 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from hapticplayer.model import ForceTrack, rendered_feedback
+from hapticplayer.model.limits import AT_LIMIT
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 from hapticplayer.sequence.description import ExcursionEntry
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.store import Sequence
-
-SATURATED = 0.99
-"""Share of the force limit from which a force counts as saturated: between two entries
-at the limit a line is a little shorter."""
 
 RATE_HZ = 500.0
 _ROWS = 1 << 16  # at a time: an hour has 1.8 million
@@ -61,7 +58,7 @@ def force_figures(
         time_s = np.arange(first, min(first + _ROWS, count)) / RATE_HZ
         each = np.square(track.at(time_s)).sum(axis=1)
         square += float(each.sum())
-        saturated += int(np.count_nonzero(each >= (SATURATED * force_limit_n) ** 2))
+        saturated += int(np.count_nonzero(each >= (AT_LIMIT * force_limit_n) ** 2))
     inside = (track.time_s >= 0.0) & (track.time_s <= duration_s)
     peaks = np.linalg.norm(track.force_n[inside].astype(np.float64), axis=1)
     found = prediction or predict(track, duration_s, progress)

@@ -63,6 +63,7 @@ class Finding:
     more: Mapping[str, Any]
 
 
+_OF_RENDERING = {"force", "workspace", "heat"}
 _BOUNDS = {
     "residual_s": (0.0167, 0.05),
     "drift_ppm": (150.0, 500.0),
@@ -107,6 +108,13 @@ def quality_report(description: Description) -> list[Finding]:
     return [one for one in found if one is not None]
 
 
+def needs_recording(findings: list[Finding]) -> bool:
+    """Whether any bad figure is of the recording, and not of how it is rendered."""
+    return any(
+        one.mark is Mark.BAD and one.name not in _OF_RENDERING for one in findings
+    )
+
+
 def worst(findings: list[Finding]) -> Mark:
     return max((one.mark for one in findings), default=Mark.DOUBTFUL)
 
@@ -134,9 +142,10 @@ def _sync(found: Mapping[str, Any], clock: ClockMap | None) -> Finding | None:
     residual_s, confidence = clock.residual_s, clock.confidence
     method = str(found.get("method", ""))
     mark = marked("residual_s", residual_s)
-    if confidence < ENOUGH_CONFIDENCE:
+    is_seen = bool(found.get("seen_by_person"))  # who compared them knows better
+    if confidence < ENOUGH_CONFIDENCE and not is_seen:
         mark = max(mark, Mark.DOUBTFUL if confidence > 0.0 else Mark.BAD)
-    elif method == "offset":
+    elif method == "offset" and not is_seen:
         mark = max(mark, Mark.DOUBTFUL)  # not confirmed by the recording
     more = {"method": method, "confidence": confidence}
     return Finding("sync", mark, residual_s, more)
@@ -257,7 +266,8 @@ def notes_on_sequence(
 ) -> list[str]:
     """Return the notes on clip and motion together."""
     notes: list[str] = []
-    if recording.clock_map.confidence == 0.0:
+    is_placed = "synchronisation" in recording.provenance
+    if recording.clock_map.confidence == 0.0 and not is_placed:
         notes.append(
             Message(
                 "the log is not synchronised: its clock is taken as media time; give --offset S"

@@ -1,9 +1,23 @@
 """The quality report marks what is wrong, and only that."""
 
+import dataclasses
+
+import numpy as np
 import pytest
 
+from hapticplayer.model import ClockMap, ForceTrack
+from hapticplayer.rendering.washout import washed_out
 from hapticplayer.sequence.description import Description
-from hapticplayer.sequence.report import Mark, marked, quality_report, worst
+from hapticplayer.sequence.presets import preset_named, washout_of
+from hapticplayer.sequence.processing import Processing, process_motion
+from hapticplayer.sequence.report import (
+    Mark,
+    marked,
+    needs_recording,
+    notes_on_sequence,
+    quality_report,
+    worst,
+)
 from hapticplayer.structures import convert
 
 MAPPING = {
@@ -101,6 +115,58 @@ def test_one_flaw_marks_one_line(path, value, name, mark):
     found = marks(**{path: value})
     assert found[name] is mark
     assert all(m is Mark.GOOD for other, m in found.items() if other != name)
+
+
+def test_a_result_that_a_person_checked_is_not_doubted():
+    for confidence, method in ((0.0, "offset"), (0.3, "pats"), (1.0, "offset")):
+        checked = {"method": method, "seen_by_person": True}
+        found = marks(
+            clock_map__confidence=confidence, provenance__synchronisation=checked
+        )
+        assert found["sync"] is Mark.GOOD
+
+
+def test_a_bad_rendering_asks_for_no_other_recording():
+    share = {"feedbacks__realistic__provenance__saturated_share": 0.1}
+    assert not needs_recording(quality_report(described(**share)))
+    missing = {"provenance__uncovered_share": 0.5}
+    assert needs_recording(quality_report(described(**missing)))
+
+
+@pytest.mark.parametrize(
+    ("synchronisation", "contradictions"),
+    [
+        ({"method": "offset"}, ("not synchronised", "give --offset")),
+        ({"method": "pats"}, ("not synchronised", "give --offset", "three times")),
+        (None, ()),
+    ],
+)
+def test_notes_of_an_import_do_not_contradict_it(
+    tiny_clip, recording, swing, synchronisation, contradictions
+):
+    known = {} if synchronisation is None else {"synchronisation": synchronisation}
+    unsure = dataclasses.replace(
+        recording, clock_map=ClockMap(1.5, confidence=0.0), provenance=known
+    )
+    track = process_motion(swing[0], Processing()).track
+    notes = notes_on_sequence(unsure, track, tiny_clip)
+    for words in contradictions:
+        assert not any(words in note for note in notes)
+    if synchronisation is None:
+        assert any("not synchronised" in note for note in notes)
+
+
+def test_time_at_the_limit_is_that_of_the_washed_out_force():
+    time_s = np.arange(0.0, 20.0, 0.02)
+    wave = np.zeros((len(time_s), 3))
+    wave[:, 0] = 4.5 * np.sign(np.sin(2.0 * np.pi * 0.4 * time_s))
+    made = {"force_limit_n": 4.5, "saturated_share": 1.0}
+    track = ForceTrack(time_s, wave.astype(np.float32), provenance=made)
+    done = washed_out(track, washout_of(preset_named("balanced"), 4.5))
+    share = done.provenance["saturated_share"]
+    at_limit = np.linalg.norm(done.force_n, axis=1) >= 0.99 * 4.5
+    assert share == pytest.approx(at_limit.mean())
+    assert share < 0.5
 
 
 def test_a_force_that_would_stop_is_bad():
