@@ -22,9 +22,8 @@ from hapticplayer.model import ForceTrack, RigTrack
 from hapticplayer.model.device import ChannelLevel, Signal
 from hapticplayer.playback.forces import ForcePlayer
 from hapticplayer.playback.latch import StopLatch
-from hapticplayer.rendering import demonstration, rig_demonstration
-from hapticplayer.rendering.demonstration import DemonstrationStep
-from hapticplayer.rendering.rig import RigStep
+from hapticplayer.rendering.demonstration import DemonstrationStep, demonstration
+from hapticplayer.rendering.rig import RigStep, rig_demonstration
 
 GENTLE, GENTLE_VIBRATION = (0.25,), (0.25, 0.5)
 """Strengths, as shares of the largest force."""

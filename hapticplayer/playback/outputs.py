@@ -10,7 +10,6 @@ from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.output import Output, OutputContext, is_hardware
 from hapticplayer.playback.snapshot import OutputSnapshot
-from hapticplayer.rendering import rig_track
 
 
 class Outputs:
@@ -124,6 +123,8 @@ class Outputs:
         rig: RigTrack | None = None
         for one in outputs:
             if one.takes_motion and rig is None and self._motion is not None:
+                from hapticplayer.rendering.rig import rig_track
+
                 rig = rig_track(self._motion)
             one.load(self._tracks, rig)
 

@@ -10,7 +10,6 @@ from hapticplayer.rendering.condition import (
     Parameter,
     ParameterKind,
 )
-from hapticplayer.rendering.demonstration import demonstration
 from hapticplayer.rendering.derived import (
     coverage_notice,
     refuse_late,
@@ -29,7 +28,6 @@ from hapticplayer.rendering.force import (
     render_force,
 )
 from hapticplayer.rendering.lever_arm import LEVER_ARMS_M, at_point
-from hapticplayer.rendering.rig import RigStep, rig_demonstration, rig_track
 
 __all__ = [
     "FEEDBACKS",
@@ -39,19 +37,15 @@ __all__ = [
     "FeedbackCondition",
     "Parameter",
     "ParameterKind",
-    "RigStep",
     "adapted",
     "at_point",
     "chosen_feedback",
     "condition_named",
     "coverage_notice",
-    "demonstration",
     "fit_gain",
     "no_feedback",
     "random_feedback",
     "refuse_late",
     "render_force",
-    "rig_demonstration",
-    "rig_track",
     "shifted_and_scaled",
 ]

@@ -5,6 +5,8 @@ from typing import Annotated, Any
 
 from msgspec import Meta, Struct
 
+from hapticplayer import __version__
+from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError
 from hapticplayer.model import ClockMap
 from hapticplayer.model.mapping import AxisGains
@@ -136,3 +138,12 @@ def unstructured(value: Any) -> Any:
     if isinstance(value, dict):
         return {name: unstructured(one) for name, one in value.items()}
     return value
+
+
+def describe_rendering(*, fits_gain: bool) -> dict[str, Any]:
+    """Return when and by what force tracks were rendered, for the provenance."""
+    return {
+        "program": f"hapticplayer {__version__}",
+        "created_utc": utc_now_iso(),
+        "gain_from": "fit" if fits_gain else "given",
+    }

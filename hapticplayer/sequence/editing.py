@@ -9,12 +9,11 @@ import re
 import secrets
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 from msgspec import structs
 
-from hapticplayer import __version__, model, rendering, storage
-from hapticplayer.clock import utc_now_iso
+from hapticplayer import model, rendering, storage
 from hapticplayer.errors import (
     Message,
     Progress,
@@ -26,7 +25,12 @@ from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence import effects_file, store
 from hapticplayer.sequence.arrays import write_arrays
-from hapticplayer.sequence.description import Description, FileEntry, written
+from hapticplayer.sequence.description import (
+    Description,
+    FileEntry,
+    describe_rendering,
+    written,
+)
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.presets import Rendering, preset_of
 
@@ -272,15 +276,6 @@ def fitted_gain(sequence: store.Sequence, mapping: model.Mapping) -> float:
         sequence.duration_s,
         _angular_rate(sequence, mapping),
     )
-
-
-def describe_rendering(*, fits_gain: bool) -> dict[str, Any]:
-    """Return when and by what force tracks were rendered, for the provenance."""
-    return {
-        "program": f"hapticplayer {__version__}",
-        "created_utc": utc_now_iso(),
-        "gain_from": "fit" if fits_gain else "given",
-    }
 
 
 def _angular_rate(

@@ -29,9 +29,9 @@ from hapticplayer.sequence.description import (
     ExcursionEntry,
     FileEntry,
     TrackEntry,
+    describe_rendering,
     written,
 )
-from hapticplayer.sequence.editing import describe_rendering
 from hapticplayer.sequence.excursion import excursion_texts, predict
 from hapticplayer.sequence.presets import DEFAULT_PRESET, render_preset
 from hapticplayer.sequence.report import describe_notes, notes_on_force

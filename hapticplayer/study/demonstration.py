@@ -12,7 +12,7 @@ from hapticplayer.media.encode import write_clip
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 from hapticplayer.playback.source import Source
-from hapticplayer.rendering import demonstration
+from hapticplayer.rendering.demonstration import demonstration
 from hapticplayer.storage import cache_root
 
 NAME = "demonstration"

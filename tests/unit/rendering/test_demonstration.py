@@ -10,8 +10,8 @@ from hapticplayer.haptics.limiter import Limits
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.device import DeviceCapabilities
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
-from hapticplayer.rendering import adapted, demonstration
-from hapticplayer.rendering.demonstration import RISE_S
+from hapticplayer.rendering import adapted
+from hapticplayer.rendering.demonstration import RISE_S, demonstration
 
 FALCON = DEVICES["falcon"].capabilities
 AXES = {"right": 0, "left": 0, "up": 1, "down": 1, "towards you": 2, "away from you": 2}

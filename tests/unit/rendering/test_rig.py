@@ -6,8 +6,12 @@ import pytest
 from hapticplayer.model import MotionTrack, Sampling
 from hapticplayer.model.quaternions import from_rotation_vector, multiply
 from hapticplayer.model.rig import RigMotion
-from hapticplayer.rendering import rig_demonstration, rig_track
-from hapticplayer.rendering.rig import HEADING_TIME_S, VELOCITY_TIME_S
+from hapticplayer.rendering.rig import (
+    HEADING_TIME_S,
+    VELOCITY_TIME_S,
+    rig_demonstration,
+    rig_track,
+)
 
 TIME_S = np.arange(0.0, 20.0, 0.005)
 
