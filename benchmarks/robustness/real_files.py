@@ -290,10 +290,41 @@ def _clips() -> list[Row]:
     rows += [
         Row("mpeg-ts", "play camcorder.mts", "plays, or names the remux command",
             lambda _: _plays_or(CASES / "mpeg-ts/camcorder.mts", "remux|-c copy"), plays=True),
+        Row("report", "import of a simulated ride with three taps",
+            "the true offset, and no line against it", _report, plays=True),
         Row("vfr-called-damaged", "play lowlight_30_to_20.mp4", "says nothing of damage",
             lambda _: _plays_or(CASES / "vfr-called-damaged/lowlight_30_to_20.mp4"), plays=True),
     ]  # fmt: skip
     return rows
+
+
+AGAINST = ("not synchronised", "give --offset", "three times", "bad:", "record again")
+
+
+def _report(folder: Path) -> Found:
+    """Every line of the report of a ride whose offset is known."""
+    ride = folder / "ride"
+    made = hapticplayer("simulate", "car-braking", "-o", ride, limit_s=300.0)
+    if made.status:
+        return Found(made.short, is_right=False)
+    ran, _ = imported(
+        folder,
+        ride / "clip.mp4",
+        "--imu",
+        ride / "imu.csv",
+        *read_as("sampling=averaged"),
+    )
+    truth = json.loads((ride / "recording.json").read_text(encoding="utf-8"))
+    found = re.search(
+        r"offset (-?[\d.]+) s by \w+, confidence ([\d.]+)", ran.out + ran.said
+    )
+    if ran.status or found is None:
+        return Found(ran.short, is_right=False)
+    off_s = abs(float(found[1]) - truth["clock"]["offset_s"])
+    lines = (ran.out + ran.said).lower().splitlines()
+    against = [line for line in lines if any(words in line for words in AGAINST)]
+    got = f"{1e3 * off_s:.1f} ms off, confidence {found[2]}, {len(against)} lines against it"
+    return Found(got, off_s < 0.01 and float(found[2]) > 0.9 and not against)
 
 
 def _plays_or(clip: Path, *words: str) -> Found:
