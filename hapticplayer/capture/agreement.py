@@ -5,6 +5,7 @@ other axes or signs, one of the two is mirrored, turned, or not what it is taken
 """
 
 import dataclasses
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -173,6 +174,9 @@ def _calm_norm(stream: SensorStream) -> float:
     if not count:
         return float(np.linalg.norm(np.median(values, axis=0))) if len(values) else 0.0
     blocks = values[: count * _WINDOW_ROWS].reshape(count, _WINDOW_ROWS, 3)
-    spread = blocks.var(axis=1).sum(axis=1)
+    with np.errstate(all="ignore"):
+        spread = blocks.var(axis=1).sum(axis=1)
+    if not np.isfinite(spread).all():  # enormous numbers
+        return math.inf
     calm = spread <= np.percentile(spread, _CALM_PERCENT)
     return float(np.median(np.linalg.norm(blocks[calm].mean(axis=1), axis=1)))

@@ -68,6 +68,8 @@ def read(source: LogSource, choices: LogChoices) -> RawLog:
         raise UsageError(
             "{file}: is not a table of numbers; choose another log", file=where
         )
+    for name, layout in layouts.items():
+        layout.refuse_unnamable(source.where(name))
     columns = _columns(choices, list(layouts.values()), where)
     choices.take("columns")
     _ask_units(choices, columns, list(layouts.values()), where)

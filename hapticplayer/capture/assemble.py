@@ -44,6 +44,7 @@ Reals = NDArray[np.floating[Any]]
 
 _FRAMES_SLACK_S = 0.2  # a few frames, which a list may have and a video not
 _TRIED_ROWS = 60_000
+_WOULD_FIT = "{what}, but the numbers would fit another unit"
 _ONE_G = np.array([0.0, 0.0, STANDARD_GRAVITY_MPS2])
 
 
@@ -84,7 +85,11 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
     raw = _decided(raw, choices)
     if raw.rate is not None and not raw.is_gravity_free:
         ask_if_swapped(raw, choices, where)
-    samples, found = _common(raw, where)
+    try:
+        samples, found = _common(raw, where)
+    except InputError as error:
+        _ask_about_time(error, raw.accel.time_s, choices, where)
+        raise
     # ten hours take half a gigabyte: free early
     raw = _without_samples(raw)
     stream_notes = samples.notes
@@ -252,10 +257,11 @@ def ask_about_units(
     error: InputError, part: Samples, raw: RawLog, choices: LogChoices, where: str
 ) -> None:
     """Ask about the units if the log was refused and a part of it would fit others."""
+    _ask_about_time(error, part.time_s, choices, where)
     other = _other_units(part, raw, choices, where)
     if other is None:
         return
-    what = Message("{what}, but the numbers would fit another unit", what=error.what)
+    what = Message(_WOULD_FIT, what=error.what)
     answers = [other]
     if not choices.rate_unit and "rate-unit" in other:
         kept = Message(
@@ -265,21 +271,32 @@ def ask_about_units(
     raise LogQuestion(what, answers, where) from error
 
 
+def _ask_about_time(
+    error: InputError, time_s: Floats, choices: LogChoices, where: str
+) -> None:
+    """Ask about the unit of times that were refused and would fit another one."""
+    from hapticplayer.motion.repair.timestamps import repair_times  # brings scipy
+
+    if "time_unit" not in choices.taken or not choices.time_unit:
+        return
+    time_s = time_s[:_TRIED_ROWS] / factor(choices.time_unit, TIME_UNITS, "time-unit")
+    for unit, step_s in TIME_UNITS.items():
+        try:
+            repair_times(step_s * time_s, [], where)
+        except InputError:
+            continue
+        if unit != choices.time_unit:
+            what = Message(_WOULD_FIT, what=error.what)
+            raise LogQuestion(what, [f"time-unit={unit}"], where) from error
+        return
+
+
 def _other_units(
     part: Samples, raw: RawLog, choices: LogChoices, where: str
 ) -> str | None:
     """Return other units that a part of the log would fit, as a choice, or None."""
-    if "time_unit" in choices.taken and choices.time_unit:
-        for unit in TIME_UNITS:
-            scale = TIME_UNITS[unit] / factor(
-                choices.time_unit, TIME_UNITS, "time-unit"
-            )
-            other_times = part._replace(time_s=scale * part.time_s)
-            if scale != 1.0 and _is_clean(other_times, raw, choices, where):
-                return f"time-unit={unit}"
-    accel_units = [raw.accel_unit] if choices.accel_unit else ["m/s2", "g", "mg"]
     rate_units = [raw.rate_unit] if choices.rate_unit else ["rad/s", "deg/s"]
-    for accel_unit in accel_units:
+    for accel_unit in ("m/s2", "g", "mg"):
         for rate_unit in rate_units:
             if (accel_unit, rate_unit) == (raw.accel_unit, raw.rate_unit):
                 continue

@@ -40,7 +40,14 @@ FIELD_UNITS: Mapping[str, float] = {
     "mG": 0.1,
 }
 SWAPPED: Mapping[str, str] = {"accel,rate": "rate", "accel,field": "field"}
-TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
+TIME_UNITS: Mapping[str, float] = {
+    "s": 1.0,
+    "ms": 1e-3,
+    "us": 1e-6,
+    "ns": 1e-9,
+    "d": 86_400.0,
+}
+"""Days are those of spreadsheets."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +58,7 @@ class LogChoices(AppliedAnswers):
         format: name of a format, instead of recognising it.
         columns: of a table: a name for each cell of a row: time, ax ay az, gx gy gz,
             mx my mz, "-" to ignore it; "/" between tables.
-        time_unit: s, ms, us or ns.
+        time_unit: s, ms, us, ns or d.
         accel_unit: m/s2, g, mg or the factor to m/s2.
         rate_unit: rad/s, deg/s or the factor to rad/s.
         field_unit: uT, gauss ... or the factor to uT.
@@ -149,6 +156,21 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
             largest=UNIT_FACTOR.largest,
         )
     return value
+
+
+def each_with_its_option(words: Sequence[str]) -> list[str]:
+    """Return the words of a command with the option before each answer that follows it."""
+    found: list[str] = []
+    in_answers = False
+    for word in words:
+        if word.startswith(OPTION):
+            in_answers = True
+        elif in_answers and found[-1] != OPTION:
+            key, equals, _ = word.partition("=")
+            in_answers = bool(equals) and key in {*KEYS, "template"}
+            found += [OPTION] * in_answers
+        found.append(word)
+    return found
 
 
 def parse_choices(words: Sequence[str]) -> LogChoices:

@@ -1,5 +1,6 @@
 """What a file is that was given as a log and is none, and what to do with it."""
 
+import re
 import zipfile
 from typing import NamedTuple
 
@@ -57,6 +58,10 @@ _CERTAIN = (
     _FileKind(b"\xfd7zXZ\x00", *_ARCHIVE),
     _FileKind(b"BZh", *_ARCHIVE),
     _FileKind(b"\x28\xb5\x2f\xfd", *_ARCHIVE),
+)
+_MARKUP = (
+    (r"\s*(?:\{|\[\s*[\[{])", Message("is JSON, not a table")),
+    (r"\s*<[?!a-zA-Z]", Message("is XML or a web page, not a table")),
 )
 
 
@@ -133,4 +138,7 @@ def unknown(source: LogSource) -> InputError:
             remedy="give the log of a motion sensor with --imu LOG",
         )
     head = source.head(source.names[0])
+    for pattern, what in _MARKUP:
+        if re.match(pattern, head):
+            return InputError(what, where=where, remedy="export the recording as CSV")
     return foreign_digits(head, where) or unread_columns(source) or header_fault(source)

@@ -1,5 +1,6 @@
 """The layout of a table of numbers: separator, decimal sign, header, kinds of columns."""
 
+import itertools
 import re
 from collections import Counter
 from typing import NamedTuple
@@ -58,6 +59,7 @@ class Layout(NamedTuple):
         header: names of the columns, as far as they have some.
         sample: the first row.
         skip_lines: before it.
+        sensors: of which each row names one, in a table with three axes for all.
     """
 
     separator: str
@@ -67,11 +69,36 @@ class Layout(NamedTuple):
     header: tuple[str, ...]
     sample: tuple[str, ...]
     skip_lines: int
+    sensors: tuple[str, ...] = ()
 
     @property
     def usable(self) -> int:
         """How many columns hold numbers or times."""
         return sum(kind in {NUMBER, CLOCK} for kind in self.kinds)
+
+    def refuse_unnamable(self, where: str) -> None:
+        """Raise InputError for a table whose columns no names fit."""
+        names, cells = len(self.header), self.sample
+        if (
+            (self.separator, self.decimal) == (",", ".")
+            and 2 <= names < 2 * names - 2 <= len(cells) <= 2 * names
+            and not any("." in cell for cell in cells)
+        ):
+            raise InputError(
+                "has decimal commas between commas: {count} cells below {names} names",
+                where=where,
+                remedy="export it with semicolons, or with decimal points",
+                count=len(cells),
+                names=names,
+            )
+        if self.sensors:
+            raise InputError(
+                "has a row for each reading of one sensor (column {number} holds {names})",
+                where=where,
+                remedy="write the rows of each sensor to a file of its own and give both",
+                number=self.kinds.index(TEXT) + 1,
+                names=", ".join(self.sensors)[:80],
+            )
 
     @property
     def shown(self) -> str:
@@ -120,12 +147,38 @@ def _fitted(lines: list[str], separator: str, decimal: str) -> Layout | None:
     for number, line in enumerate(lines):
         row = _cells(line, separator, decimal)
         if len(row) == width and _is_row(row, kinds):
-            names = tuple(header) if len(header) > 1 else ()
+            names = _titles(header, body, kinds)
             kept = tuple(kinds), names, tuple(row)
-            found = Layout(separator, decimal, width, *kept, number)
+            sensors = _sensors_of_rows(body, kinds)
+            found = Layout(separator, decimal, width, *kept, number, sensors)
             return found if found.usable >= _MIN_COLUMNS else None
         header = row
     return None
+
+
+def _titles(
+    header: list[str], body: list[list[str]], kinds: list[str]
+) -> tuple[str, ...]:
+    """The names of the columns; R leaves out that of the rows' own names."""
+    if len(header) < 2:
+        return ()
+    if len(header) != len(kinds) - 1:
+        return tuple(header)
+    firsts = [row[0] for row in body]
+    numbers = [int(cell) if cell.isdecimal() else 0 for cell in firsts]
+    is_counted = all(after == one + 1 for one, after in itertools.pairwise(numbers))
+    return ("", *header) if is_counted or kinds[0] == TEXT else tuple(header)
+
+
+def _sensors_of_rows(body: list[list[str]], kinds: list[str]) -> tuple[str, ...]:
+    """The names of sensors where each row holds the reading of one, or ()."""
+    if TEXT not in kinds:
+        return ()
+    column = [row[kinds.index(TEXT)] for row in body]
+    found = set(column)
+    letters = {_sensor(name.lower(), "", "") for name in found}
+    is_mixed = sum(one != after for one, after in itertools.pairwise(column)) > 1
+    return tuple(sorted(found)) if is_mixed and {"a", "g"} <= letters else ()
 
 
 def _body(lines: list[str], separator: str, decimal: str) -> list[list[str]]:
@@ -208,6 +261,8 @@ def proposed_names(layouts: list[Layout]) -> str:
     named = [name for part in parts for name in part if name not in {TIME, SKIP}]
     wanted = {letter + axis for letter in "ag" for axis in "xyz"}
     is_whole = wanted <= set(named) and len(set(named)) == len(named)
+    if any(len(layout.header) < len(layout.kinds) for layout in layouts):
+        return ""  # the names may be those of other columns
     if not (is_whole and all(TIME in part for part in parts)):
         return ""
     return "/".join(",".join(part) for part in parts)
@@ -230,7 +285,6 @@ def _proposed(layout: Layout) -> list[str]:
             found.append(TIME)
         else:
             found.append(SKIP)
-    found += [SKIP] * (len(layout.kinds) - len(found))
     known = {letter + axis for letter in "agm" for axis in "xyz"} | {TIME}
     return [name if name in known else SKIP for name in found]
 

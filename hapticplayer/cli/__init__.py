@@ -160,6 +160,10 @@ def _replace_closed_streams() -> io.StringIO | None:
 
 
 def _run(words: list[str], open_window: OpenWindow | None) -> int:
+    if any(word.startswith("--read-as") for word in words):
+        from hapticplayer.capture.choices import each_with_its_option
+
+        words = each_with_its_option(words)
     command = next((word for word in words if not word.startswith("-")), None)
     if command != "doctor" and (command or not words):
         refuse_small_limits()

@@ -40,7 +40,7 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         default=[],
         metavar="KEY=VALUE",
         help="decide what a log does not say, such as axes=x,-z,y or accel-unit=g or "
-        "template=FILE; the question names the key. format=NAME is one of "
+        "template=FILE; the question names the key, and more of them may follow. format=NAME is one of "
         + ", ".join(f"{one.name} ({one.text})" for one in formats.recording_formats()),
     )
     command.add_argument(

@@ -23,6 +23,9 @@ MIN_RATE_HZ = 5.0
 MAX_USUAL_RATE_HZ = 2000.0
 """Faster than motion sensors are logged."""
 
+MAX_RATE_HZ = 10_000.0
+"""Faster than an inertial sensor is read; mostly it is time in another unit."""
+
 MAX_TIME = 1e20
 """No clock counts so far, not even in nanoseconds since 1970."""
 

@@ -25,6 +25,8 @@ SPELLINGS = (
 DAY_S = 86_400.0
 
 _MINUS = "\u2212".encode()
+_ARROW = b" -> "
+"""Behind the clock times of Arduino's serial monitor."""
 _GROUP_MARKS = (b"\xa0", b"\xe2\x80\xaf", b"'")
 _GROUPS = re.compile(rb"(?<=\d)(?:\xc2\xa0|\xe2\x80\xaf|\xa0|')(?=\d{3})")
 _COMMA_GROUPS = re.compile(rb"(?<=\d),(?=\d{3}(?:,\d{3}){0,4}\.\d)")
@@ -50,7 +52,7 @@ def plain(content: bytes, separator: str, decimal: str) -> bytes:
     if b'"' in content:
         content = _QUOTED.sub(lambda m: _unquoted(m[1], separator, decimal), content)
         content = content.replace(b'"', b"")
-    content = content.replace(_MINUS, b"-")
+    content = content.replace(_MINUS, b"-").replace(_ARROW, separator.encode())
     if any(mark in content for mark in _GROUP_MARKS):
         content = _GROUPS.sub(b"", content)
     if separator != ",":

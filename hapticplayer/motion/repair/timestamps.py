@@ -6,7 +6,7 @@ rows would be right. Smaller flaws are repaired and reported.
 
 import enum
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +16,7 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import (
     MAX_GAP_S,
+    MAX_RATE_HZ,
     MAX_TIME,
     MAX_USUAL_RATE_HZ,
     MIN_RATE_HZ,
@@ -31,6 +32,8 @@ ROUNDING = 0.99
 SAME_MOMENT = 0.05
 # A time that is late by this part of its packet (or sample) has lost some.
 LOST = 0.6
+# Stamps within this of whole seconds have no fractions.
+WHOLE_S = 1e-6
 # The interval is measured over this many rows, so that packets do not hide it.
 INTERVAL_ROWS = 64
 
@@ -123,6 +126,8 @@ def repair_times(
         sensors: (N, 3) each; only compared.
         source: for error messages.
     """
+    if len(time_s) > 2 and np.nanmedian(np.diff(time_s)) < 0.0:
+        return _reversed(time_s, sensors, source)
     repairs: list[Repair] = []
     rows = _in_order(time_s, repairs, source)
     time_s, rows = _filled(time_s, rows, repairs, source)
@@ -133,7 +138,7 @@ def repair_times(
         raise InputError(
             "from {place} on all rows carry the same time",
             where=source,
-            remedy="give the time of each sample in seconds",
+            remedy="write the time of each sample with all its digits",
             place=row_of(rows[0]),
         )
     _check_steps(time_s, rows, interval_s, source)
@@ -141,6 +146,16 @@ def repair_times(
     _count_lost(groups, rows, repairs)
     time_s, rows, starts = _one_row_a_time(time_s, rows, sensors, groups, repairs)
     return Timeline(time_s, rows, starts, tuple(repairs))
+
+
+def _reversed(time_s: Floats, sensors: Sequence[Floats], source: str) -> Timeline:
+    """Repair a recording whose newest row is the first."""
+    found = repair_times(time_s[::-1], [values[::-1] for values in sensors], source)
+    last = len(time_s) - 1
+    what = Message("the rows, of which the newest came first, were put in order")
+    repairs = [Repair(RepairKind.SWAPPED, len(time_s), 0, what)]
+    repairs += [replace(one, first_row=last - one.first_row) for one in found.repairs]
+    return replace(found, rows=last - found.rows, repairs=tuple(repairs))
 
 
 def _in_order(time_s: Floats, repairs: list[Repair], source: str) -> Rows:
@@ -278,10 +293,20 @@ def _groups(time_s: Floats, interval_s: float) -> _Groups:
     starts = np.flatnonzero(is_new)
     sizes = np.diff(starts, append=len(time_s))
     stamp_s = time_s[starts + sizes - 1]
+    if len(starts) > 2 and np.median(sizes) > 2 and _are_whole(stamp_s):
+        # cut off: the rows follow their second, packets precede their stamp
+        interval_s = float(np.median(np.diff(stamp_s) / sizes[:-1]))
+        next_s = np.append(stamp_s[1:], stamp_s[-1] + sizes[-1] * interval_s)
+        stamp_s = next_s - interval_s
     if len(starts) > 1:
         interval_s = float(np.median(np.diff(stamp_s) / sizes[1:]))
     since_s = np.diff(stamp_s, prepend=stamp_s[0] - sizes[0] * interval_s)
     return _Groups(starts, sizes, stamp_s, since_s, interval_s)
+
+
+def _are_whole(stamp_s: Floats) -> bool:
+    """Whether all stamps are whole seconds."""
+    return bool((np.abs(stamp_s - np.rint(stamp_s)) < WHOLE_S).all())
 
 
 def _one_row_a_time(
@@ -362,6 +387,14 @@ def _check_steps(time_s: Floats, rows: Rows, interval_s: float, source: str) -> 
                 "give at least {least_hz:g} samples a second", least_hz=MIN_RATE_HZ
             ),
             rate_hz=rate_hz,
+        )
+    if rate_hz > MAX_RATE_HZ:
+        raise InputError(
+            "time_s runs at {rate_hz:.3g} samples a second, faster than any sensor",
+            where=source,
+            remedy="give the times in seconds, or average to {most_hz:g} samples a second",
+            rate_hz=rate_hz,
+            most_hz=MAX_RATE_HZ,
         )
     steps = np.diff(time_s)
     if len(steps) and steps.max() > MAX_GAP_S:

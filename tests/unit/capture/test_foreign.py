@@ -134,6 +134,10 @@ ZIP = zipped({"log.csv": log().encode()})
         (bytes(5000), "begins with 5000 NUL bytes", "copy it again"),
         (b"garbage\n" + ZIP, "a zip with other bytes before it", "unpack it"),
         (RNG.bytes(5000) + ZIP, "a zip with other bytes before it", "unpack it"),
+        (b'[{"sensor":"Accelerometer","x":"0"}]\n', "is JSON", "as CSV"),
+        (b'{"t": 0.0, "ax": 0.1}\n' * 90, "is JSON", "as CSV"),
+        (b"<?xml version='1.0'?>\n<gpx></gpx>\n", "is XML", "as CSV"),
+        (b"<!DOCTYPE html>\n<html></html>\n", "a web page", "as CSV"),
         (ZIP + bytes(100_000), "followed by other bytes", "unpack it"),
     ],
 )

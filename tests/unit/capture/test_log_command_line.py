@@ -30,6 +30,13 @@ def test_the_answer_is_taken_kept_and_used_again(table, tmp_path, capsys):
     assert main([*again, "--method", "lowpass"]) == 0
 
 
+def test_answers_may_follow_one_another(table, capsys):
+    words = ["--method", "lowpass", "--read-as", *GENERIC]
+    assert main(["process", *words, str(table)]) == 0
+    assert main(["process", str(table), *words, "--json"]) == 0
+    assert main(["process", *words, "answer=unknown", str(table)]) == 2
+
+
 def test_answers_that_read_nothing_are_not_kept(table, tmp_path, capsys):
     template = tmp_path / "mine.json"
     wrong = ["--read-as", GENERIC[0], "--save-template", str(template)]

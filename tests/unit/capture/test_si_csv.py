@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hapticplayer.capture import read_recording
-from hapticplayer.capture.choices import LogChoices
+from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.si_csv import READER, write_imu_csv
 from hapticplayer.capture.source import open_file
 from hapticplayer.errors import InputError
@@ -145,8 +145,11 @@ FAULTS = {
         [HEADER + ",ax", *(f"{line},0" for line in log_lines()[1:])],
         "the header is",
     ),
-    "in g": (noisy_lines(scale=1 / 9.80665), "in g: multiply it by 9.80665"),
-    "in milli-g": (noisy_lines(scale=1000 / 9.80665), "in milli-g: multiply"),
+    "in g": (noisy_lines(scale=1 / 9.80665), "decide with --read-as accel-unit=g"),
+    "in milli-g": (
+        noisy_lines(scale=1000 / 9.80665),
+        "decide with --read-as accel-unit=mg",
+    ),
     "without gravity": (noisy_lines(scale=1e-3), "gravity seems to be removed"),
     "in counts": (noisy_lines(scale=26.0), "give the specific force in m/s"),
     "in milliseconds": (noisy_lines(step_s=10.0), "divide time_s by 1000"),
@@ -162,7 +165,10 @@ FAULTS = {
         [HEADER, *(f"0.{k:02},1e308,0,1e308,0,0,0" for k in range(99))],
         "beyond any sensor in 99 of 99 rows",
     ),
-    "in degrees": (changed(9, "0.07,0,0,9.8,0,0,250"), "looks like deg/s"),
+    "in degrees": (
+        changed(9, "0.07,0,0,9.8,0,0,250"),
+        "decide with --read-as rate-unit=deg/s",
+    ),
 }
 
 
@@ -170,7 +176,7 @@ FAULTS = {
 def test_fault_is_named_with_its_place_and_a_remedy(tmp_path, name):
     lines, sentence = FAULTS[name]
     path = write(tmp_path / "log.csv", lines)
-    with pytest.raises(InputError, match=sentence) as caught:
+    with pytest.raises((InputError, LogQuestion), match=sentence) as caught:
         read_imu(path)
     assert "log.csv" in str(caught.value)
     assert "; " in str(caught.value)

@@ -170,6 +170,93 @@ def test_texts_between_the_numbers_are_skipped_or_named(tmp_path):
     assert "ignore it with -" in str(e.value)
 
 
+def test_whole_seconds_are_those_that_rows_follow(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text(table([f"{t:.0f}" for t in np.floor(SECONDS)]))
+    check(read(path, COLUMNS, "time-unit=s", *UNITS), 0.0)
+
+
+def test_the_newest_row_may_come_first(tmp_path):
+    path = tmp_path / "log.csv"
+    head, *rows = table([f"{t:.3f}" for t in SECONDS]).splitlines()
+    path.write_text("\n".join([head, *rows[::-1]]))
+    found = read(path, COLUMNS, "time-unit=s", *UNITS)
+    check(found, 0.0)
+    assert "the newest came first" in " ".join(found.notes)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+@pytest.mark.parametrize(
+    ("true", "scale", "given"),
+    [("us", 1e6, "ns"), ("us", 1e6, "ms"), ("ms", 1e3, "us"), ("d", 1 / 86_400, "s")],
+)
+def test_a_wrong_unit_of_time_is_asked_about(tmp_path, true, scale, given, count):
+    times = [f"{scale * t:.12f}" for t in SECONDS]
+    paths = [tmp_path / f"{k}.csv" for k in range(count)]
+    columns = COLUMNS
+    for path in paths:
+        path.write_text(table(times))
+    if count == 2:
+        columns = "columns=time,ax,ay,az,-,-,-/time,-,-,-,gx,gy,gz"
+    with pytest.raises(LogQuestion, match="samples a second") as asked:
+        read(paths, columns, f"time-unit={given}", *UNITS)
+    assert asked.value.answers == (f"time-unit={true}",)
+    check(read(paths, columns, *UNITS, *asked.value.answers), 0.0)
+
+
+def with_row_names(rows):
+    """As R writes them: the names of the rows have no name."""
+    head, *rows = rows
+    return [head, *(f'"{k}",{row}' for k, row in enumerate(rows, start=1))]
+
+
+def behind_clock_times(rows):
+    """As the serial monitor of Arduino writes them, without a header."""
+    stamps = [f"23:59:{5 * k / 100:06.3f} -> " for k in range(COUNT)]
+    return [a + b for a, b in zip(stamps, rows[1:], strict=True)]
+
+
+@pytest.mark.parametrize(
+    ("written", "is_proposed"), [(with_row_names, True), (behind_clock_times, False)]
+)
+def test_columns_before_the_first_name_are_ignored(tmp_path, written, is_proposed):
+    path = tmp_path / "log.csv"
+    rows = table([f"{1000 * t:.0f}" for t in SECONDS]).splitlines()
+    path.write_text("\n".join(written(rows)))
+    columns = COLUMNS.replace("time", "-,time")
+    with pytest.raises(LogQuestion, match="8 columns") as asked:
+        read(path)
+    assert (f"{columns} " in asked.value.answers[0]) == is_proposed
+    check(read(path, columns, "time-unit=ms", *UNITS), 0.0)
+
+
+def test_a_row_for_each_sensor_is_named(tmp_path):
+    path = tmp_path / "log.csv"
+    lines, files = ["time,sensor,x,y,z"], {"acc": [], "gyr": []}
+    for t, force, rate in zip(SECONDS, FORCE, RATE, strict=True):
+        for name, row in (("acc", force), ("gyr", rate)):
+            files[name].append(f"{t:.3f},{name},{row[0]:.5f},{row[1]:.5f},{row[2]:.5f}")
+        lines += [files["acc"][-1], files["gyr"][-1]]
+    path.write_text("\n".join(lines))
+    with pytest.raises(InputError, match=r"column 2 holds acc, gyr.*give both"):
+        read(path)
+    parts = []
+    for name, rows in files.items():
+        parts.append(tmp_path / f"{name}.csv")
+        parts[-1].write_text("\n".join(rows))
+    columns = "columns=time,-,ax,ay,az/time,-,gx,gy,gz"
+    check(read(parts, columns, "time-unit=s", *UNITS), 0.0)
+
+
+def test_decimal_commas_between_commas_are_named(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text(
+        table([f"{t:.3f}" for t in SECONDS]).replace(".", ","), encoding="utf-8"
+    )
+    with pytest.raises(InputError, match="decimal commas between commas"):
+        read(path)
+
+
 @pytest.mark.parametrize("lines", [3, 70, 2000, 20_000])
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
 def test_a_header_may_have_any_length(tmp_path, lines, end):
