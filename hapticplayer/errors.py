@@ -163,10 +163,6 @@ class SequenceError(InputError):
     """A sequence folder is missing something, damaged, or cannot be written."""
 
 
-class NetworkError(InputError):
-    """A stream cannot be offered, reached or used."""
-
-
 class StudyError(InputError):
     """A study's definition, order or answers cannot be used, or cannot be kept."""
 

@@ -25,15 +25,8 @@ at 200 Hz with its random track is 115 MB."""
 
 MAX_ATTACHED_FILES = 64
 
-ANSWER_S = 5.0
-"""How long a web server may say nothing before it is asked again."""
-
 PATIENCE_S = 20.0
 """How long opening a clip waits for its server; a clip that plays waits for ever."""
-
-MAX_REDIRECTS = 5
-MAX_BYTES_KEPT = 64 << 20
-"""Of a clip in memory."""
 
 _MAX_DEPTH = 64
 _CONTROLS = (*range(0x20), *range(0x7F, 0xA0))

@@ -30,8 +30,8 @@ from benchmarks.common import ROOT, Report, interleaved
 from benchmarks.distribution.one_file import felt_since, spread, until
 from benchmarks.playback.plots_and_seeks import PausedPlayer, shaken_sequence
 from hapticplayer.clock import SystemClock
-from hapticplayer.media import http_clip
-from hapticplayer.media.http_clip import HttpClip
+from hapticplayer.extras.web import http_clip
+from hapticplayer.extras.web.http_clip import HttpClip
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.sequence.pack import pack

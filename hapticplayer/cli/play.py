@@ -2,11 +2,13 @@
 
 import argparse
 import json
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hapticplayer import __version__
+from hapticplayer import __version__, extension
 from hapticplayer.cli import OpenWindow
 from hapticplayer.cli.common import (
     add_accept_changed,
@@ -26,6 +28,7 @@ from hapticplayer.errors import Message, UsageError
 from hapticplayer.haptics.limiter import Limits
 from hapticplayer.haptics.records import is_record
 from hapticplayer.haptics.scheduling import Scheduling
+from hapticplayer.media.clip_bytes import ClipBytes
 from hapticplayer.model import ranges
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.latency import saved_latencies
@@ -39,9 +42,24 @@ from hapticplayer.playback.video_check import Verdict
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.storage import FILE, make_way, refuse_existing
 
-ADDRESSES = ("http://", "https://")
+_ADDRESS = re.compile(r"([a-z][a-z0-9+.-]+)://", re.IGNORECASE)
 _OF_THE_WINDOW = ("--fullscreen", "--no-plots", "--close-at-end")
 ACCEPT_IT = "--accept-changed-video plays the force with it"
+
+
+@dataclass(frozen=True, slots=True)
+class RemoteSource:
+    """Addresses from which a clip can be read.
+
+    Args:
+        name: of the row.
+        schemes: what the addresses begin with.
+        home: "module:class" of their `ClipBytes`, called with address and clock.
+    """
+
+    name: str
+    schemes: tuple[str, ...]
+    home: str
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -217,8 +235,8 @@ def _problems(now: Snapshot) -> tuple[list[str], list[str]]:
 
 def opened(options: argparse.Namespace) -> Source:
     """Return the source that the command line names."""
-    if str(options.source).lower().startswith(ADDRESSES):
-        source = _opened_remotely(options)
+    if address := _ADDRESS.match(str(options.source)):
+        source = _opened_remotely(options, address[1].lower())
     else:
         source = open_source(options.source, options.force)
     if source.check and options.accept_changed_video:
@@ -226,15 +244,21 @@ def opened(options: argparse.Namespace) -> Source:
     return source
 
 
-def _opened_remotely(options: argparse.Namespace) -> Source:
+def _opened_remotely(options: argparse.Namespace, scheme: str) -> Source:
+    rows = extension.rows("sources", RemoteSource)
+    found = next((row for row in rows if scheme in row.schemes), None)
+    if found is None:
+        raise UsageError(
+            "no part of this installation plays addresses that begin with "
+            f"{scheme}://; download the file and play it"
+        )
     if not options.allow_network:
         raise UsageError(
             "nothing is fetched from a network without --allow-network; play a file, "
             "or give that option if you trust who offers this"
         )
-    from hapticplayer.media.http_clip import HttpClip
-
-    clip = HttpClip(options.source, SystemClock())
+    open_clip: Callable[[str, Clock], ClipBytes] = extension.load(found.home)
+    clip = open_clip(options.source, SystemClock())
     try:
         return open_source(clip, options.force)
     except BaseException:

@@ -3,8 +3,8 @@
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.media import http_clip
-from hapticplayer.media.http_clip import HttpClip
+from hapticplayer.extras.web import http_clip
+from hapticplayer.extras.web.http_clip import HttpClip
 from hapticplayer.playback.source import open_source
 from hapticplayer.sequence.pack import pack
 from tests.web_server import WebServer

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.extras.web import http_clip
+from hapticplayer.extras.web.http_clip import HttpClip
 from hapticplayer.haptics.contract import Mode
-from hapticplayer.media import http_clip
-from hapticplayer.media.http_clip import HttpClip
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import open_source

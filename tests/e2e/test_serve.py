@@ -19,6 +19,8 @@ from tests.e2e.command import (
 )
 from tests.needed_extras import needs
 
+pytestmark = needs("web")
+
 
 @pytest.fixture(scope="module")
 def packed(demo, tmp_path_factory):
@@ -68,7 +70,6 @@ def test_a_port_out_of_range_is_wrong_usage(packed):
     assert "--port must be a whole number between 0 and 65535" in refused(done, 2)
 
 
-@needs("serve")
 def test_a_video_without_force_is_refused(clip):
     assert "holds no force" in refused(hapticplayer("serve", clip))
 

@@ -172,6 +172,16 @@ def test_capabilities_of_a_device_are_printed(capsys, device):
     assert all(need["what"] in said for need in report["needs"])
 
 
+@pytest.mark.parametrize("scheme", ["https", "ftp"])
+def test_an_address_without_its_extra_is_refused(monkeypatch, capsys, scheme):
+    monkeypatch.setattr(extension, "rows", lambda _kind, _of, own=(): iter(own))
+    words = [f"{scheme}://example.org/s3cret.mkv", "--allow-network"]
+    assert cli.main(["play", "--headless", *words]) == 2
+    said = capsys.readouterr().err
+    assert f"plays addresses that begin with {scheme}://; download" in said
+    assert "s3cret" not in said
+
+
 @pytest.mark.parametrize(
     ("text", "why"),
     [

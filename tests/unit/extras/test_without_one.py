@@ -30,6 +30,7 @@ found = {}
 out = io.StringIO()
 with contextlib.redirect_stdout(out):
     found["help"] = cli.main(["--help"])
+    found["address"] = cli.main(["play", "https://127.0.0.1/ride.mkv"]) - 2
     found["device list"] = cli.main(["device", "list"])
     for one in cli.commands():
         found[one.name] = cli.main([one.name, "--help"])

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.errors import MediaError, NetworkError
-from hapticplayer.media import http_clip, http_range
-from hapticplayer.media.http_clip import HttpClip
+from hapticplayer.errors import MediaError
+from hapticplayer.extras.web import http_clip, http_range
+from hapticplayer.extras.web.http_clip import HttpClip
+from hapticplayer.extras.web.http_range import NetworkError
 from hapticplayer.media.video import VideoDecoder
 from tests.web_server import WebServer, wait_for
 

@@ -16,15 +16,23 @@ from http.client import HTTPConnection, HTTPException, HTTPResponse, HTTPSConnec
 from typing import NamedTuple
 from urllib.parse import SplitResult, quote, unquote, urljoin, urlsplit
 
-from hapticplayer.errors import Message, NetworkError
-from hapticplayer.untrusted import ANSWER_S, MAX_REDIRECTS, without_controls
+from hapticplayer.errors import InputError, Message
+from hapticplayer.untrusted import without_controls
 
 SCHEMES = ("http", "https")
+MAX_REDIRECTS = 5
+ANSWER_S = 5.0
+"""How long a web server may say nothing before it is asked again."""
+
 _PART = re.compile(r"bytes (\d{1,18})-(\d{1,18})/(\d{1,18})")
 _UNESCAPED = "%/:=&?~#+!$,;'@()*[]"
 _REDIRECTS = (301, 302, 303, 307, 308)
 _DOWNLOAD = Message("download it and play the file")
 _ASK = Message("check the address, or ask who offers the file")
+
+
+class NetworkError(InputError):
+    """A file cannot be offered, reached or used."""
 
 
 class Unreachable(Exception):  # noqa: N818 - it may be reached the next time

@@ -8,8 +8,8 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from hapticplayer.errors import NetworkError
-from hapticplayer.extras.serve.command import (
+from hapticplayer.extras.web.http_range import NetworkError
+from hapticplayer.extras.web.serving import (
     MAX_CONNECTIONS_OF_ONE,
     FileServer,
 )

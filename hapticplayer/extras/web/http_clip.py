@@ -9,20 +9,21 @@ from typing import Any, BinaryIO, Self
 from urllib.parse import quote, urljoin
 
 from hapticplayer.clock import Clock
-from hapticplayer.errors import MediaError, Message, NetworkError, message_of
-from hapticplayer.media.clip_bytes import ClipBytes
-from hapticplayer.media.http_range import (
+from hapticplayer.errors import MediaError, Message, message_of
+from hapticplayer.extras.web.http_range import (
     Aborted,
+    NetworkError,
     NotOfferedError,
     RangeClient,
     Unreachable,
 )
-from hapticplayer.untrusted import MAX_BYTES_KEPT, PATIENCE_S
+from hapticplayer.media.clip_bytes import ClipBytes
+from hapticplayer.untrusted import PATIENCE_S
 
 BLOCK_BYTES = 128 << 10
 FEW_BLOCKS = 2
 """Fetched first; and where so little is to come still, no answer is given up."""
-KEPT_BLOCKS = MAX_BYTES_KEPT // BLOCK_BYTES
+KEPT_BLOCKS = (64 << 20) // BLOCK_BYTES  # of a clip in memory
 AHEAD_BLOCKS = 64
 """8 MB ahead of each decoder: 8 s of 8 Mbit/s; so much is asked for at once, and each
 block is read as soon as it is there."""

@@ -31,7 +31,8 @@ from hapticplayer.cli.common import (
     say_aside,
     shown_progress,
 )
-from hapticplayer.errors import InputError, NetworkError, UsageError, shell_line
+from hapticplayer.errors import InputError, UsageError, shell_line
+from hapticplayer.extras.web.http_range import NetworkError
 from hapticplayer.media.remux import video_payload
 from hapticplayer.model import ranges
 from hapticplayer.sequence.pack import pack

@@ -1,1 +1,0 @@
-"""A packed file for others on this machine or a local network."""
