@@ -3,7 +3,6 @@
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
@@ -21,7 +20,7 @@ from app.experimenter.import_mounting import Triad
 from app.experimenter.import_suggestion import SuggestionBox
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.files import dropped_paths, file_dialog, video_filter
+from app.widgets.files import FileDrops, file_dialog, video_filter
 from app.widgets.layout import STRETCH, captioned, column_of, paragraph, row_of
 from app.widgets.texts import local, time_text, titled
 from hapticplayer.capture import formats
@@ -48,7 +47,7 @@ class FilesPage(QWidget):
 
     def __init__(self, folder: str) -> None:
         super().__init__()
-        self.setAcceptDrops(True)
+        self.drops = FileDrops(self, self._on_dropped)
         self._folder = folder
         self._words: list[str] = []
         self._before: list[str] = []
@@ -286,16 +285,9 @@ class FilesPage(QWidget):
             self.problem.setText(translated(message_of(problem)))
             self.problem.show()
 
-    # --- dropping ------------------------------------------------------------
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if dropped_paths(event.mimeData()):
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        event.acceptProposedAction()
+    def _on_dropped(self, paths: list[Path]) -> None:
         try:
-            self.take(dropped_paths(event.mimeData()))
+            self.take(paths)
         except HapticPlayerError as problem:
             self.show_problem(problem)
 

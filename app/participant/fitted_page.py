@@ -49,7 +49,9 @@ QPushButton:checked:focus, QPushButton[role="primary"]:focus {{
 QSpinBox, QPlainTextEdit {{ background: {theme.PANEL}; border: 2px solid {theme.BORDER};
   border-radius: 8px; padding: 4px; }}
 QSpinBox:focus, QPlainTextEdit:focus {{ border: 3px solid {theme.FOCUS}; }}
-QSpinBox::up-button, QSpinBox::down-button {{ width: 2em; }}
+QSpinBox::up-button, QSpinBox::down-button {{ width: 0; }}
+QSpinBox::up-arrow, QSpinBox::down-arrow {{ image: none; }}
+QSpinBox QLineEdit {{ background: transparent; }}
 QFrame[role="question"] {{ border: 2px solid transparent; border-radius: 12px; }}
 QFrame[role="current"] {{ border: 2px solid {theme.BORDER}; border-radius: 12px; }}
 QScrollArea {{ border: 0; }}
@@ -139,9 +141,9 @@ class FittedPage(QScrollArea):
             child.setFont(font)
             if isinstance(child, QAbstractButton | QSpinBox):
                 child.setMinimumHeight(max(TOUCH_PX, round(_HIGH * font_px)))
-            if isinstance(child, QAbstractButton):
                 # the sheet's em is that of small letters
-                wide_px = metrics.horizontalAdvance(child.text())
+                widest = _widest_text(child)
+                wide_px = metrics.horizontalAdvance(widest)
                 child.setMinimumWidth(wide_px + round(_SIDES * font_px))
         self.column.setSpacing(font_px // 2)
         self.column.activate()
@@ -152,6 +154,13 @@ class FittedPage(QScrollArea):
         if layout.hasHeightForWidth():
             return layout.totalHeightForWidth(width_px)
         return layout.totalSizeHint().height()
+
+
+def _widest_text(widget: QAbstractButton | QSpinBox) -> str:
+    """What a button says, or the longest number of a box."""
+    if isinstance(widget, QSpinBox):
+        return max(str(widget.minimum()), str(widget.maximum()), key=len)
+    return widget.text()
 
 
 class _Body(QWidget):

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from app.participant.fitted_page import paragraph
 from app.widgets import theme
 from app.widgets.buttons import Button
-from app.widgets.layout import STRETCH, row_of
+from app.widgets.layout import STRETCH, indent, row_of
 from hapticplayer.study.definition import LIKERT, QuestionKind
 from hapticplayer.study.pages import AskedQuestion
 
@@ -166,8 +166,8 @@ class NumberRow(QuestionRow):
         self.box.setAccessibleName(asked.text)
         self.box.valueChanged.connect(lambda _value: self.answered.emit())
         self.box.installEventFilter(self)
-        self.box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
-        # the box's own are too small for a finger
+        indent(self.box)
+        # the box's own are too small for a finger: the style gives them no room
         steps = []
         for sign, step in (("\u2212", self.box.stepDown), ("+", self.box.stepUp)):
             button = Button(sign)

@@ -1,7 +1,9 @@
 """The player's window: its parts, and what they do with the session."""
 
+from pathlib import Path
+
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
+from PySide6.QtGui import QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QSplitter, QStackedWidget, QWidget
 
 from app.bridge.desktop import Desktop
@@ -23,7 +25,7 @@ from app.player.session import Session
 from app.player.sync_plot import SyncPlot
 from app.player.transport import Transport
 from app.player.video_surface import VideoSurface
-from app.widgets.files import dropped_paths
+from app.widgets.files import FileDrops
 from app.widgets.layout import column_of
 from app.widgets.messages import JobBar, MessageBar
 from app.widgets.theme import icon
@@ -111,7 +113,7 @@ class PlayerWindow(QMainWindow):
 
     def _lay_out(self) -> None:
         self.setWindowIcon(icon("hapticplayer"))
-        self.setAcceptDrops(True)
+        self.drops = FileDrops(self, self._take_files)
         self.commands.fill(self.menuBar())
         self.study_menu = StudyMenu(
             self,
@@ -252,16 +254,8 @@ class PlayerWindow(QMainWindow):
         self.commands.apply_keys()
         self.extras.apply_settings()
 
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if dropped_paths(event.mimeData()):
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Open what is dropped; several files are a recording to be imported."""
-        paths = dropped_paths(event.mimeData())
-        if not paths:
-            return
-        event.acceptProposedAction()
+    def _take_files(self, paths: list[Path]) -> None:
+        """Open a file; several are a recording to be imported."""
         if len(paths) == 1:
             self.session.open_path(paths[0])
         else:

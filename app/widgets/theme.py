@@ -138,6 +138,8 @@ QPushButton:pressed {{ background: {BORDER}; }}
 QPushButton:disabled, QComboBox:disabled, QLineEdit:disabled {{ color: {DISABLED}; background: {PANEL}; }}
 QPushButton:focus, QComboBox:focus, QLineEdit:focus {{
   border: 2px solid {FOCUS}; padding: 3px 9px; }}
+/* of a choice the height gives way: its list is placed within its padding */
+QComboBox:focus {{ padding: 4px 9px; min-height: 18px; }}
 QAbstractSpinBox QLineEdit, QAbstractSpinBox QLineEdit:focus,
 QAbstractSpinBox QLineEdit:disabled {{
   border: 0; padding: 0 6px; min-height: 0; background: transparent; }}

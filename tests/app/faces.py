@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
     QScrollArea,
     QScrollBar,
+    QSpinBox,
     QStyle,
     QStyleOptionComboBox,
     QTabBar,
@@ -79,6 +80,7 @@ WORKING = (EditorPage, ImportWizard, LibraryPage, RenderingPage, SetupPage)
 EVERY_PLACE = 80  # more stops of the Tab key than any page has
 SEEN = 40  # of 255: a change of colour that is no rounding
 MARGIN_PX = 4
+ONE_ROWS_FRAME_PX = 2
 
 
 def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
@@ -333,6 +335,38 @@ def _cut_items(combo: QComboBox) -> Iterator[str]:
             yield f"choice {combo.itemText(k)!r}: {room_px} of {needed_px}"
 
 
+def _cut_number(box: QAbstractSpinBox) -> Iterator[str]:
+    """Yield a number whose field has no room for it."""
+    field = box.lineEdit()
+    margins = field.textMargins()
+    room_px = field.width() - margins.left() - margins.right()
+    texts = [box.text()]
+    if isinstance(box, QSpinBox):
+        texts += [f"{n}{box.suffix()}" for n in (box.minimum(), box.maximum())]
+    for text in texts:
+        if _wide(field, text) > room_px:
+            yield f"number {text!r}: {room_px} of {_wide(field, text)}"
+
+
+def short_lists(face: QWidget) -> Iterator[str]:
+    """Open each choice that has the keyboard; yield the lists that are cut off."""
+    for combo in face.findChildren(QComboBox):
+        if not (combo.isVisibleTo(face) and combo.isEnabled() and combo.count()):
+            continue
+        combo.setFocus(Qt.FocusReason.TabFocusReason)
+        QApplication.processEvents()
+        combo.showPopup()
+        QApplication.processEvents()
+        view = combo.view()
+        rows = min(combo.count(), combo.maxVisibleItems())
+        needed_px = sum(view.sizeHintForRow(row) for row in range(rows))
+        room_px = view.viewport().height()
+        is_whole_screen = view.window().height() >= face.screen().size().height() - 60
+        if room_px < needed_px - ONE_ROWS_FRAME_PX and not is_whole_screen:
+            yield f"list {combo.accessibleName()!r}: {room_px} of {needed_px} px"
+        combo.hidePopup()
+
+
 def _cut_sections(header: QHeaderView) -> Iterator[str]:
     for k in range(header.count()):
         along = header.orientation() == Qt.Orientation.Horizontal
@@ -368,6 +402,7 @@ _LOOKS: dict[type[QWidget], Callable[..., Iterator[str]]] = {
     QLabel: _cut_label,
     QAbstractButton: _cut_button,
     QComboBox: _cut_items,
+    QAbstractSpinBox: _cut_number,
     QHeaderView: _cut_sections,
     QTabBar: _cut_tabs,
 }

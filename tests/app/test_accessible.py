@@ -226,6 +226,22 @@ def wrong_with(face) -> list[str]:
     return found + [f"{type(w).__name__} without a name" for w in nameless]
 
 
+def test_every_list_of_choices_opens_whole(
+    dressed, make_window, source, tmp_path, qtbot
+):
+    dressed(language="en")
+    window = make_window()
+    window.session.show_source(source)
+    found = list(faces.short_lists(window))
+    for name, make in faces.dialogs(window, tmp_path).items():
+        face = make()
+        face.show()
+        qtbot.waitExposed(face)
+        found += [f"{name}: {one}" for one in faces.short_lists(face)]
+        faces.close(face)
+    assert found == []
+
+
 @pytest.mark.parametrize("language", list(languages.NAMES))
 def test_every_text_is_whole(dressed, make_window, source, language, tmp_path, qtbot):
     """In the window and each dialog, which fit a small screen."""

@@ -6,10 +6,10 @@ import threading
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
-from PySide6.QtGui import QDropEvent
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 
 from app.bridge import languages
 from app.experimenter.import_wizard import ImportWizard
@@ -113,18 +113,37 @@ def test_a_sequence_that_is_opened_plays(window, sequence, wait_for):
     assert not window.surface.grab().toImage().isNull()
 
 
-def test_a_video_that_is_dropped_plays_without_force(window, clip, wait_for):
+def mime_of(paths) -> QMimeData:
     content = QMimeData()
-    content.setUrls([QUrl.fromLocalFile(str(clip))])
-    window.dropEvent(
-        QDropEvent(
-            QPointF(9, 9),
-            Qt.DropAction.CopyAction,
-            content,
-            Qt.MouseButton.LeftButton,
-            Qt.KeyboardModifier.NoModifier,
-        )
-    )
+    content.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    return content
+
+
+def offered(content, actions=Qt.DropAction.CopyAction | Qt.DropAction.MoveAction):
+    """A drag from where the files may also be moved, which is proposed."""
+    keys = Qt.KeyboardModifier.ShiftModifier
+    return actions, content, Qt.MouseButton.LeftButton, keys
+
+
+def test_a_source_that_only_moves_files_is_refused(window, clip):
+    files = mime_of([clip])
+    drops = QDropEvent(QPointF(9, 9), *offered(files, Qt.DropAction.MoveAction))
+    QApplication.sendEvent(window, drops)
+    assert not drops.isAccepted()
+    assert window.player.snapshot().source is None
+
+
+def test_a_video_that_is_dropped_plays_without_force(window, clip, wait_for):
+    files = mime_of([clip])
+    enters = QDragEnterEvent(QPoint(9, 9), *offered(files))
+    QApplication.sendEvent(window, enters)
+    assert enters.isAccepted()
+    assert enters.dropAction() == Qt.DropAction.CopyAction
+    assert window.drops.frame.isVisible()
+    drops = QDropEvent(QPointF(9, 9), *offered(files))
+    QApplication.sendEvent(window, drops)
+    assert drops.dropAction() == Qt.DropAction.CopyAction
+    assert not window.drops.frame.isVisible()
     wait_for(lambda: window.player.snapshot().phase is Phase.PLAYING)
     assert window.transport.feedback.currentData() == "none"
 

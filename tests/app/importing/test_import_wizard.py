@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QApplication
 
 from app.bridge.jobs import in_child
 from app.experimenter import import_wizard
@@ -174,7 +175,7 @@ def test_files_that_are_dropped_on_the_window_are_imported(
         Qt.MouseButton.LeftButton,
         Qt.KeyboardModifier.NoModifier,
     )
-    window.dropEvent(event)
+    QApplication.sendEvent(window, event)
     wizard = window.findChild(ImportWizard)
     wait_for(wizard.next.isEnabled)
     for _ in range(3):
