@@ -1,5 +1,6 @@
 """Shares a sequence: what a file for others would hold, how large it is, and writes it."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -152,12 +153,14 @@ class SharePage(JobDialog):
             for part in parts
         ]
         if self._contents is not None:
-            how = (
-                self.tr("goes along")
-                if self.wanted.with_places
-                else self.tr("left out")
+            wanted = self.wanted
+            chosen = replace(
+                self._contents,
+                with_places=wanted.with_places,
+                has_motion=self._contents.has_motion and wanted.with_motion,
             )
-            for one in self._contents.personal:
+            for one, along in chosen.told(with_track=wanted.ending == ".mp4"):
+                how = self.tr("goes along") if along else self.tr("left out")
                 text = f"{capitalised(translated(one.text))} ({how})"
                 rows.append((text, without_controls(one.value), 0))
         whole = sum(part.size_bytes for part in parts)

@@ -14,6 +14,8 @@ from hapticplayer.sequence.sharing import share, shared_contents
 from hapticplayer.storage import FILE, refuse_existing
 from hapticplayer.untrusted import without_controls
 
+_ALONG, _LEFT = "goes along", "left out, see --with-places"
+
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
@@ -58,7 +60,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     )
     report = {"outputs": [str(path) for path in outputs_of(target)], **listing(what)}
     if not options.json:
-        say(text_of(what))
+        say(text_of(what, with_track=target.suffix.lower() == ".mp4"))
     if not options.dry_run:
         with interruptible(), shown_progress() as progress:
             payload = share(
@@ -103,16 +105,18 @@ def listing(what: Contents) -> dict[str, Any]:
     }
 
 
-def text_of(what: Contents) -> str:
-    """The contents of a file as a table."""
+def text_of(what: Contents, *, with_track: bool = False) -> str:
+    """The contents of a file as a table; see `Contents.told`."""
     parts = [
         f"  {part.name:24.24} {megabytes(part.size_bytes):>10}  {part.text}"
         for part in (what.video, *what.attached)
     ]
     head = f"{what.title} - feedbacks {', '.join(what.feedbacks)}"
     whole = f"  {'together':24} {megabytes(what.size_bytes):>10}"
-    how = "goes along" if what.with_places else "left out, see --with-places"
-    told = [f"  {how}: {one.text} {one.value}".rstrip() for one in what.personal]
+    told = [
+        f"  {_ALONG if along else _LEFT}: {one.text} {one.value}".rstrip()
+        for one, along in what.told(with_track=with_track)
+    ]
     return without_controls("\n".join([head, *parts, whole, *told]), "\n")
 
 

@@ -1,10 +1,13 @@
 """The files that are packed with the video of a sequence, and a description for people."""
 
+import hashlib
+import io
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
 from msgspec import structs
 
 from hapticplayer import storage
@@ -12,9 +15,16 @@ from hapticplayer.errors import Message, SequenceError
 from hapticplayer.media.matroska import Attachment
 from hapticplayer.model import Feedback
 from hapticplayer.sequence import store
-from hapticplayer.sequence.description import written
+from hapticplayer.sequence.arrays import arrays_in
+from hapticplayer.sequence.description import FileEntry, written
 from hapticplayer.sequence.packed import MANIFEST, Packed, refuse_twins
-from hapticplayer.sequence.personal import Personal, personal, without_personal
+from hapticplayer.sequence.personal import (
+    Personal,
+    log_zero_s,
+    personal,
+    shared_names,
+    without_personal,
+)
 from hapticplayer.untrusted import MAX_ATTACHED_BYTES, read_regular, without_controls
 
 MOTION_FILES = (store.MOTION, store.IMU, "truth.npz", "estimate.npz")
@@ -65,6 +75,17 @@ class Contents:
     personal: tuple[Personal, ...] = ()
     with_places: bool = False
 
+    def told(self, *, with_track: bool) -> tuple[tuple[Personal, bool], ...]:
+        """What tells of people and places, and whether it goes along.
+
+        Args:
+            with_track: whether the file has a place for the camera's own track.
+        """
+        along, track = self.with_places, with_track and self.has_motion
+        return tuple(
+            (one, along and (track or not one.is_track)) for one in self.personal
+        )
+
     @property
     def size_bytes(self) -> int:
         """Of everything together."""
@@ -83,8 +104,16 @@ def contents(
     files = files_to_pack(
         sequence, extras, with_motion=with_motion, with_places=with_places
     )
+    told = personal(sequence)
+    if not with_places:
+        names = shared_names(sequence.description)
+        described = without_personal(sequence.description)
+        tracks = {names.get(k, k): one for k, one in sequence.tracks.items()}
+        sequence = replace(
+            sequence, title=described.title, description=described, tracks=tracks
+        )
     found = _contents(sequence, files)
-    return replace(found, personal=personal(sequence), with_places=with_places)
+    return replace(found, personal=told, with_places=with_places)
 
 
 def contents_of(packed: Packed) -> Contents:
@@ -109,14 +138,20 @@ def files_to_pack(
         for name in description.files
         if name != sequence.clip.name and (with_motion or name not in MOTION_FILES)
     ]
-    small = [attachment_of(name, _content(sequence, name)) for name in names]
+    small = {name: _content(sequence, name) for name in names}
     kept = {*names, sequence.clip.name}
     listed = {k: one for k, one in description.files.items() if k in kept}
+    if not with_places:
+        zero_s = log_zero_s(description)
+        if zero_s and store.IMU in small:
+            small[store.IMU] = _from_zero(small[store.IMU], zero_s)
+            listed[store.IMU] = _entry_of(small[store.IMU])
     described = structs.replace(description, files=listed)
     if not with_places:
         described = without_personal(described)
     text = storage.json_text(written(described))
-    made = (attachment_of(store.DESCRIPTION, text), *small, *extras)
+    own = (attachment_of(name, content) for name, content in small.items())
+    made = (attachment_of(store.DESCRIPTION, text), *own, *extras)
     refuse_twins([MANIFEST, *(one.name for one in made)], sequence.folder)
     if sum(len(one.content) for one in made) > MAX_ATTACHED_BYTES:
         raise SequenceError(
@@ -132,6 +167,19 @@ def files_to_pack(
 def _content(sequence: store.Sequence, name: str) -> bytes:
     path = store.checked(sequence.folder, name, sequence.description.files)
     return read_regular(path, MAX_ATTACHED_BYTES, SequenceError)
+
+
+def _from_zero(content: bytes, zero_s: float) -> bytes:
+    """The samples of a log whose clock shows a date, from the begin of the clip on."""
+    arrays = arrays_in(io.BytesIO(content), store.IMU)
+    arrays["time_s"] = arrays["time_s"] - zero_s
+    made = io.BytesIO()
+    np.savez(made, allow_pickle=False, **arrays)
+    return made.getvalue()
+
+
+def _entry_of(content: bytes) -> FileEntry:
+    return FileEntry(len(content), hashlib.sha256(content).hexdigest())
 
 
 def attachment_of(name: str, content: bytes) -> Attachment:

@@ -22,7 +22,7 @@ from hapticplayer.sequence.force_import import export_force
 from hapticplayer.sequence.library import read_entry
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import MANIFEST, read_packed
-from hapticplayer.sequence.store import read_recorded
+from hapticplayer.sequence.store import read_recorded, recorded_log
 from hapticplayer.sequence.unpack import unpack
 
 FORCES = ("force_realistic.npz", "force_random.npz")
@@ -274,11 +274,14 @@ def test_names_dates_and_numbers_stay_here_unless_asked_for(
 ):
     path = sequence_folder / "sequence.json"
     made = json.loads(path.read_text())
-    told = {"video": "Anna Elm Street.mp4", "motion_source": "Anna Elm Street.csv"}
-    made["provenance"] |= {**told, "note": "Anna Elm Street.csv, line 3"}
-    made["provenance"] |= {"created_utc": "2026-05-01T10", "camera_serial": "C3441"}
+    told = {"video": "Anna Elm Street.mp4", "motion_source": "Elm Street 5"}
+    made["provenance"] |= {**told, "note": "Anna Elm Street.mp4, line 3"}
+    made["provenance"] |= {"created_utc": "2026-05-01T10", "camera_serial": 83441}
+    made["provenance"] |= {"text": "Elm Street 5/accel.csv {Elm}", "word": "Elm"}
+    made["feedbacks"]["Anna"] = {**made["feedbacks"]["random"]}
+    made["feedbacks"]["Anna"]["provenance"] = {"source": "Anna.csv"}
     path.write_text(json.dumps({**made, "title": "Anna Elm Street"}))
-    secret = (b"Anna", b"2026-05-01", b"C3441")
+    secret = (b"Anna", b"2026-05-01", b"83441", b"Elm Street")
     words = ["pack", str(sequence_folder), "--with-motion"]
     assert cli.main([*words, "-o", str(tmp_path / "a.mkv"), "--dry-run"]) == 0
     said = capsys.readouterr().out
@@ -290,12 +293,39 @@ def test_names_dates_and_numbers_stay_here_unless_asked_for(
             assert not [word for word in secret if word in one.read_bytes()]
     unpack(tmp_path / "a.mkv", tmp_path / "again")
     verify_sequence(tmp_path / "again")
+    again = open_sequence(tmp_path / "again")
+    assert "imported 1" in again.tracks
+    assert again.description.provenance["text"] == "file/accel.csv {Elm}"
+    assert again.description.provenance["word"] == "Elm"
     assert not read_entry(tmp_path / "again").problem
     read_recorded(tmp_path / "again")
     assert cli.main([*words, "-o", str(tmp_path / "b.mkv"), "--with-places"]) == 0
     assert "goes along: date 2026-05-01T10" in capsys.readouterr().out
     content = (tmp_path / "b.mkv").read_bytes()
     assert all(word in content for word in secret)
+
+
+def test_a_clock_that_shows_the_date_stays_here(sequence_folder, tmp_path, capsys):
+    path, log = sequence_folder / "sequence.json", sequence_folder / "imu.npz"
+    before = recorded_log(open_sequence(sequence_folder))
+    made, arrays = json.loads(path.read_text()), dict(np.load(log))
+    np.savez(log, **{**arrays, "time_s": arrays["time_s"] + 1.7e9})
+    made["clock_map"]["offset_s"] -= 1.7e9 * made["clock_map"]["rate"]
+    made["files"]["imu.npz"] = {
+        "size_bytes": log.stat().st_size,
+        "sha256": hashlib.sha256(log.read_bytes()).hexdigest(),
+    }
+    path.write_text(json.dumps(made))
+    words = ["pack", str(sequence_folder), "--with-motion", "-o"]
+    assert cli.main([*words, str(tmp_path / "a.mkv")]) == 0
+    assert "left out, see --with-places: date 2023-11-14T22:13" in (
+        capsys.readouterr().out
+    )
+    unpack(tmp_path / "a.mkv", tmp_path / "again")
+    again = open_sequence(tmp_path / "again")
+    assert abs(again.description.clock_map.offset_s) < 1.0
+    after = recorded_log(again)
+    np.testing.assert_allclose(after.time_s, before.time_s, atol=1e-6)
 
 
 def test_two_attachments_of_one_name_are_refused(sequence_folder, tmp_path):
