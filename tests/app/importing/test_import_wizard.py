@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.jobs import in_child
@@ -168,14 +168,14 @@ def test_files_that_are_dropped_on_the_window_are_imported(
     content = QMimeData()
     names = ("ride.mp4", "log.csv")
     content.setUrls([QUrl.fromLocalFile(str(ride[0] / name)) for name in names])
-    event = QDropEvent(
-        QPointF(50, 50),
+    offered = (
         Qt.DropAction.CopyAction,
         content,
         Qt.MouseButton.LeftButton,
         Qt.KeyboardModifier.NoModifier,
     )
-    QApplication.sendEvent(window, event)
+    QApplication.sendEvent(window, QDragEnterEvent(QPoint(50, 50), *offered))
+    QApplication.sendEvent(window, QDropEvent(QPointF(50, 50), *offered))
     wizard = window.findChild(ImportWizard)
     wait_for(wizard.next.isEnabled)
     for _ in range(3):
