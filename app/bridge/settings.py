@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from PySide6.QtCore import QByteArray, QStandardPaths
 from PySide6.QtWidgets import QWidget
 
+from app.widgets.layout import resize_within_screen
 from hapticplayer.devices import find_device
 from hapticplayer.devices.options import GAIN, with_gain
 from hapticplayer.errors import DeviceError, InputError
@@ -101,8 +102,7 @@ class Settings:
 
     def restore_geometry(self, window: QWidget, width_px: int, height_px: int) -> None:
         """Put a window where it was; at first as large as said, if that fits."""
-        room = window.screen().availableGeometry()
-        window.resize(min(width_px, room.width()), min(height_px, room.height()))
+        resize_within_screen(window, width_px, height_px)
         kept = self.text(_GEOMETRY)
         if kept:
             window.restoreGeometry(QByteArray.fromBase64(kept.encode()))

@@ -115,7 +115,7 @@ class SyncPage(QWidget):
         )
         texts = column_of(
             hint,
-            row_of(*buttons, *offset, STRETCH, spacing=8),
+            row_of(*buttons, *offset, STRETCH, spacing=4),
             self._sound_delay,
             row_of(*how, (self.method_text, 1)),
             *(self.looked, self.problem, STRETCH),

@@ -103,8 +103,7 @@ class RenderingPage(JobDialog):
     def _form_area(self) -> QScrollArea:
         """Return the fields, which scroll where the screen is low."""
         form = QFormLayout()
-        form.setLabelAlignment(Qt.AlignmentFlag.AlignRight)
-        form.setVerticalSpacing(10)
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapAllRows)
         self.fields.add_rows(form)
         self.area = scrolling(form)
         return self.area

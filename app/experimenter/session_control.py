@@ -26,7 +26,13 @@ from app.player.health_line import HealthLine
 from app.player.video_surface import VideoSurface, letterbox
 from app.widgets import theme
 from app.widgets.buttons import Button, text_button
-from app.widgets.layout import ask_text, framed, resize_within_screen
+from app.widgets.layout import (
+    ask_text,
+    column_of,
+    framed,
+    resize_within_screen,
+    scrolling,
+)
 from app.widgets.messages import MessageBar
 from hapticplayer.errors import UsageError, message_of
 from hapticplayer.study.pages import PageKind
@@ -121,7 +127,7 @@ class SessionControl(QMainWindow):
         self.note.returnPressed.connect(self._keep_note)
         self.buttons = self._make_buttons()
         self._stack = QStackedWidget()
-        self._stack.addWidget(start)
+        self._stack.addWidget(scrolling(column_of(start)))
         self._stack.addWidget(self._panel())
         self._lay_out()
 
@@ -169,7 +175,7 @@ class SessionControl(QMainWindow):
         for button in self.buttons.values():
             row.addWidget(button)
         column = QVBoxLayout(panel)
-        column.setContentsMargins(18, 16, 18, 14)
+        column.setContentsMargins(18, 12, 18, 10)
         column.setSpacing(12)
         column.addLayout(above)
         column.addLayout(row)

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -37,7 +37,7 @@ class EmptyPage(QWidget):
         parts = (STRETCH, _Icon(), title, text, 6, self._buttons())
         column_of(*parts, spacing=12, margins=(16, 8, 16, 8), of=self).addStretch(2)
 
-    def _buttons(self) -> QHBoxLayout:
+    def _buttons(self) -> QVBoxLayout:
         self.demo = text_button(
             self.tr("Play the demo"),
             self.tr("A simulated ride; created on first use"),
@@ -62,8 +62,12 @@ class EmptyPage(QWidget):
         self.open.clicked.connect(self.open_clicked)
         self.library.clicked.connect(self.library_clicked)
         self.import_recording.clicked.connect(self.import_clicked)
-        ways = (self.demo, self.open, self.library, self.import_recording, self.device)
-        return row_of(STRETCH, *ways, STRETCH, spacing=10)
+        rows = (
+            (self.demo, self.open, self.library),
+            (self.import_recording, self.device),
+        )
+        lines = [row_of(STRETCH, *row, STRETCH, spacing=10) for row in rows]
+        return column_of(*lines, spacing=10)
 
     def minimumSizeHint(self) -> QSize:
         """Return the room for all lines at this width, without the icon."""

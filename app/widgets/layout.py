@@ -25,6 +25,7 @@ Part = QWidget | QLayout | int | tuple[QWidget | QLayout, int]
 """What a row or column is made of; a number is a gap in px, a pair has its stretch."""
 
 ASKED_PX = 460
+TITLE_BAR_PX = 36  # of the tallest desktops; known only once the window is shown
 _INDENT_PX = 8
 _BAR_PX = 16
 
@@ -124,12 +125,13 @@ def captioned(text: str, widget: QWidget) -> tuple[QLabel, QWidget]:
 
 
 def resize_within_screen(window: QWidget, width_px: int, height_px: int) -> None:
-    """Give a window a size, or less where the screen has no room for it.
+    """Give a window a size, or less where the screen has no room for it and its title.
 
     At a scale of 200 % a screen of 1920 x 1080 pixels has room for half as many.
     """
-    room = window.screen().availableGeometry()
-    window.resize(min(width_px, room.width()), min(height_px, room.height()))
+    room = window.screen().availableSize()
+    room_px = max(0, room.height() - TITLE_BAR_PX)
+    window.resize(min(width_px, room.width()), min(height_px, room_px))
 
 
 def ask_text(parent: QWidget, title: str, label: str, text: str = "") -> str | None:
