@@ -26,6 +26,8 @@ from hapticplayer.capture.choices import (
     LogChoices,
     LogQuestion,
     factor,
+    is_factor,
+    kept_as,
 )
 from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.mounting import axes_matrix, mounted
@@ -36,6 +38,7 @@ from hapticplayer.capture.stuck import Repeats, working
 from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
+from hapticplayer.model.limits import COARSE_REST_MPS2
 
 if TYPE_CHECKING:
     from hapticplayer.motion.repair.timestamps import Repair
@@ -244,7 +247,9 @@ def _cleaned(
     from hapticplayer.motion import repair_samples  # brings scipy along
 
     imu, repairs = repair_samples(
-        *samples[:4], source=where, is_rate_unit_known=bool(choices.rate_unit)
+        *samples[:4],
+        source=where,
+        is_rate_unit_known=is_factor(choices.rate_unit, RATE_UNITS),
     )
     if not raw.is_gravity_free:
         return imu, repairs
@@ -263,11 +268,9 @@ def ask_about_units(
         return
     what = Message(_WOULD_FIT, what=error.what)
     answers = [other]
-    if not choices.rate_unit and "rate-unit" in other:
-        kept = Message(
-            "rate-unit={rate_unit} to take it as it is", rate_unit=raw.rate_unit
-        )
-        answers.append(kept)
+    if "rate-unit" in other:
+        as_is = log_checks.AS_IT_IS
+        answers.append(kept_as("rate-unit", raw.rate_unit, RATE_UNITS, as_is))
     raise LogQuestion(what, answers, where) from error
 
 
@@ -295,7 +298,8 @@ def _other_units(
     part: Samples, raw: RawLog, choices: LogChoices, where: str
 ) -> str | None:
     """Return other units that a part of the log would fit, as a choice, or None."""
-    rate_units = [raw.rate_unit] if choices.rate_unit else ["rad/s", "deg/s"]
+    is_kept = is_factor(choices.rate_unit, RATE_UNITS)
+    rate_units = [raw.rate_unit] if is_kept else ["rad/s", "deg/s"]
     for accel_unit in ("m/s2", "g", "mg"):
         for rate_unit in rate_units:
             if (accel_unit, rate_unit) == (raw.accel_unit, raw.rate_unit):
@@ -315,7 +319,9 @@ def _other_units(
 def _is_clean(part: Samples, raw: RawLog, choices: LogChoices, where: str) -> bool:
     """Whether a part of a log can be used in these units."""
     try:
-        _cleaned(_in_si(part, raw), raw, choices, where)
+        imu, _ = _cleaned(_in_si(part, raw), raw, choices, where)
     except InputError:
         return False
-    return True
+    low, high = COARSE_REST_MPS2
+    at_rest = None if raw.is_gravity_free else log_checks.norm_at_rest(imu)
+    return at_rest is None or low <= at_rest <= high

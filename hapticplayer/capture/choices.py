@@ -158,6 +158,21 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
     return value
 
 
+def is_factor(unit: str, table: Mapping[str, float]) -> bool:
+    """Whether a unit was given as a number, which nothing questions."""
+    return bool(unit) and unit not in table
+
+
+def kept_as(key: str, unit: str, table: Mapping[str, float], words: Message) -> Message:
+    """The answer that keeps a unit although it is in doubt: its factor."""
+    return Message(
+        "{key}={factor:.9g} {words}",
+        key=key,
+        factor=factor(unit, table, key),
+        words=words,
+    )
+
+
 def each_with_its_option(words: Sequence[str]) -> list[str]:
     """Return the words of a command with the option before each answer that follows it."""
     found: list[str] = []
@@ -176,11 +191,13 @@ def each_with_its_option(words: Sequence[str]) -> list[str]:
 def parse_choices(words: Sequence[str]) -> LogChoices:
     """Return the answers in `KEY=VALUE` words; `template=FILE` adds those of a file."""
     values: dict[str, str] = {}
+    of_template: dict[str, str] = {}
     for word in words:
         key, equals, value = word.partition("=")
-        key = key.strip().lower()
+        key, value = key.strip().lower(), value.strip()
+        name = key.replace("-", "_")
         if key == "template" and value:
-            values = {**read_template(Path(value)), **values}
+            of_template |= read_template(Path(value))
         elif not equals or key not in KEYS:
             raise UsageError(
                 "{option} {word!r} is not understood; give KEY=VALUE with one of {known}",
@@ -188,8 +205,19 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
                 word=word,
                 known=", ".join((*KEYS, "template")),
             )
+        elif not value or values.get(name, value) != value:
+            raise UsageError(
+                "{option} {key}={value} {fault}; give one value",
+                option=OPTION,
+                key=key,
+                value=value[:80],
+                fault=Message("comes after another value")
+                if value
+                else Message("has no value"),
+            )
         else:
-            values[key.replace("-", "_")] = value.strip()
+            values[name] = value
+    values = {**of_template, **values}
     if values.get("accel_sign", "") not in {"", "+", "-"}:
         raise UsageError("accel-sign must be + or -")
     if values.get("sampling", "") not in {"", *(kind.value for kind in Sampling)}:

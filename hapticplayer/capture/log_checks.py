@@ -1,6 +1,7 @@
 """Checks what a log declares against gravity and plausible rates.
 
-A person is asked if a figure does not fit; their answers are not questioned again.
+A person is asked if a figure does not fit, also about a unit that was given by name; a
+factor is not questioned.
 """
 
 from collections.abc import Mapping as Dict
@@ -15,6 +16,8 @@ from hapticplayer.capture.choices import (
     LogChoices,
     LogQuestion,
     factor,
+    is_factor,
+    kept_as,
 )
 from hapticplayer.capture.mounting import AXES, WRONG_SIGN, axes_matrix, mean_up
 from hapticplayer.capture.streams import RawLog
@@ -22,6 +25,8 @@ from hapticplayer.errors import Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_USUAL_RATE_RADPS, REST_MPS2, UPRIGHT
+
+AS_IT_IS = Message("to take it as it is")
 
 _WINDOW_S = 0.5
 _STATIONARY_MPS2 = 0.25
@@ -67,12 +72,16 @@ def check_norm(
     Args:
         found: of `figures`.
         raw: the log; its units were applied.
-        choices: a chosen unit is not questioned.
+        choices: a chosen factor is not questioned.
         where: the file.
     """
     norm = found["norm_at_rest_mps2"]
     low, high = REST_MPS2
-    if norm is None or low <= norm <= high or choices.accel_unit:
+    if (
+        norm is None
+        or low <= norm <= high
+        or is_factor(choices.accel_unit, ACCEL_UNITS)
+    ):
         return
     to_si = factor(raw.accel_unit, ACCEL_UNITS, "accel-unit")
     fitting = to_si * STANDARD_GRAVITY_MPS2 / norm
@@ -84,7 +93,7 @@ def check_norm(
             accel_unit=raw.accel_unit,
         ),
         (
-            Message("accel-unit={accel_unit} to keep it", accel_unit=raw.accel_unit),
+            kept_as("accel-unit", raw.accel_unit, ACCEL_UNITS, Message("to keep it")),
             Message("accel-unit={fitting:.6g} to scale it to gravity", fitting=fitting),
         ),
         where,
@@ -94,7 +103,7 @@ def check_norm(
 def check_rate(imu: ImuLog, raw: RawLog, choices: LogChoices, where: str) -> None:
     """Ask for the unit of the angular rate if it is beyond any sensor."""
     fast = np.abs(imu.angular_rate_radps).max(axis=1) > MAX_USUAL_RATE_RADPS
-    if choices.rate_unit or np.mean(fast) <= _FAST_SHARE:
+    if is_factor(choices.rate_unit, RATE_UNITS) or np.mean(fast) <= _FAST_SHARE:
         return
     largest = float(np.abs(imu.angular_rate_radps).max())
     other = "deg/s" if raw.rate_unit == "rad/s" else "rad/s"
@@ -107,9 +116,7 @@ def check_rate(imu: ImuLog, raw: RawLog, choices: LogChoices, where: str) -> Non
         ),
         (
             f"rate-unit={other}",
-            Message(
-                "rate-unit={rate_unit} to take it as it is", rate_unit=raw.rate_unit
-            ),
+            kept_as("rate-unit", raw.rate_unit, RATE_UNITS, AS_IT_IS),
         ),
         where,
     )
@@ -181,10 +188,11 @@ def check_upright(
         )
     words = Message(" ({words})", words=raw.axes_words) if raw.axes_words else ""
     proposal = _proposal(up, stored[up] < 0.0, raw.back_axis)
-    answers = (
-        Message("axes={axes}, or the axes that were right, front, up", axes=proposal),
-        WRONG_SIGN,
-    )
+    answers = [
+        Message("axes={axes}, or the axes that were right, front, up", axes=proposal)
+    ]
+    if not choices.accel_sign:
+        answers.insert(0 if stored[up] < 0.0 else 1, WRONG_SIGN)
     raise LogQuestion(
         Message(
             "its axis {axis} was up, so the sensor was not mounted with {axes} to "
@@ -193,7 +201,7 @@ def check_upright(
             axes=raw.axes,
             words=words,
         ),
-        answers[::-1] if stored[up] < 0.0 else answers,
+        answers,
         where,
     )
 

@@ -22,6 +22,7 @@ from hapticplayer.capture.choices import (
     RATE_UNITS,
     LogChoices,
     factor,
+    is_factor,
 )
 from hapticplayer.capture.csv_table import (
     FIELD_COLUMNS,
@@ -34,6 +35,7 @@ from hapticplayer.capture.csv_table import (
     read_table,
 )
 from hapticplayer.capture.formats import Confidence, Reader
+from hapticplayer.capture.log_checks import check_norm, norm_at_rest
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, on_common_times, split
@@ -102,7 +104,9 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
         _check_accel(accel.values, where)
         _check_rate(rate.values, where)
         imu, repairs = repair_samples(
-            *samples[:4], source=where, is_rate_unit_known=bool(choices.rate_unit)
+            *samples[:4],
+            source=where,
+            is_rate_unit_known=is_factor(choices.rate_unit, RATE_UNITS),
         )
     except InputError as error:
         ask_about_units(error, samples, raw, choices, where)
@@ -131,6 +135,7 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
         ),
         provenance={"reader": Message("CSV log"), **streams.repeats.provenance},
     )
+    check_norm({"norm_at_rest_mps2": norm_at_rest(imu)}, raw, choices, where)
     return as_answered(recording, choices)
 
 

@@ -54,6 +54,9 @@ def frozen_rows(values: Floats) -> Flags:
     frozen, least = np.zeros(count, np.bool_), LEAST_REPEATS * each
     if count < 2 * least:
         return frozen
+    if _has_stuck_axis(values, each):
+        frozen[:] = True
+        return frozen
     found = list(_repeats(values, each, least))
     if not found:
         return frozen
@@ -65,6 +68,17 @@ def frozen_rows(values: Floats) -> Flags:
         if one.is_frozen(values, axes, least):
             frozen[one.begin + one.period : one.end + one.period] = True
     return frozen
+
+
+def _has_stuck_axis(values: Floats, each: int) -> bool:
+    """Whether an axis has one value, not zero, throughout, and another has noise."""
+    held = values[all_of_rows(np.isfinite(values))]
+    if len(held) < LEAST_REPEATS:
+        return False
+    is_stuck = (held == held[0]).all(axis=0) & (held[0] != 0.0)
+    if not is_stuck.any():
+        return False
+    return bool(_axes(held, np.ones(held.shape, np.bool_), each).is_resolved.any())
 
 
 class _Repeats(NamedTuple):

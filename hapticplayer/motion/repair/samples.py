@@ -238,7 +238,11 @@ def _refuse_missing(sensor: _Sensor, lost: Flags, line: Timeline, source: str) -
         "{name} is zero, not finite or beyond any sensor in {count} of "
         "{total} rows, first in {place}",
         where=source,
-        remedy="give a recording of a sensor that worked",
+        remedy=Message(
+            "give the unit of its numbers, or a recording of a sensor that worked"
+        )
+        if count == len(lost)
+        else Message("give a recording of a sensor that worked"),
         name=sensor.name,
         count=count,
         total=len(lost),

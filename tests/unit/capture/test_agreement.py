@@ -13,6 +13,7 @@ from hapticplayer.capture.choices import LogQuestion, parse_choices
 from hapticplayer.errors import InputError, UsageError
 from tests.faults.import_formats import FORMATS, put
 from tests.faults.import_signal import Sampled, sample
+from tests.needed_extras import needs
 from tests.unit.capture.conftest import case_file
 
 X, Y, Z = np.eye(3)
@@ -156,6 +157,40 @@ def test_another_unit_is_asked_about(tmp_path, key, accel, rate, answer):
     for name in ("specific_force_mps2", "angular_rate_radps"):
         np.testing.assert_allclose(
             getattr(mended.imu, name), getattr(right.imu, name), atol=1e-4
+        )
+
+
+@pytest.mark.parametrize("scale", [0.5, 0.75, 1 / 0.3048])
+@pytest.mark.parametrize("key", ["own CSV", "EuRoC"])
+def test_a_scale_that_rest_contradicts_is_asked_about(tmp_path, key, scale):
+    right = read_recording(written(key, tmp_path / "right"))
+    path = written(key, tmp_path / "wrong", scale * np.eye(3))
+    with pytest.raises(LogQuestion, match=r"but gravity is 9\.81") as asked:
+        read_recording(path, parse_choices(["accel-unit=m/s2"]))
+    kept, scaled = (str(one).split()[0] for one in asked.value.answers)
+    for answer, factor in ((kept, scale), (scaled, 1.0)):
+        found = read_recording(path, parse_choices([answer]))
+        np.testing.assert_allclose(
+            found.imu.specific_force_mps2,
+            factor * right.imu.specific_force_mps2,
+            rtol=0.01,
+            atol=0.02,
+        )
+
+
+@needs("loggers")
+def test_a_sign_that_was_given_is_not_offered_again(tmp_path):
+    upright = -np.array([X, Z, -Y])
+    path = written("EuRoC", tmp_path / "log", upright, -upright)
+    with pytest.raises(LogQuestion, match="accel-sign=-") as asked:
+        read_recording(path)
+    assert any("axes=" in str(one) for one in asked.value.answers)
+    for sign in "+-":
+        with pytest.raises(LogQuestion) as again:
+            read_recording(path, parse_choices([f"accel-sign={sign}"]))
+        assert not any("accel-sign" in str(one) for one in again.value.answers)
+        read_recording(
+            path, parse_choices([f"accel-sign={sign}", first_answer(again).rstrip(",")])
         )
 
 

@@ -89,6 +89,13 @@ def test_words_that_are_no_choice_are_refused(word):
         parse_choices([word])
 
 
+@pytest.mark.parametrize("second", ["axes=x,y,z", "axes="])
+def test_an_answer_that_another_replaces_is_refused(second):
+    with pytest.raises(UsageError, match="give one value"):
+        parse_choices(["axes=y,-x,z", second])
+    assert parse_choices(["axes=y,-x,z", "axes=y,-x,z"]).axes == "y,-x,z"
+
+
 @pytest.mark.parametrize(
     "word",
     ["accel-unit=stone", "rate-unit=-1", "rate-unit=nan", "field-unit=0",

@@ -42,6 +42,14 @@ def test_one_stuck_axis_takes_the_others_along(axis):
     assert frozen_rows(stuck(moving(), axes=axis))[SPAN].all()
 
 
+@pytest.mark.parametrize(("value", "is_stuck"), [(-32.768, True), (0.0, False)])
+def test_an_axis_with_one_value_throughout_is_stuck(value, is_stuck):
+    """A simulated log may lack an axis, which is zero."""
+    values = moving()
+    values[:, 1] = value
+    assert frozen_rows(values).all() == is_stuck
+
+
 @pytest.mark.parametrize("period", [2, 3, 7])
 def test_a_few_rows_that_come_again_are_no_readings(period):
     values = moving()

@@ -1,11 +1,14 @@
 """Units are recognised from how gravity looks and turns."""
 
+import re
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.errors import InputError
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
+from hapticplayer.motion.repair.timestamps import repair_times
 from hapticplayer.motion.repair.units import (
     calm_norm,
     check_force_unit,
@@ -15,6 +18,14 @@ from hapticplayer.motion.repair.units import (
 T = np.arange(0, 20, 0.01)
 DEGREES = 180.0 / np.pi
 CLIP_S = 10.0
+
+
+def named_factor(refused) -> float:
+    """The number that a remedy says to multiply or divide by."""
+    how, number = re.search(
+        r"(multiply|divide) \S+ by ([\d.]*\d)", str(refused.value)
+    ).groups()
+    return float(number) if how == "multiply" else 1.0 / float(number)
 
 
 def still(rng, rate_noise, bias=(0.0, 0.0, 0.0)):
@@ -35,8 +46,11 @@ def still(rng, rate_noise, bias=(0.0, 0.0, 0.0)):
 def test_a_force_in_another_unit_is_refused_with_the_factor(swing, factor, remedy):
     log, _ = swing
     check_force_unit(log.time_s, log.specific_force_mps2)
-    with pytest.raises(InputError, match=remedy):
-        check_force_unit(log.time_s, factor * log.specific_force_mps2)
+    given = factor * log.specific_force_mps2
+    with pytest.raises(InputError, match=remedy) as refused:
+        check_force_unit(log.time_s, given)
+    if "multiply" in remedy and "removed" not in remedy:
+        check_force_unit(log.time_s, named_factor(refused) * given)
 
 
 def test_the_calm_norm_looks_past_free_fall_and_shaking(rng):
@@ -51,8 +65,21 @@ def test_turning_tells_degrees_from_radians(swing):
     log, _ = swing
     given = log.time_s, log.specific_force_mps2
     check_rate_unit(*given, log.angular_rate_radps)
-    with pytest.raises(InputError, match=r"deg/s: multiply it by 0\.0174532925"):
+    with pytest.raises(InputError, match=r"deg/s: multiply it by") as refused:
         check_rate_unit(*given, DEGREES * log.angular_rate_radps)
+    factor = named_factor(refused)
+    assert factor == pytest.approx(np.pi / 180.0)
+    assert check_rate_unit(*given, factor * DEGREES * log.angular_rate_radps) is None
+
+
+@pytest.mark.parametrize("per_s", [1e3, 1e6, 1e9])
+def test_the_divisor_that_is_named_makes_seconds_of_times(swing, per_s):
+    log, _ = swing
+    given = per_s * log.time_s
+    with pytest.raises(InputError, match="divide time_s") as refused:
+        repair_times(given.copy(), [])
+    line = repair_times(named_factor(refused) * given, [])
+    np.testing.assert_allclose(line.time_s, log.time_s, atol=1e-6)
 
 
 def test_a_rate_that_was_converted_twice_is_recognised():
