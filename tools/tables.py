@@ -269,9 +269,9 @@ def _argument(action: argparse.Action) -> str:
 
 
 def figure(name: str, what: str) -> str:
-    """What a benchmark measured, by its result's file and the words of the target."""
+    """What a benchmark measured, by its result and the first words of its target."""
     targets = result(RESULTS / f"{name}.json")["targets"]
-    (value,) = (one["measured"] for one in targets if one["what"] == what)
+    (value,) = (one["measured"] for one in targets if one["what"].startswith(what))
     return rounded(value) if isinstance(value, float) else str(value)
 
 

@@ -2,6 +2,7 @@
 
 import itertools
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -20,6 +21,13 @@ TYPED = re.compile(r"\b\d+\.\d+ ?(?:us|ms|s|mN|N|MB|kbit/s|%|times)\b")
 """As measured figures look: the conditions of a benchmark are whole numbers."""
 WRITTEN = (performance_page.PAGE, numerics_page.PAGE)
 """Whole pages that a tool writes from results."""
+
+
+def git(*words):
+    done = subprocess.run(
+        ["git", *words], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    return done.returncode, done.stdout.strip()
 
 
 def prose(page):
@@ -57,6 +65,17 @@ def test_a_figure_of_a_benchmark_is_not_typed(page):
 @pytest.mark.parametrize("tool", [performance_page, numerics_page])
 def test_prose_of_pages_of_results_has_no_figure(tool):
     assert not TYPED.findall(tool.TEXT)
+
+
+def test_results_are_of_commits_that_can_be_checked_out():
+    if git("rev-parse", "--is-shallow-repository") != (0, "false"):
+        pytest.skip("the history is not here")
+    commits = {n: one["commit"] for n, one in performance_page.all_results().items()}
+    assert not [
+        name
+        for name, commit in commits.items()
+        if not commit or git("merge-base", "--is-ancestor", commit, "HEAD")[0]
+    ]
 
 
 def test_every_table_stands_in_a_document():
