@@ -125,6 +125,9 @@ def parse_json(content: bytes, where: str, error: type[InputError], remedy: str)
     Raises:
         InputError: `error`, when it is not such a text.
     """
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        what, to_do = Message("is text in UTF-16"), Message("save it as text in UTF-8")
+        raise error(what, where=where, remedy=to_do)
     try:
         value = json.loads(
             content.decode("utf-8-sig"),

@@ -51,14 +51,15 @@ class OtherContainer(NamedTuple):
 
 
 _COPY, _ENCODE = ("-c", "copy"), ("-c:v", "libx264", "-c:a", "aac")
-_TRANSPORT = ("MPEG-TS", (".ts", ".mts", ".m2ts"), _COPY, b"G")
+_TRANSPORT = ("MPEG-TS", (".ts", ".mts", ".m2ts"))
+_VIDEO_COPY = ("-c:v", "copy", "-c:a", "aac")  # MP4 takes no PCM of Blu-ray
 OTHERS = (
-    OtherContainer(*_TRANSPORT, every=188),
-    OtherContainer(*_TRANSPORT, offset=4, every=192),
+    OtherContainer(*_TRANSPORT, _VIDEO_COPY, b"G", offset=4, every=192),
+    OtherContainer(*_TRANSPORT, _COPY, b"G", every=188),
     OtherContainer("MPEG-PS", (".mpg", ".vob"), _COPY, b"\0\0\1\xba"),
     OtherContainer("MPEG video", (".m2v",), _COPY, b"\0\0\1\xb3"),
     OtherContainer("raw H.264 or H.265", (".h264", ".h265"), _COPY, b"\0\0\0\1"),
-    OtherContainer("MXF", (".mxf",), ("-c:v", "copy", "-c:a", "aac"), b"\6\x0e\x2b\x34"),
+    OtherContainer("MXF", (".mxf",), _VIDEO_COPY, b"\6\x0e\x2b\x34"),
     OtherContainer("FLV", (".flv",), _ENCODE, b"FLV\1"),
     OtherContainer("Windows Media", (".wmv", ".asf"), _ENCODE, b"\x30\x26\xb2\x75\x8e\x66"),
     OtherContainer("Ogg", (".ogv", ".ogg"), _ENCODE, b"OggS"),
@@ -95,8 +96,9 @@ def refuse_others(clip: AnyClip) -> None:
 
 
 def command(path: Path, container: OtherContainer) -> str:
-    """What makes an MP4 beside a file, to be pasted."""
-    target = path.with_name(f"{path.stem}.mp4")
+    """What makes an MP4 beside a file, to be pasted; no file is in its way."""
+    names = (f"{path.stem}{number}.mp4" for number in ("", *range(2, 1000)))
+    target = next(one for one in map(path.with_name, names) if not one.exists())
     words = ("-fflags", "+genpts", "-i", path, *container.options, target)
     return shell_line("ffmpeg", *words)
 

@@ -115,6 +115,9 @@ def read_force(
             reason=problem,
         ) from problem
     refuse_untaken(choices, form.name, str(path))
+    if not len(found.track.active_s):
+        said = Message("its force is 0 N from beginning to end")
+        found = found._replace(unread=(*found.unread, said))
     return found
 
 

@@ -36,6 +36,8 @@ MAKERS = (
         why_not=Message("which has no accelerometer samples (DJI stores orientations only)")),
     Maker("Google's CAMM", marks=("camm",), names=("cameramotionmetadata", "camm"),
         why_not=Message("which nothing here reads")),
+    Maker("GoPro", marks=("gpmd",),
+        why_not=Message("whose track another program has renamed; the camera's file is read")),
     Maker("Canon", marks=("CTMD",), why_not=Message("which has no motion")),
 )  # fmt: skip
 

@@ -139,7 +139,11 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
     )
     reader = _AxisReader([said], [], {})
     reader.add(path)
-    for beside in _files_beside(path):
+    for beside, axis in _files_beside(path):
+        if axis not in _AXES:
+            said = Message("not read: {what} beside it", what=beside.name)
+            reader.unread.append(said)
+            continue
         reader.add(beside)
         said = Message("{name} beside it was read, too", name=beside.name)
         reader.assumed.append(said)
@@ -227,12 +231,18 @@ def _axis_of(path: Path) -> str:
     return _NAMED.get(part, "L0")
 
 
-def _files_beside(path: Path) -> list[Path]:
-    """The other axes of a script that is named without one."""
+def _files_beside(path: Path) -> list[tuple[Path, str]]:
+    """The others of a script that is named without an axis, each with its own."""
     if _axis_of(path) != "L0":
         return []
-    names = [f"{path.stem}{part}{path.suffix}" for part in _PARTS if part]
-    return [one for one in map(path.with_name, names) if one.is_file()]
+    stem, found = path.stem.lower(), []
+    for one in sorted(path.parent.iterdir()):
+        base, _, part = one.stem.lower().rpartition(".")
+        if base == stem and one.suffix.lower() == ".funscript" and one.is_file():
+            axis = _NAMED.get(part, part)
+            if axis in _AXES or part in _ROTATIONS + _STRENGTHS:
+                found.append((one, axis))
+    return found
 
 
 def _positions(one: _Axis) -> tuple[Floats, Floats]:

@@ -155,7 +155,7 @@ class Bands:
             rows = rows[is_placed]
         rows = rows[np.argsort(rows[:, 0], kind="stable")]
         time_s = rows[:, 0] / self._timescale
-        if len(time_s) and not 0.0 <= time_s[0] <= time_s[-1] <= MAX_SECONDS:
+        if len(time_s) and not -MAX_SECONDS <= time_s[0] <= time_s[-1] <= MAX_SECONDS:
             raise InputError(
                 "a keyframe lies outside of any clip", where=self.where, remedy=ANOTHER
             )

@@ -59,6 +59,7 @@ class HjifChannel(Struct):
     """Bands that act along one direction."""
 
     gain: Factor = 1.0
+    mixing_coefficient: Factor = 1.0
     reference_device_id: Number | None = None
     direction: Vector | None = None
     body_part_mask: Number = 0.0

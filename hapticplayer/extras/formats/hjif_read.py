@@ -33,6 +33,7 @@ from hapticplayer.untrusted import ANOTHER
 FORCE = ("Force", "Kinesthetic")
 VIBRATION = ("Vibrotactile", "Vibration")
 _OTHER = "Other"
+_ROUNDED = 1e-6
 _MEANT = {"force": FORCE[0], "vibration": VIBRATION[0]}
 
 
@@ -65,8 +66,10 @@ class _ChannelReader:
         for row, channel in enumerate(perception.channels):
             self._bands.where = f"{where}.channels[{row}]"
             scale_n = self._scale_n(channel, modality, devices) * unit
+            if channel.mixing_coefficient != 1.0:
+                self._bands.unread["mixing_coefficient"] += 1
             shapes = [self._bands.shape(band, library) for band in channel.bands]
-            shape = _summed([one for one in shapes if len(one.time_s)])
+            shape = self._summed([one for one in shapes if len(one.time_s)])
             if len(shape.time_s):
                 self._masks.add(channel.body_part_mask)
                 self._parts.append((scale_n * self._direction(channel), shape))
@@ -138,6 +141,12 @@ class _ChannelReader:
                     number=number,
                 )
                 self._bands.assumed.append(said)
+            elif len(devices) > 1:
+                said = Message(
+                    "of {count} reference devices the first was taken",
+                    count=len(devices),
+                )
+                self._bands.assumed.append(said)
         if modality in FORCE and device and device.maximum_amplitude is not None:
             return channel.gain * device.maximum_amplitude
         full_n: float = self._choices.take("full_scale_n")
@@ -167,13 +176,13 @@ class _ChannelReader:
         )
         return np.array(chosen)
 
-
-def _summed(shapes: list[EffectCurve]) -> EffectCurve:
-    """Return the sum of the bands of a channel, between -1 and 1."""
-    if len(shapes) == 1:
-        return EffectCurve(shapes[0].time_s, np.clip(shapes[0].value, -1.0, 1.0))
-    if not shapes:
-        return EffectCurve(np.zeros(0), np.zeros(0))
-    time_s = np.unique(np.concatenate([one.time_s for one in shapes]))
-    value = np.sum([np.interp(time_s, *one) for one in shapes], axis=0)
-    return EffectCurve(time_s, np.clip(value, -1.0, 1.0))
+    def _summed(self, shapes: list[EffectCurve]) -> EffectCurve:
+        """Return the sum of the bands of a channel, between -1 and 1."""
+        if not shapes:
+            return EffectCurve(np.zeros(0), np.zeros(0))
+        time_s = np.unique(np.concatenate([one.time_s for one in shapes]))
+        value = np.sum([np.interp(time_s, *one) for one in shapes], axis=0)
+        if np.abs(value).max() > 1.0 + _ROUNDED:
+            said = Message("amplitudes beyond 1 were limited")
+            self._bands.assumed.append(said)
+        return EffectCurve(time_s, np.clip(value, -1.0, 1.0))

@@ -18,7 +18,7 @@ import numpy as np
 from defusedxml import ElementTree
 from defusedxml.common import DefusedXmlException
 
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.extras.formats.hjif_signals import STEP_S
 from hapticplayer.extras.formats.mpegv_times import (
     Attributes,
@@ -36,6 +36,7 @@ from hapticplayer.untrusted import ANOTHER, read_regular
 MAX_BYTES = 24 << 20
 MAX_TAGS, MAX_ROWS = 200_000, 1_500_000
 _VIBRATION_HZ = 50.0
+_MOST_SAID = 3
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
@@ -111,7 +112,13 @@ class _EffectReader:
         ]
         parts = self._parts + self._moves(unread)
         if not parts:
-            raise self._refusal(Message("holds no force that is understood"))
+            if not unread:
+                raise self._refusal(Message("holds no force that is understood"))
+            what = Message(
+                "holds no force that is understood ({first})",
+                first=joined("; ", unread[:_MOST_SAID]),
+            )
+            raise self._refusal(what)
         time_s, force_n = _summed(parts)
         refuse_large_force(force_n, self._where)
         track = ForceTrack(
@@ -195,6 +202,8 @@ class _EffectReader:
     def _vibration(self, effect: SemEffect) -> Floats:
         if not {"intensity", "intensity-value"} & effect.attributes.values.keys():
             self._unread["vibration without an intensity"] += 1
+        if effect.is_beyond:
+            self._notes[Message("intensities beyond their range were limited")] = None
         length_s = (effect.length_s or 0.0) + effect.release_s
         count = int(length_s * 1000.0) + 1
         self._spend(count)

@@ -47,7 +47,9 @@ class Attributes(NamedTuple):
         try:
             value = default if text is None else number_in(text)
         except ValueError:
-            value = float("nan")
+            raise self.refusal(
+                Message("{name} must be a number, not {text!r}", name=name, text=text)
+            ) from None
         if not least <= value <= most:
             raise self.refusal(Message("{name} is out of range", name=name))
         return value
@@ -93,8 +95,16 @@ class SemEffect:
         return self.kind, self.attributes.values.get("location", "")
 
     @property
+    def is_beyond(self) -> bool:
+        """Whether its intensity is outside of its range."""
+        return not 0.0 <= self._share() <= 1.0
+
+    @property
     def level(self) -> float:
         """Intensity as a share of its range, 0 to 1."""
+        return min(1.0, max(0.0, self._share()))
+
+    def _share(self) -> float:
         span = self.attributes.values.get("intensity-range", "0 100").split()
         try:
             least, most = (number_in(text) for text in span)
@@ -108,8 +118,8 @@ class SemEffect:
         name = next((one for one in names if one in self.attributes.values), names[1])
         value = self.attributes.number(name, 0.0, -1e6, 1e6)
         if least < 0.0:
-            return min(1.0, abs(value) / max(most, -least))
-        return min(1.0, max(0.0, (value - least) / (most - least)))
+            return abs(value) / max(most, -least)
+        return (value - least) / (most - least)
 
 
 class EffectTimes:

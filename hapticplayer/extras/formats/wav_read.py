@@ -10,13 +10,14 @@ import math
 import os
 import re
 import struct
+from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import InputError, Message
+from hapticplayer.errors import InputError, Message, shell_line
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import refuse_large_force
@@ -33,6 +34,7 @@ _SUBFORMAT = bytes.fromhex("000000001000800000AA00389B71")
 """What follows the code in the GUID of the extensible format."""
 
 _STREAMED = 0xFFFFFFFF
+_RIFF = (b"RIFF", b"RF64", b"BW64")
 _MAX_COMMENT_BYTES = 1 << 16
 SAMPLES_AT_ONCE = 1 << 18
 """Of each channel."""
@@ -132,22 +134,15 @@ def _data(reader: BinaryIO, where: str) -> _Data:
             where=where,
             remedy=ANOTHER,
         )
-    head = reader.read(12)
-    if head[:4] != b"RIFF" or head[8:12] != b"WAVE":
-        raise InputError("is not a WAV file", where=where, remedy=ANOTHER)
-    at, form, scale_n = 12, None, None
+    form, scale_n = None, None
     samples: list[tuple[int, int]] = []
-    while len(head := reader.read(8)) == 8:
-        name, size = head[:4], struct.unpack_from("<I", head, 4)[0]
-        body = b"" if name == b"data" else reader.read(min(size, _MAX_COMMENT_BYTES))
+    for name, at, size, body in _chunks(reader, where):
         if name == b"data":
-            samples.append((at + 8, size))
+            samples.append((at, size))
         elif name == b"fmt " and len(body) >= 16 and not samples:
             form = _form(body, where)
         elif found := _SCALE.search(body):
             scale_n = _number(found[1])
-        at += 8 + size + size % 2
-        reader.seek(at)
     begin, said = samples[0] if samples else (0, 0)
     size = min(said, size_bytes - begin)
     if form is None or size < form.channels * form.width:
@@ -164,6 +159,24 @@ def _data(reader: BinaryIO, where: str) -> _Data:
     return data if form.bits == 8 * form.width else _justified(reader, data)
 
 
+def _chunks(reader: BinaryIO, where: str) -> Iterator[tuple[bytes, int, int, bytes]]:
+    """Yield name, place, size and the beginning of each chunk; no samples."""
+    head = reader.read(12)
+    if head[:4] not in _RIFF or head[8:12] != b"WAVE":
+        raise InputError("is not a WAV file", where=where, remedy=_as_pcm(where))
+    at, long_size = 20, _STREAMED
+    while len(head := reader.read(8)) == 8:
+        name, size = head[:4], struct.unpack_from("<I", head, 4)[0]
+        body = b"" if name == b"data" else reader.read(min(size, _MAX_COMMENT_BYTES))
+        if name == b"ds64" and len(body) >= 16:  # of a file that may exceed 4 GB
+            long_size = struct.unpack_from("<Q", body, 8)[0]
+        elif name == b"data" and size == _STREAMED:
+            size = min(long_size, _STREAMED)
+        yield name, at, size, body
+        at += 8 + size + size % 2
+        reader.seek(at - 8)
+
+
 def _form(body: bytes, where: str) -> _Form:
     code, channels, rate, _, block, bits = struct.unpack_from("<HHIIHH", body)
     if code == _EXTENSIBLE and len(body) >= 40 and body[26:40] == _SUBFORMAT:
@@ -178,12 +191,22 @@ def _form(body: bytes, where: str) -> _Form:
         raise InputError(
             "has no usual format ({bits} bits in {block} bytes for {channels} channels)",
             where=where,
-            remedy=ANOTHER,
+            remedy=_as_pcm(where),
             bits=bits,
             block=block,
             channels=channels,
         )
     return _Form(code, channels, rate, bits, width, 2.0 ** (8 * width - 1))
+
+
+def _as_pcm(where: str) -> Message:
+    path = Path(where)
+    to = path.with_name(f"{path.stem}-pcm.wav")
+    words = ("-i", where, "-c:a", "pcm_f32le", "-ar", "48000", to)
+    return Message(
+        "make another of it, of up to 8 channels, with: {command}",
+        command=shell_line("ffmpeg", *words),
+    )
 
 
 def _justified(reader: BinaryIO, data: _Data) -> _Data:

@@ -69,6 +69,26 @@ def test_a_remux_by_the_printed_command_is_read(tmp_path, name, kind, video, sou
 
 
 @needs_ffmpeg
+def test_a_remux_goes_to_a_name_that_is_free(tmp_path):
+    path = written(tmp_path / "ride.mp4", "mpegts", "libx264", "aac")
+    command = command_of(path)
+    assert command[-1] == str(tmp_path / "ride2.mp4")
+    subprocess.run(command, check=True, capture_output=True)
+    assert probe(command[-1]).duration_s == pytest.approx(2.0, abs=0.1)
+
+
+@needs_ffmpeg
+def test_a_camcorders_uncompressed_sound_is_encoded(tmp_path):
+    made = written(tmp_path / "a.ts", "mpegts", "libx264", "aac")
+    path = tmp_path / "b.m2ts"
+    words = f"ffmpeg -i {made} -c:v copy -c:a pcm_bluray -mpegts_m2ts_mode 1 {path}"
+    subprocess.run(shlex.split(words), check=True, capture_output=True)
+    command = command_of(path)
+    subprocess.run(command, check=True, capture_output=True)
+    assert probe(command[-1]).has_audio
+
+
+@needs_ffmpeg
 def test_a_camcorder_clip_becomes_one_that_plays(tmp_path, case):
     path = tmp_path / "camcorder.mts"
     path.write_bytes(case("mpeg-ts/camcorder.mts").read_bytes())

@@ -159,6 +159,7 @@ INSTA360 = b"8db42d694ccc418790edff439fe026bf"
         ({"mark": "djmd"}, "DJI, .*stores orientations only"),
         ({"name": "DJI meta"}, "DJI, .*stores orientations only"),
         ({"mark": "CTMD"}, "Canon, which has no motion"),
+        ({"mark": "gpmd"}, "GoPro, whose track another program has renamed"),
         ({}, "holds no motion telemetry"),
     ],
 )

@@ -222,6 +222,30 @@ def test_a_file_that_ends_before_the_clip_is_refused(read):
         read(content(band(effects=[early]), **UP))
 
 
+def test_a_keyframe_before_the_clip_is_cut_there(read):
+    line = effect((-100, 0.5), (1000, 1.0))
+    found = read(content(band(effects=[line], curve_type="Linear")))
+    assert at(found.track, 0)[0, 1] == pytest.approx(4.0 * (0.5 + 0.5 / 11.0), abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("made", "said"),
+    [
+        ({"mixing_coefficient": 0.5}, r"not read: mixing_coefficient \(1\)"),
+        ({"gain": 1.0, "height": 2.0}, "amplitudes beyond 1 were limited"),
+        ({"devices": 2}, "of 2 reference devices the first was taken"),
+    ],
+)
+def test_an_entry_that_changes_the_force_is_said(read, made, said):
+    made = dict(made)
+    height, devices = made.pop("height", 1.0), made.pop("devices", 1)
+    one = content(band(effects=[effect((0, 0.0), (1000, height))]), **made)
+    one["perceptions"][0]["reference_devices"] *= devices
+    for number, device in enumerate(one["perceptions"][0]["reference_devices"]):
+        one["perceptions"][0]["reference_devices"][number] = {**device, "id": number}
+    assert re.search(said, " ".join(map(str, read(one).notes)))
+
+
 def test_a_direction_of_no_length_is_the_chosen_one(read):
     made = content(
         band(effects=[effect((0, 1.0), (9, 1.0))]), direction={"X": 0, "Y": 0, "Z": 0}

@@ -211,6 +211,25 @@ def test_a_streamed_wav_has_no_length_and_is_whole(read):
     assert found.unread == ()
 
 
+def test_a_wav_for_more_than_4_gb_is_read(read, written):
+    plain = written("wav").read_bytes()
+    place = plain.index(b"data") + 4
+    (size,) = struct.unpack_from("<I", plain, place)
+    ds64 = b"ds64" + struct.pack("<IQQQI", 28, 0, size, 0, 0)
+    long = b"RF64" + plain[4:12] + ds64 + plain[12:place] + b"\xff" * 4
+    found = read(long + plain[place + 4 :] + b"LIST\4\0\0\0abcd", ".wav")
+    assert not found.notes
+    assert at(found.track, 0.5)[0] == pytest.approx([1, 2, -3], abs=1e-3)
+
+
+@pytest.mark.parametrize(("magic", "code"), [(b"RIFF", 6), (b"RIFX", 1)])
+def test_another_wav_is_refused_with_what_makes_pcm_of_it(read, magic, code):
+    form = struct.pack("<HHIIHH", code, 1, 8000, 8000, 1, 8)
+    chunks = b"WAVEfmt " + struct.pack("<I", 16) + form + b"data\4\0\0\0abcd"
+    with pytest.raises(InputError, match=r"with: ffmpeg -i \S+ -c:a pcm_f32le"):
+        read(magic + b"\0\0\0\0" + chunks, ".wav")
+
+
 def test_our_wav_has_what_its_format_requires(written):
     content, chunks, at_byte = written("wav").read_bytes(), {}, 12
     while at_byte < len(content):
@@ -426,6 +445,23 @@ def test_an_intensity_is_a_share_of_its_range(read, level, share):
     assert felt(found.track, (0, 1))[0] == pytest.approx(share, abs=1e-3)
 
 
+def test_an_intensity_beyond_its_range_is_limited_and_said(read):
+    most = 'intensity-value="150" intensity-range="0 100"'
+    found = read(SEM.format(shake(level=most)), ".sem")
+    assert np.abs(found.track.force_n).max() == pytest.approx(1.0, abs=1e-3)
+    assert "beyond their range" in " ".join(map(str, found.notes))
+
+
+def test_a_refusal_of_mpegv_names_what_was_not_understood(read):
+    with pytest.raises(InputError, match=r"not read: Vibration without an end \(1\)"):
+        read(SEM.format(shake(length=0)), ".sem")
+
+
+def test_an_attribute_that_is_no_number_is_named(read):
+    with pytest.raises(InputError, match="duration must be a number, not 'PT2S'"):
+        read(SEM.format(shake(length="PT2S")), ".sem")
+
+
 @pytest.mark.parametrize(
     "level",
     [
@@ -439,7 +475,7 @@ def test_an_intensity_is_a_share_of_its_range(read, level, share):
     ],
 )
 def test_an_intensity_that_is_no_number_is_refused(read, level):
-    with pytest.raises(InputError, match=r"intensity-(value|range) is out of range"):
+    with pytest.raises(InputError, match=r"intensity-(value|range) (is out|must be)"):
         read(SEM.format(shake(level=level)), ".sem")
 
 
@@ -772,6 +808,37 @@ def test_a_script_with_such_a_name_alone_is_up(tmp_path, name):
     path = tmp_path / f"{name}.funscript"
     path.write_text(json.dumps({"actions": LINE}))
     assert at(read_force(path).track, 0.999)[0, 1] == pytest.approx(EDGE_N, abs=0.01)
+
+
+def test_axes_beside_a_script_are_read_or_said(read, tmp_path):
+    text = json.dumps({"actions": [{"at": 0, "pos": 50}, {"at": 1000, "pos": 100}]})
+    for name in ("other.Surge", "other.twist", "other.vib", "another.sway"):
+        (tmp_path / f"{name}.funscript").write_text(text)
+    found = read(text, ".funscript")
+    assert at(found.track, 0.5)[0] == pytest.approx([0, 0.8, -0.8])
+    notes = " ".join(map(str, found.notes))
+    assert "other.Surge.funscript beside it was read" in notes
+    assert "not read: other.twist.funscript" in notes
+    assert "not read: other.vib.funscript" in notes
+    assert "another" not in notes
+
+
+def test_a_script_in_utf_16_is_named(read):
+    with pytest.raises(InputError, match="UTF-16; save it as text in UTF-8"):
+        read(json.dumps({"actions": []}).encode("utf-16"), ".funscript")
+
+
+@pytest.mark.parametrize(
+    ("content", "suffix"),
+    [
+        ('{"actions": [{"at": 0, "pos": 50}, {"at": 1000, "pos": 50}]}', ".funscript"),
+        ("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n1,0,0,0\n", ".csv"),
+    ],
+)
+def test_a_file_without_any_force_is_said(read, content, suffix):
+    assert "0 N from beginning to end" in " ".join(
+        map(str, read(content, suffix).notes)
+    )
 
 
 @pytest.mark.parametrize(
