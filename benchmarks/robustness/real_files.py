@@ -171,6 +171,52 @@ def frozen(name: str) -> Callable[[Path], Found]:
     return run
 
 
+def _spelt(
+    how: Callable[[list[list[str]]], str], *answers: str
+) -> Callable[[Path], Found]:
+    """Whether the phone's log is read that is written in another way."""
+
+    def run(folder: Path) -> Found:
+        path = CASES / "text-columns" / "sensorlog_ios.csv"
+        rows = [line.split(",")[1:8] for line in path.read_text().splitlines()[1:]]
+        spelt = folder / "spelt.txt"
+        spelt.write_text(how(rows), encoding="utf-8")
+        return log_as(spelt, "accel-sign=-", *answers, rms=HALF)
+
+    return run
+
+
+def _spellings() -> list[Row]:
+    """Ways to write a table that other programs have, made here."""
+
+    def lines(rows: list[list[str]], head: str = "t,ax,ay,az,gx,gy,gz") -> str:
+        return "\n".join([head, *map(",".join, rows)])
+
+    def r_names(rows: list[list[str]]) -> str:
+        return lines([[f'"{k}"', *row] for k, row in enumerate(rows, start=1)])
+
+    def arduino(rows: list[list[str]]) -> str:
+        return lines([[f"12:00:00.000 -> {row[0]}", *row[1:]] for row in rows])
+
+    def in_whole_seconds(rows: list[list[str]]) -> str:
+        return lines([[row[0].partition(".")[0], *row[1:]] for row in rows])
+
+    def in_days(rows: list[list[str]]) -> str:
+        return lines([[f"{float(row[0]) / 86_400:.12f}", *row[1:]] for row in rows])
+
+    before = (SIX.replace("time", "-,time"), *TABLE)
+    days = (SIX, "accel-unit=g", "rate-unit=rad/s", "time-unit=d")
+    made: list[tuple[str, Callable[[Path], Found]]] = [
+        ("rows with names, of R", _spelt(r_names, *before)),
+        ("clock times and arrows, of Arduino", _spelt(arduino, *before)),
+        ("the newest row first", _spelt(lambda r: lines(r[::-1]), SIX, *TABLE)),
+        ("whole seconds", _spelt(in_whole_seconds, SIX, *TABLE)),
+        ("days of a spreadsheet", _spelt(in_days, *days)),
+    ]
+    return [Row("number-spellings", what, "RMS 0.59 m/s2 at 50 Hz", run)
+            for what, run in made]  # fmt: skip
+
+
 def _logs() -> list[Row]:
     cases = CASES
     read, half = "RMS 1.07 m/s2 at 50 Hz", "RMS 0.59 m/s2 at 50 Hz"
@@ -460,7 +506,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
     """Run all rows; none may be wrong."""
     if not CASES.exists():
         sys.exit(f"the cases are not here: {CASES.name}")
-    rows = [*_logs(), *_clips(), *_forces(), *_services()]
+    rows = [*_logs(), *_spellings(), *_clips(), *_forces(), *_services()]
     rows = [row for row in rows if options.only in row.case]
     rows = [row for row in rows if not (options.quick and row.plays)]
     found = []

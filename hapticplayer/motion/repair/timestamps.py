@@ -389,11 +389,14 @@ def _check_steps(time_s: Floats, rows: Rows, interval_s: float, source: str) -> 
             rate_hz=rate_hz,
         )
     if rate_hz > MAX_RATE_HZ:
+        usual = (k for k in (1e3, 1e6, 1e9) if rate_hz / k <= MAX_USUAL_RATE_HZ)
         raise InputError(
             "time_s runs at {rate_hz:.3g} samples a second, faster than any sensor",
             where=source,
-            remedy="give the times in seconds, or average to {most_hz:g} samples a second",
+            remedy="if it is not in seconds, multiply time_s by {per_s:.0f}; else average "
+            "to {most_hz:g} samples a second",
             rate_hz=rate_hz,
+            per_s=next(usual, 1e9),
             most_hz=MAX_RATE_HZ,
         )
     steps = np.diff(time_s)
