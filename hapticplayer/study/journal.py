@@ -117,10 +117,7 @@ def encode(
         separators=(",", ":"),
     )
     body = text.encode("utf-8", errors="replace")[:-1]  # half a character: "?"
-    line = body + b',"crc":"%08x"}\n' % zlib.crc32(body)
-    if len(line) > MAX_RECORD_BYTES:
-        raise ValueError("the record is too long")
-    return line
+    return body + b',"crc":"%08x"}\n' % zlib.crc32(body)
 
 
 def decode(data: bytes) -> Records:
@@ -252,6 +249,14 @@ class Journal:
         """
         monotonic_s, utc = round(self._clock.now_s(), 6), utc_now_iso("milliseconds")
         line = encode(self._next, utc, monotonic_s, kind, content)
+        if len(line) > MAX_RECORD_BYTES:
+            raise StudyError(
+                "the text is too long to be saved ({found_kb} KB, at most {most_kb} KB)",
+                where=str(self._path.parent.name),
+                remedy="shorten it",
+                found_kb=len(line) >> 10,
+                most_kb=MAX_RECORD_BYTES >> 10,
+            )
         # an incomplete line of an interrupted write stays separate
         line = b"\n" + line if self._is_torn else line
         try:

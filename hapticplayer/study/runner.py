@@ -48,6 +48,8 @@ class StepMode(enum.Enum):
     PROBLEM = enum.auto()
 
 
+_NOTE_LENGTH = 100_000
+"""Of one record; a longer note has several."""
 _AT_STEP = {
     CONSENT: PageKind.CONSENT,
     SHEET: PageKind.QUESTIONS,
@@ -319,8 +321,10 @@ class SessionRunner:
             self._end(is_complete=False, reason=reason, by=by)
 
     def note(self, text: str) -> None:
-        if text.strip() and not self.is_over:
-            self._store("note", lambda: None, text=text.strip())
+        whole = text.strip()
+        for begin in range(0, 0 if self.is_over else len(whole), _NOTE_LENGTH):
+            part = whole[begin : begin + _NOTE_LENGTH]
+            self._store("note", lambda: None, text=part)
 
     def store_checks(self, checks: list[dict[str, Any]], *, overridden: bool) -> None:
         """Store the checks before the first trial."""

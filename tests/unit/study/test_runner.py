@@ -437,6 +437,17 @@ def test_half_a_character_in_a_text_does_not_stop_the_session(running):
     assert running.records().damaged == ()
 
 
+def test_a_note_of_any_length_is_kept_whole(running):
+    text = "\x07" + "\u20ac" * 1_100_000
+    running.runner.note(text)
+    notes = [r.content["text"] for r in running.records().intact if r.kind == "note"]
+    assert "".join(notes) == text
+    with pytest.raises(StudyError, match=r"too long .* 1024 KB"):
+        running.runner._journal.append("note", text=text)
+    running.runner.note("after")
+    assert running.records().intact[-1].content["text"] == "after"
+
+
 def test_a_folder_that_is_removed_stops_the_participant(running):
     running.to_trials()
     running.play()

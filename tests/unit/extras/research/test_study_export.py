@@ -55,13 +55,16 @@ def study(tmp_path, manual_clock):
     return open_study(made.folder)
 
 
-def write_ticks(path: Path, begun_s: float) -> None:
+def write_ticks(path: Path, begun_s: float, *, is_odd: bool = False) -> None:
     ticks = np.zeros(TICKS, dtype=TICK)
     ticks["monotonic_s"] = begun_s + 1e-3 * np.arange(TICKS)
     ticks["media_s"] = 1e-3 * np.arange(TICKS)
     ticks["force_n"][:, 1] = np.sin(1e-2 * np.arange(TICKS))
     ticks["position_m"][:, 0] = 0.01
     ticks["position_m"][7, 2] = np.nan
+    if is_odd:
+        ticks["monotonic_s"][[0, 9, 500, 1999]] = np.nan, 1e300, -np.inf, 0.0
+        ticks["force_n"][600, 1], ticks["media_s"][TICKS - 1] = 1e30, np.inf
     with path.open("wb") as out:
         writer = RecordWriter(out.fileno())
         writer.begin({"device": "simulated"})
@@ -134,7 +137,7 @@ def test_texts_without_a_review_are_not_exported(study, tmp_path):
     assert [row["text"] for row in texts] == ['yes; "very"\nso']
 
 
-@pytest.mark.parametrize("form", ["csv", "bids", "xdf"])
+@pytest.mark.parametrize("form", ["bids", "xdf"])
 def test_no_export_names_a_person_a_machine_or_a_path(study, tmp_path, form):
     export_study(study, tmp_path / form, form)
     secrets = [str(tmp_path), str(Path.home()), socket.gethostname(), getpass.getuser()]
@@ -318,6 +321,22 @@ def test_markers_of_a_changed_force_name_delay_and_gain(tmp_path, manual_clock):
     (markers,), _ = pyxdf.load_xdf(str(file))
     ends = [text.split() for (text,) in markers["time_series"] if "trial" in text]
     assert len({key for _, _, key in ends}) == len(ends)
+
+
+@pytest.mark.parametrize("form", ["bids", "xdf"])
+def test_ticks_that_no_device_has_are_left_out(study, tmp_path, form, manual_clock):
+    path = next(study.folder.rglob("*.hprec"))
+    write_ticks(path, manual_clock.now_s() - 1.0, is_odd=True)
+    report = export_study(study, tmp_path / "out", form)
+    assert "ticks-01.hprec: 6 ticks have times or values" in str(report)
+    if form == "xdf":
+        file = next((tmp_path / "out").glob("*_run-1.xdf"))
+        stamps = pyxdf.load_xdf(str(file), dejitter_timestamps=False)[0][0]
+        assert np.ptp(stamps["time_stamps"]) == pytest.approx(3.997, abs=1e-6)
+    else:
+        lines = next((tmp_path / "out").rglob("*_motion.tsv")).read_text().splitlines()
+        assert len(lines) == TICKS - 6
+        assert max(map(len, lines)) < 120
 
 
 # what only those who publish the data can fill in
