@@ -29,7 +29,7 @@ from hapticplayer.capture.choices import (
     is_factor,
     kept_as,
 )
-from hapticplayer.capture.formats import Confidence, Reader
+from hapticplayer.capture.formats import Confidence, Reader, WhyNot, without_reason
 from hapticplayer.capture.mounting import axes_matrix, mounted
 from hapticplayer.capture.recording import Placing, Recording
 from hapticplayer.capture.source import LogSource
@@ -54,6 +54,7 @@ _ONE_G = np.array([0.0, 0.0, STANDARD_GRAVITY_MPS2])
 def log_reader(
     recognises: Callable[[LogSource], Confidence],
     read_raw: Callable[[LogSource, LogChoices], RawLog],
+    why_not: WhyNot = without_reason,
 ) -> Reader:
     """Return the reader of a format whose logs are assembled here."""
 
@@ -61,7 +62,7 @@ def log_reader(
         # no other reference, so that `assemble` can free what it has used
         return assemble(read_raw(source, choices), choices, str(source.path))
 
-    return Reader(recognises, read)
+    return Reader(recognises, read, why_not)
 
 
 def only_one(found: list[str], source: LogSource) -> str:

@@ -4,9 +4,9 @@ import re
 import zipfile
 from typing import NamedTuple
 
+from hapticplayer.capture import formats
 from hapticplayer.capture.csv_table import foreign_digits, header_fault, nul_bytes
 from hapticplayer.capture.source import LogSource, is_plain_text
-from hapticplayer.capture.table_layout import unread_columns
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.untrusted import open_regular
 
@@ -141,4 +141,6 @@ def unknown(source: LogSource) -> InputError:
     for pattern, what in _MARKUP:
         if re.match(pattern, head):
             return InputError(what, where=where, remedy="export the recording as CSV")
-    return foreign_digits(head, where) or unread_columns(source) or header_fault(source)
+    reasons = (row.reader().why_not(source) for row in formats.recording_formats())
+    fault = next((reason for reason in reasons if reason), None)
+    return foreign_digits(head, where) or fault or header_fault(source)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple, cast
 
 from hapticplayer import extension
-from hapticplayer.errors import Message
+from hapticplayer.errors import InputError, Message
 
 if TYPE_CHECKING:
     from hapticplayer.capture.choices import LogChoices
@@ -29,16 +29,26 @@ class Confidence(enum.IntEnum):
     """A header or mark that no other format has."""
 
 
+def without_reason(_source: "LogSource") -> InputError | None:
+    """Of a format whose files cannot be mistaken."""
+    return None
+
+
+WhyNot = Callable[["LogSource"], InputError | None]
+
+
 class Reader(NamedTuple):
     """The functions of a format.
 
     Attributes:
         recognises: judges by the beginnings of the files only.
         read: reads the whole recording.
+        why_not: the reason why what is nearly of this format is not, or None.
     """
 
     recognises: "Callable[[LogSource], Confidence]"
     read: "Callable[[LogSource, LogChoices], Recording]"
+    why_not: WhyNot = without_reason
 
 
 class RecordingFormat(NamedTuple):
@@ -51,6 +61,7 @@ class RecordingFormat(NamedTuple):
         marks: what it is recognised by; this and the next two are for documents.
         zero: where its clock reads zero.
         checked: what its reader was compared with.
+        is_any: any table, of which a person names the columns; others come first.
     """
 
     name: str
@@ -59,6 +70,7 @@ class RecordingFormat(NamedTuple):
     marks: str = ""
     zero: str = ""
     checked: str = ""
+    is_any: bool = False
 
     def reader(self) -> Reader:
         return cast(Reader, extension.load(self.home))
@@ -70,12 +82,8 @@ FORMATS: tuple[RecordingFormat, ...] = (
         "the track `GoPro MET`; `DEVC` of raw GPMF", "at the first frame of the video; raw GPMF without STMP: where the first payload begins", "recordings of HERO5, 6, 7, 8, 9, 13 (time lapse) and Fusion; documentation of MAX and HERO11"),
     RecordingFormat("si-csv", Message("CSV in SI units"), f"{_HERE}.si_csv:READER",
         "`time_s,ax,...`", "where `time_s` is 0", "itself"),
-    RecordingFormat("csv", Message("CSV with chosen columns"), f"{_HERE}.any_table:READER",
-        "four columns of numbers or more", "where the time column is 0; at the first row for `time-unit=ns`, clock times and dates, or without a time", "the layout of SisFall"),
 )  # fmt: skip
 """Those of the core, in the order in which they are listed."""
-
-ANY_TABLE = FORMATS[-1]
 
 
 def recording_formats() -> tuple[RecordingFormat, ...]:

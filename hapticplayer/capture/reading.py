@@ -66,19 +66,17 @@ def find_format(source: LogSource, choices: LogChoices) -> RecordingFormat:
     """Return the format of a source."""
     if choices.format:
         return _chosen(choices, source)
-    any_table = formats.ANY_TABLE
-    if choices.columns and any_table.reader().recognises(source) is not Confidence.NO:
-        return any_table
-    found = [
-        (one.reader().recognises(source), one) for one in formats.recording_formats()
-    ]
+    rows = formats.recording_formats()
+    found = [(one.reader().recognises(source), one) for one in rows]
+    by_hand = [one for sure, one in found if one.is_any and sure is not Confidence.NO]
+    if choices.columns and by_hand:
+        return by_hand[0]
     best = max(confidence for confidence, _ in found)
     if best is Confidence.NO:
         raise unknown(source)
     fitting = [one for confidence, one in found if confidence is best]
-    if len(fitting) > 1 and any_table in fitting:
-        # the other format knows its columns, and checks them
-        fitting.remove(any_table)
+    # a format that knows its columns checks them
+    fitting = [one for one in fitting if not one.is_any] or fitting
     if len(fitting) > 1:
         raise LogQuestion(
             Message(

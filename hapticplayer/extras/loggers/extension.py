@@ -41,4 +41,6 @@ def recording_formats() -> "tuple[RecordingFormat, ...]":
             "`PacketCounter,SampleTimeFine`", "at the first row", "the layout of an export of free acceleration"),
         RecordingFormat("xsens-mt", Message("Xsens MT Manager"), f"{_HERE}.named_tables:XSENS_MT",
             "`//` lines, `PacketCounter`", "at the first row", "the layout of an export without gyroscope"),
+        RecordingFormat("csv", Message("CSV with chosen columns"), f"{_HERE}.any_table:READER",
+            "four columns of numbers or more", "where the time column is 0; at the first row for `time-unit=ns`, clock times and dates, or without a time", "the layout of SisFall", is_any=True),
     )  # fmt: skip

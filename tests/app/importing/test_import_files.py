@@ -6,8 +6,10 @@ import pytest
 from app.experimenter import import_suggestion, import_wizard
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT
 from hapticplayer.sequence import open_sequence
+from tests.needed_extras import needs
 
 
+@needs("loggers")
 def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_path):
     folder, made = ride
     imu = made.imu
@@ -37,6 +39,7 @@ def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_pa
     assert wizard.files.keep.isVisible()
 
 
+@needs("loggers")
 def test_a_log_in_two_files_is_read_as_one(wizard, ride, wait_for, tmp_path):
     folder, made = ride
     imu = made.imu

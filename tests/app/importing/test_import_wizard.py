@@ -20,6 +20,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.calibration import StoredCalibration, write_calibration
 from tests.app.importing.conftest import true_offset_s
+from tests.needed_extras import needs
 
 
 def test_a_ride_goes_from_files_to_a_report_in_the_library(
@@ -215,6 +216,7 @@ def test_a_new_entry_is_in_the_lists(application, qtbot, monkeypatch, tmp_path):
     made.close_jobs()
 
 
+@needs("loggers")
 def test_another_method_and_format_can_be_chosen(wizard, ride, wait_for):
     folder, made = ride
     wizard.take([folder / "ride.mp4", folder / "log.csv"])

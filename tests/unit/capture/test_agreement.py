@@ -16,6 +16,8 @@ from tests.faults.import_signal import Sampled, sample
 from tests.needed_extras import needs
 from tests.unit.capture.conftest import case_file
 
+pytestmark = needs("loggers")
+
 X, Y, Z = np.eye(3)
 MISTAKES = {  # what was done to accelerometer and gyro, and the answer that mends it
     "gyro reversed": (np.eye(3), -np.eye(3), "rate-axes=-x,-y,-z"),

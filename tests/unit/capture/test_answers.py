@@ -13,7 +13,10 @@ from hapticplayer.errors import HapticPlayerError
 from tests.faults.import_cases import check_sentence
 from tests.faults.import_formats import FORMATS, put
 from tests.faults.import_signal import sample
+from tests.needed_extras import needs
 from tests.unit.capture.conftest import DATA
+
+pytestmark = needs("loggers")
 
 ANSWERS = {  # none of which leaves any of these logs as it is
     "columns": "time,ay,ax,az,gx,gy,gz",

@@ -11,6 +11,8 @@ from tests.faults.import_formats import FORMATS, put
 from tests.faults.import_signal import Sampled, sample
 from tests.needed_extras import needs
 
+pytestmark = needs("loggers")
+
 LATE_S = 2.5
 """The first sample, on the clock that is written."""
 
@@ -66,7 +68,6 @@ def test_nanoseconds_of_a_table_count_from_its_first_row(tmp_path):
 
 
 @pytest.mark.parametrize("cell", ["", "nan", "1e300", "oops"])
-@needs("loggers")
 def test_unusable_elapsed_times_leave_the_first_sample(tmp_path, cell):
     files = FORMATS["Sensor Logger Android"].write(sample(apart=True))
     elapsed = re.compile(rb"^(\d+),[^,]+,", re.MULTILINE)

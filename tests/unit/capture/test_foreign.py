@@ -11,6 +11,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import parse_choices
 from hapticplayer.errors import InputError, UsageError
 from tests.faults.import_formats import zipped
+from tests.needed_extras import needs
 
 OWN = "time_s,ax,ay,az,gx,gy,gz"
 COUNT = 400
@@ -62,6 +63,7 @@ def test_empty_cells_between_quotes_are_holes(tmp_path):
     assert np.flatnonzero(~imu.valid).tolist() == [49]
 
 
+@needs("loggers")
 @pytest.mark.parametrize(
     ("separator", "decimal", "quote"),
     [
@@ -83,6 +85,7 @@ def test_another_table_may_be_quoted(tmp_path, separator, decimal, quote):
     check(path, CHOICES)
 
 
+@needs("loggers")
 @pytest.mark.parametrize("separator", [",", ";", "\t"])
 def test_empty_last_cells_are_holes(tmp_path, separator):
     path = tmp_path / "log.csv"
@@ -94,6 +97,7 @@ def test_empty_last_cells_are_holes(tmp_path, separator):
     assert np.flatnonzero(~imu.valid).tolist() == [49]
 
 
+@needs("loggers")
 def test_commas_that_are_decimal_and_separate_are_not_guessed_at(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text(log("t,a,b,c,d,e,f", decimal=","))
@@ -101,6 +105,7 @@ def test_commas_that_are_decimal_and_separate_are_not_guessed_at(tmp_path):
         read_recording(path, CHOICES)
 
 
+@needs("loggers")
 def test_columns_that_a_person_gives_win_over_our_own_header(tmp_path):
     path = tmp_path / "log.csv"
     lines = log().splitlines()

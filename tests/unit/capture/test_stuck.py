@@ -11,7 +11,10 @@ from hapticplayer.errors import InputError
 from hapticplayer.sequence.processing import Processing, process_motion
 from tests.faults.import_formats import FORMATS, put
 from tests.faults.import_signal import sample
+from tests.needed_extras import needs
 from tests.unit.capture.conftest import case_file
+
+pytestmark = needs("loggers")
 
 ANSWER = "stuck=no-force"
 COARSE = {"Ultimate IMU", "Razor M0", "Razor $"}  # a repeat may be rest to them

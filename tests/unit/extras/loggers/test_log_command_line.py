@@ -5,7 +5,6 @@ import pytest
 from hapticplayer.cli import main
 from tests.faults.import_formats import GENERIC, generic, phyphox_linear, put
 from tests.faults.import_signal import sample
-from tests.needed_extras import needs
 
 
 @pytest.fixture
@@ -44,14 +43,12 @@ def test_answers_that_read_nothing_are_not_kept(table, tmp_path, capsys):
     assert not template.exists()
 
 
-@needs("loggers")
 def test_motion_without_gravity_is_not_processed_a_second_time(tmp_path, capsys):
     path = put(phyphox_linear(sample()), tmp_path / "in")
     assert main(["process", str(path)]) == 1
     assert "recorder has removed gravity" in capsys.readouterr().err
 
 
-@needs("loggers")
 def test_a_folder_of_a_phone_is_processed(tmp_path, capsys):
     from tests.faults.import_formats import sensor_logger_android
 

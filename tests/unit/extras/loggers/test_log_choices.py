@@ -10,7 +10,6 @@ from hapticplayer.capture.choices import LogChoices, parse_choices, write_templa
 from hapticplayer.errors import InputError, UsageError
 from tests.faults.import_formats import FORMATS, GENERIC, generic, put
 from tests.faults.import_signal import sample, true_force, true_rate
-from tests.needed_extras import needs
 
 
 @pytest.fixture
@@ -101,7 +100,6 @@ def test_an_answer_that_another_replaces_is_refused(second):
     ["accel-unit=stone", "rate-unit=-1", "rate-unit=nan", "field-unit=0",
      "rate-hz=fast", "rate-hz=-5", "accel-sign=x"],
 )  # fmt: skip
-@needs("loggers")
 def test_values_that_make_no_sense_are_refused(tmp_path, word):
     key = "Razor-AHRS" if word.startswith("rate-hz") else "Ultimate IMU"
     path = put(FORMATS[key].write(sample()), tmp_path / "in")
@@ -115,7 +113,6 @@ def test_a_factor_is_a_unit(table):
     assert np.abs(imu.specific_force_mps2 - true_force(imu.time_s)).max() < 0.06
 
 
-@needs("loggers")
 def test_sign_of_the_accelerometer_can_be_negated(tmp_path):
     """As MARS of iOS writes it: -1 g upwards; no rotation of axes could mend it."""
     clean = sample()
@@ -211,7 +208,6 @@ def test_columns_of_two_tables_are_checked(tmp_path, columns, sentence):
         read_recording(paths, parse_choices([f"columns={columns}"]))
 
 
-@needs("loggers")
 def test_files_of_one_log_are_given_one_by_one(tmp_path):
     """Also those of an app: they are recognised as in its zip."""
     folder = put(FORMATS["phyphox X Y Z"].write(sample(apart=True)), tmp_path / "in")
@@ -240,7 +236,6 @@ def test_a_part_that_is_not_a_file_is_refused(tmp_path, other):
         read_recording(paths)
 
 
-@needs("loggers")
 def test_format_can_be_chosen_but_not_against_the_content(table):
     with pytest.raises(UsageError, match="is not a log of Gyroflow"):
         read_recording(table, parse_choices(["format=gcsv"]))

@@ -32,7 +32,8 @@ from hapticplayer.capture.streams import (
     split_sensors,
     unwrapped,
 )
-from hapticplayer.capture.table_layout import (
+from hapticplayer.errors import Message, UsageError, joined
+from hapticplayer.extras.loggers.table_layout import (
     CLOCK,
     NUMBER,
     SKIP,
@@ -40,8 +41,8 @@ from hapticplayer.capture.table_layout import (
     Layout,
     layouts_of,
     proposed_names,
+    unread_columns,
 )
-from hapticplayer.errors import Message, UsageError, joined
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.spellings import (
     DAY_S,
@@ -294,4 +295,4 @@ def _ask_units(
         )
 
 
-READER = log_reader(recognises, read)
+READER = log_reader(recognises, read, unread_columns)

@@ -12,7 +12,6 @@ from hapticplayer.capture.choices import KEYS, LogQuestion, parse_choices
 from hapticplayer.errors import HapticPlayerError, InputError, UsageError
 from tests.faults.import_formats import FORMATS, put
 from tests.faults.import_signal import sample
-from tests.needed_extras import needs
 from tests.unit.capture.conftest import DATA
 
 CASES = DATA.parent / "cases"
@@ -329,7 +328,6 @@ ascale,0.101971621{end}
 """
 
 
-@needs("loggers")
 @pytest.mark.parametrize(
     ("names", "end"),
     [
@@ -349,7 +347,6 @@ def test_gcsv_is_read_by_the_names_of_its_columns(tmp_path, names, end):
     check(read(path))
 
 
-@needs("loggers")
 def test_gcsv_without_a_sensor_names_its_columns(tmp_path):
     path = tmp_path / "log.gcsv"
     names = ["t", "ax", "ay", "az", "p", "q", "r"]
@@ -464,7 +461,6 @@ def test_spellings_of_the_same_log_are_read(name):
         assert np.median(norm) == pytest.approx(9.80, abs=0.01)
 
 
-@needs("loggers")
 @pytest.mark.parametrize(
     "name", ["micros_wrap", "mobius_temp", "saved_by_excel", "thumb_rx"]
 )
