@@ -1,1 +1,1 @@
-"""The editor of the effects of a sequence: one time line with clip, force and sound."""
+"""The editor of the effects of a sequence: one timeline with clip, force and sound."""

@@ -1,4 +1,4 @@
-"""The time line as a person edits it, by mouse and by keys."""
+"""The timeline as a person edits it, by mouse and by keys."""
 
 from typing import NamedTuple
 
@@ -254,7 +254,7 @@ class EditingLanes(Lanes):
     # --- the keyboard ----------------------------------------------------------
 
     def focusNextPrevChild(self, next: bool) -> bool:  # noqa: N802, A002
-        """Go to the next effect in time before leaving the time line."""
+        """Go to the next effect in time before leaving the timeline."""
         effects = self.effects.effects
         order = sorted(range(len(effects)), key=lambda k: (effects[k].start_s, k))
         now = self.editing.document.selected

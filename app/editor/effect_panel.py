@@ -58,7 +58,7 @@ class EffectPanel(QWidget):
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.hint = paragraph(
             self.tr(
-                "Drag a kind of effect onto the time line, or click an event there. "
+                "Drag a kind of effect onto the timeline, or click an event there. "
                 "The recorded motion never changes."
             ),
             theme.DIM,
@@ -221,7 +221,7 @@ class EffectPanel(QWidget):
         self.target.addItem(self.tr("Force"), Target.FORCE.value)
         self.target.addItem(self.tr("Motion before the rendering"), Target.MOTION.value)
         self.target.activated.connect(lambda _row: self._on_target())
-        caption, field = captioned(self.tr("Cha&nges"), self.target)
+        caption, field = captioned(self.tr("Applies &to"), self.target)
         self.target.setAccessibleName(caption.text().replace("&", ""))
         caption.setStyleSheet(f"color: {theme.DIM};")
         column.addWidget(caption)

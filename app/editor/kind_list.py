@@ -1,4 +1,4 @@
-"""The kinds of effects, to be dragged onto the time line."""
+"""The kinds of effects, to be dragged onto the timeline."""
 
 from collections.abc import Sequence
 
@@ -24,7 +24,7 @@ class KindList(QListWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAccessibleName(self.tr("Kinds of effects"))
-        self.setToolTip(self.tr("Drag onto the time line; Enter adds at the cursor"))
+        self.setToolTip(self.tr("Drag onto the timeline; Enter adds at the cursor"))
         self.setDragEnabled(True)
         self.setDragDropMode(QListWidget.DragDropMode.DragOnly)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

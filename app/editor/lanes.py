@@ -1,4 +1,4 @@
-"""The time line of the editor: force, sound, events and effects below each other."""
+"""The timeline of the editor: force, sound, events and effects below each other."""
 
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -46,7 +46,7 @@ _MARKS = {
 
 
 class Lanes(QWidget):
-    """Shows a time line around a cursor that a person may move.
+    """Shows a timeline around a cursor that a person may move.
 
     Click moves the cursor, as do the arrows, by a frame (Shift: 1 s), Home and End. The
     wheel zooms around the pointer, with Shift it moves the view. `pointed` is media
@@ -78,7 +78,7 @@ class Lanes(QWidget):
     def show_clip(
         self, track: ForceTrack, line: TimeLine, frame_rate_hz: float
     ) -> None:
-        """Show the force and the time line of a sequence."""
+        """Show the force and the timeline of a sequence."""
         self.track, self.events = track, line.events
         self._loudness = line.loudness
         self.frame_s = 1.0 / frame_rate_hz if frame_rate_hz else USUAL_FRAME_S

@@ -1,4 +1,4 @@
-"""The editor of effects: clip, force, sound, events and effects on one time line."""
+"""The editor of effects: clip, force, sound, events and effects on one timeline."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -62,7 +62,7 @@ class Loaded(NamedTuple):
 
 
 class EditorPage(QDialog):
-    """Shows the time line of a sequence and plays it on a player of its own.
+    """Shows the timeline of a sequence and plays it on a player of its own.
 
     The window has to let go of the device before. Escape stops the force at once; where
     nothing plays it closes the page.

@@ -1,4 +1,4 @@
-"""Spans on a time line, without Qt: rows, what the pointer is on, and snapping."""
+"""Spans on a timeline, without Qt: rows, what the pointer is on, and snapping."""
 
 import enum
 from collections.abc import Iterable, Sequence

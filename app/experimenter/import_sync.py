@@ -1,4 +1,4 @@
-"""Second page of an import: clip and log on one time line."""
+"""Second page of an import: clip and log on one timeline."""
 
 import contextlib
 import dataclasses

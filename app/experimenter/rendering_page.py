@@ -212,7 +212,7 @@ class RenderingPage(JobDialog):
                 progress=progress,
             )
 
-        self.jobs.run(self.tr("Predicting"), work, self._take_after)
+        self.jobs.run(self.tr("Predicting the excursion"), work, self._take_after)
         self._show()
 
     def _take_after(self, found: RenderingResult) -> None:

@@ -456,6 +456,6 @@ class LatencyPage(QDialog):
             text = self.tr(
                 "Press the space bar on each beat, at least eight times: first "
                 "to the flash, then to the beep and the force. The differences "
-                "are filled in; fine-tune them with all together."
+                'are filled in; fine-tune them with "All together".'
             )
         self.status.setText(text)

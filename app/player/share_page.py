@@ -160,7 +160,7 @@ class SharePage(JobDialog):
                 has_motion=self._contents.has_motion and wanted.with_motion,
             )
             for one, along in chosen.told(with_track=wanted.ending == ".mp4"):
-                how = self.tr("goes along") if along else self.tr("left out")
+                how = self.tr("included") if along else self.tr("left out")
                 text = f"{capitalised(translated(one.text))} ({how})"
                 rows.append((text, without_controls(one.value), 0))
         whole = sum(part.size_bytes for part in parts)

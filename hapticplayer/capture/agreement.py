@@ -70,11 +70,11 @@ def ask_about_axes(
     if change is None:
         return ()
     what = Message(
-        "its gyroscope does not turn as gravity does in its accelerometer: their axes or "
-        "signs differ"
+        "the rotation of its gyroscope does not match that of gravity in its "
+        "accelerometer: their axes or signs differ"
     )
     if choices.accel_axes or choices.rate_axes:
-        return (Message("{what}, as far as was given", what=what),)
+        return (Message("{what}, with the axes that were given", what=what),)
     stored = axes_matrix(axes)
     fits = [(stored.T @ change @ stored, Message("gyroscope"), "rate-axes")]
     if np.linalg.det(change) > 0.0:

@@ -128,7 +128,7 @@ _WHY_UNTAKEN: Mapping[str, Message] = {
     "accel-unit": _UNITS_ARE_KNOWN,
     "rate-unit": _UNITS_ARE_KNOWN,
     "field-unit": _UNITS_ARE_KNOWN,
-    "swapped": Message("its format tells its sensors apart, or it has not both"),
+    "swapped": Message("its format tells its sensors apart, or it does not have both"),
     "stuck": Message("no sensor of it was stuck"),
     "rate-hz": Message("its samples have times, or a rate of their own"),
 }

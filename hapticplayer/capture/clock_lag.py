@@ -39,16 +39,16 @@ class ClockLag:
         if self.measured_by == CORI:
             return Message(
                 "The motion's timestamps are {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) off "
-                "the frames, as the camera's own orientation at each frame (CORI) shows; "
-                "this is corrected.",
+                "the frames, measured from the camera's own orientation at each frame "
+                "(CORI); this is corrected.",
                 lag_ms=1e3 * self.lag_s,
                 sigma_ms=1e3 * self.sigma_s,
             )
         if self.measured_by == FRAMES:
             return Message(
                 "This camera does not timestamp its samples: they are {lag_ms:+.1f} ms "
-                "(± {sigma_ms:.1f} ms) off the frames, as the rotation in these shows; "
-                "this is corrected.",
+                "(± {sigma_ms:.1f} ms) off the frames, measured from the rotation in the "
+                "frames; this is corrected.",
                 lag_ms=1e3 * self.lag_s,
                 sigma_ms=1e3 * self.sigma_s,
             )

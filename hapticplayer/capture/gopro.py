@@ -331,8 +331,8 @@ def _how_read(imu: ImuLog) -> tuple[str, ...]:
     rest = "" if norm is None else Message(", {norm:.2f} m/s2 at rest", norm=norm)
     text = Message(
         "read as telemetry of the camera: specific force in m/s2, angular "
-        "rate in rad/s, x to its right, y to where it looks, z to its "
-        "top{rest}, at most {largest_radps:.2f} rad/s",
+        "rate in rad/s; x right, y forward, z up{rest}; up to "
+        "{largest_radps:.2f} rad/s",
         rest=rest,
         largest_radps=_largest(rate),
     )

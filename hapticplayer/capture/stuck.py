@@ -174,8 +174,8 @@ def _stuck_text(name: str, time_s: Floats, flags: Flags) -> Message:
     if more > 0:
         spans[_SHOWN_SPANS:] = [Message("{more} more", more=more)]
     return Message(
-        "the {sensor} repeats its readings as a stuck one does, {share:.1%} of the time "
-        "({spans} from the log's beginning), which is not used",
+        "the {sensor} repeats its readings as a stuck sensor does, {share:.1%} of "
+        "the time ({spans} from the start of the log); they are not used",
         sensor=name,
         share=float(np.mean(flags)),
         spans=joined(", ", spans),

@@ -83,7 +83,7 @@ COMMANDS = (
     Command(
         "render", "give a sequence another mapping from motion to force", ".render"
     ),
-    Command("effects", "show and change the effects on the time line", ".effects"),
+    Command("effects", "show and change the effects on the timeline", ".effects"),
     Command("sync", "synchronise a motion log with a clip", ".sync"),
     Command(
         "process",

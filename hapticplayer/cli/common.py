@@ -174,7 +174,7 @@ class _AddOutput(argparse.Action):
     ) -> None:
         named = getattr(namespace, "named_outputs", ())
         if values in named:
-            parser.error(f"argument --device: {values} is there twice")
+            parser.error(f"argument --device: {values} appears twice")
         namespace.named_outputs = named = (*named, values)
         if NO_DEVICE in named and len(named) > 1:
             parser.error(

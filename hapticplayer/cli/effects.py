@@ -1,4 +1,4 @@
-"""The command `effects`: the effects on the time line of a sequence."""
+"""The command `effects`: the effects on the timeline of a sequence."""
 
 import argparse
 import json
@@ -50,7 +50,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         ("remove", "remove one"),
         ("enable", "switch one on"),
         ("disable", "switch one off"),
-        ("move", "move one on the time line"),
+        ("move", "move one on the timeline"),
     ):
         action = actions.add_parser(name, help=text)
         action.add_argument("number", type=int, metavar="N", help="as listed, from 1")

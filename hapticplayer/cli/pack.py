@@ -14,7 +14,7 @@ from hapticplayer.sequence.sharing import share, shared_contents
 from hapticplayer.storage import FILE, refuse_existing
 from hapticplayer.untrusted import without_controls
 
-_ALONG, _LEFT = "goes along", "left out, see --with-places"
+_ALONG, _LEFT = "included", "left out, see --with-places"
 
 
 def add_options(command: argparse.ArgumentParser) -> None:

@@ -207,7 +207,7 @@ def draw_sync(
         panels[1, 0].set_ylabel("specific force, m/s²")
         default = f"offset {found.offset_s:.3f} s, confidence {clock.confidence:.2f}"
         panels[0, 0].set_title(title or default, loc="left", parse_math=False)
-        panels[0, 1].set_title("the pats", loc="left")
+        panels[0, 1].set_title("the taps", loc="left")
         _save(figure, path)
 
 

@@ -54,12 +54,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--check",
         action="store_true",
-        help="say whether the pats of a recording can be used, right after making it",
+        help="say whether the taps of a recording can be used, right after making it",
     )
     command.add_argument(
         "--plot",
         metavar="FILE",
-        help="draw sound and acceleration on one time line (.png or .svg)",
+        help="draw sound and acceleration on one timeline (.png or .svg)",
     )
     command.add_argument(
         "--store-skew",
@@ -144,7 +144,7 @@ def _check(
     if clip and recording and knows_clock and not contradicted(recording, clip):
         report = {"is_usable": True, "needs_pats": False}
         text = (
-            f"{recording.camera} keeps its motion on the clip's clock: no pats needed"
+            f"{recording.camera} keeps its motion on the clip's clock: no taps needed"
         )
         say(json.dumps(report) if options.json else text)
         return 0
@@ -160,13 +160,13 @@ def _check(
         lines.append(sync_text(report["together"]))
         usable = both.is_confident
     report["is_usable"] = usable
-    verdict = "the pats can be used" if usable else _ADVICE
+    verdict = "the taps can be used" if usable else _ADVICE
     say(json.dumps(report) if options.json else "\n".join([*lines, verdict]))
     return 0 if usable else 2
 
 
 _ADVICE = (
-    "the pats cannot be used: hold still, tap the camera three times, half a second "
+    "the taps cannot be used: hold still, tap the camera three times, half a second "
     "apart and harder than anything else, and record again (see docs/recording.md)"
 )
 

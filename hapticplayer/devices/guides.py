@@ -81,5 +81,5 @@ SIMULATED = Guide(
         "hardware."
     ),
     Message("Nothing has to be connected."),
-    hold=Message("Only its picture moves."),
+    hold=Message("Nothing moves but the picture."),
 )

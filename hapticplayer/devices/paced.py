@@ -156,7 +156,7 @@ class NewestWriter:
             except Exception as problem:  # a thread's top: it would be lost
                 logging.getLogger(__name__).exception("a command failed")
                 self._problem = DeviceError(
-                    "the driver of the device has failed ({reason}); report this, and "
+                    "the device driver failed ({reason}); report this, and "
                     "choose the device again",
                     reason=repr(problem)[:200],
                 )

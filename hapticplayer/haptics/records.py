@@ -136,7 +136,7 @@ def dtype_described(described: object) -> np.dtype[Any]:
         raise ValueError("the fields of a tick are not listed")
     fields = [_field(entry) for entry in described]
     if len({name for name, *_ in fields}) < len(fields):
-        raise ValueError("a field is there twice")
+        raise ValueError("a field appears twice")
     return np.dtype(fields)
 
 

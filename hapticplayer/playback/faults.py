@@ -35,9 +35,9 @@ CAUSE_TEXTS = {
     Cause.GUARD_LOST: Message("guard process not responding"),
     Cause.NO_TRACK: Message("no force track"),
 }
-_DEVICE = Message("check its connection and supply, and test the device")
+_DEVICE = Message("check its cable and power supply, then test the device")
 _BUSY = Message("close other programs")
-_HAND = Message("hold the grip, and use a smaller gain")
+_HAND = Message("hold the grip, or lower the gain")
 _REMEDIES = {
     Cause.GRIP_BUTTON: Message("play again"),
     Cause.NOT_FINITE: Message("make the force again"),

@@ -212,7 +212,7 @@ def _refuse_alike(names: Sequence[str]) -> None:
     taken = set()
     for name in names:
         if names.count(name) > 1:
-            raise UsageError("the output {name} is there twice", name=name)
+            raise UsageError("the output {name} appears twice", name=name)
         use = find_device(name).settings.sole_use
         if use and use in taken:
             raise UsageError("two outputs send {what}; keep one of them", what=use)

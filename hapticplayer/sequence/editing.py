@@ -113,7 +113,7 @@ def set_mapping(
         mapping: axes, gain, limit, knee and lever arm.
         fits_gain: replace its gain by the one of `rendering.fit_gain`.
         preset: see `presets`; None keeps that of the realistic track.
-        effects: on the time line; None keeps those that the sequence has.
+        effects: on the timeline; None keeps those that the sequence has.
         progress: called while excursions are predicted; raises Cancelled to stop.
     """
     with storage.locked(folder):

@@ -110,7 +110,7 @@ class TimeLine:
 
 
 def time_line_of(folder: Path, *, progress: Progress = no_progress) -> TimeLine:
-    """Return the time line of a sequence whose force can be rendered again.
+    """Return the timeline of a sequence whose force can be rendered again.
 
     Args:
         folder: of the sequence.

@@ -104,7 +104,7 @@ def refuse_untaken(choices: ReadChoices | WriteChoices, form: str, where: str) -
     for name in choices.untaken():
         if name in _OPTIONS:
             raise UsageError(
-                "{file}: {option} has no effect: {form} has no use for it, or this file "
+                "{file}: {option} has no effect: {form} does not use it, or this file "
                 "says it itself; leave it out",
                 file=where,
                 option=_OPTIONS[name],

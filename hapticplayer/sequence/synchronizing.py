@@ -152,7 +152,7 @@ def find_sync(
     def hear() -> ClipSound:
         if not clip.has_audio:
             raise InputError(
-                "it holds no sound, in which pats could be heard",
+                "it holds no sound, in which taps could be heard",
                 where=clip.path.name,
                 remedy="give --offset S, the media time at which the log's clock reads 0",
             )
@@ -197,7 +197,7 @@ def _given(clip: ClipInfo, choices: SyncChoices, middle_s: float) -> ClockMap | 
     if choices.offset_s is None:
         if slowed != 1.0:
             raise UsageError(
-                "{clip}: pats and frames cannot be compared at another pace; give "
+                "{clip}: taps and frames cannot be compared at another speed; give "
                 "--offset S with --slow-motion",
                 clip=clip.path.name,
             )
@@ -305,7 +305,7 @@ def _undecided(found: Synchronisation, clip: str) -> str:
         parts = [_reason(one) for one in seconds if one is not None]
         why = joined(Message("; "), [*parts, *filter(None, [found.second.unused])])
     return Message(
-        "{clip}: {what}, and neither frames nor pats tell which is right ({why}); give "
+        "{clip}: {what}, and neither frames nor taps tell which is right ({why}); give "
         "{places}, or another --offset S",
         clip=clip,
         what=found.contradiction,
@@ -324,7 +324,7 @@ def _reason(found: Synchronisation) -> Message:
     others = [f"{one.shift_s:.3f}" for one in found.rivals[:_NEXT_BEST]]
     next_best = Message(", others {known} s", known=", ".join(others)) if others else ""
     return Message(
-        "the pats are uncertain (confidence {confidence:.2f}); the best offset is "
+        "the taps are uncertain (confidence {confidence:.2f}); the best offset is "
         "{offset_s:.3f} s{next_best}",
         confidence=clock.confidence,
         offset_s=found.offset_s,
@@ -341,7 +341,7 @@ def _disagreement(found: Synchronisation, clip: str) -> str:
     by_method = {one.method: one for one in (found, found.second) if one is not None}
     pats, frames = (by_method[name] for name in ("pats", "frames"))
     return Message(
-        "{clip}: the pats give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} "
+        "{clip}: the taps give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} "
         "s; choose --sync pats or --sync frames (sync: --method), or give --offset S; "
         "if the camera's sound is late, --skew settles it",
         clip=clip,

@@ -108,7 +108,7 @@ def _refuse_damaged(copied: Path, study: Study, code: str) -> None:
     """Raise StudyError for a copy that holds more than this program wrote, or less."""
     found = read_session(copied, study.content, code)
     if found.plan.study != study.definition.id:
-        raise StudyError("it is of the study {found}", found=found.plan.study)
+        raise StudyError("it belongs to the study {found}", found=found.plan.study)
     if not found.is_sound:
         raise StudyError(
             "{count} places are damaged: {first}",

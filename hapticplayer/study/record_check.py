@@ -171,7 +171,7 @@ class _RecordCheck:
         if before is not record:
             is_same = (before.kind, before.content) == (record.kind, record.content)
             raise StudyError(
-                "it is there twice" if is_same else "another record has this number"
+                "it appears twice" if is_same else "another record has this number"
             )
 
     def _refuse_other_trial(self, step: str, condition: Condition) -> None:

@@ -178,7 +178,7 @@ def test_a_late_sound_is_over_with_another_output(window, says, monkeypatch, way
 
 def test_a_clash_of_outputs_is_over_with_other_outputs(window, says):
     window.session.choose_outputs(["simulated", "simulated"])
-    says("is there twice", lambda: window.player.set_outputs(["simulated"]))
+    says("appears twice", lambda: window.player.set_outputs(["simulated"]))
 
 
 def test_a_page_that_fails_to_open_a_device_is_over_with_it(window, says):

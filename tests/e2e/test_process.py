@@ -262,7 +262,7 @@ def test_options_that_do_not_fit_the_recording_are_refused(log, arguments, words
 
 @needs("frames")
 def test_a_file_without_motion_is_refused(clip, tmp_path):
-    assert "holds no motion telemetry" in refused(hapticplayer("process", clip))
+    assert "contains no motion data" in refused(hapticplayer("process", clip))
     assert "no such file" in refused(hapticplayer("process", tmp_path / "none.csv"))
     assert "sequence" in refused(hapticplayer("process", tmp_path))
 

@@ -102,7 +102,7 @@ def test_check_says_of_one_file_that_its_pats_can_be_used(ride, name):
     folder, _ = ride
     done = hapticplayer("sync", "--check", folder / name)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert "the pats can be used" in done.stdout
+    assert "the taps can be used" in done.stdout
 
 
 def test_check_of_clip_and_log_together_and_of_a_mute_one(ride):
@@ -121,7 +121,7 @@ def test_a_camera_that_keeps_its_motion_needs_no_pats(shared_data):
     clip = shared_data / "capture" / "gopro" / "karma.mp4"
     done = hapticplayer("sync", "--check", clip)
     assert done.returncode == 0
-    assert "no pats needed" in done.stdout
+    assert "no taps needed" in done.stdout
     # a drone: no pats, and by its sound alone nobody could tell
     assert "--offset" in refused(hapticplayer("sync", clip, "--method", "pats"), 2)
 

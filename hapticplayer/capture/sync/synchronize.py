@@ -25,7 +25,7 @@ from hapticplayer.model import ClockMap, ImuLog
 MIN_IMU_RATE_HZ = 20.0
 MAX_SOUND_S = 4 * 3600.0
 
-NO_PATS = Message("no three pats are both heard and felt")
+NO_PATS = Message("no three taps are both heard and felt")
 NO_FIT = Message(
     "the camera's rotation in the frames fits the log nowhere (is it the log of this "
     "clip, and the video not stabilised?)"
@@ -288,7 +288,7 @@ def _checked(inputs: SyncInput) -> ClipSound:
     sound = inputs.hear()
     if not len(sound.samples):
         raise InputError(
-            "the clip has no sound, which pats need",
+            "the clip has no sound, which taps need",
             remedy="record with sound, or give --offset S",
         )
     if not sound.rate_hz >= _MIN_SOUND_RATE_HZ:
@@ -304,7 +304,7 @@ def _checked(inputs: SyncInput) -> ClipSound:
         )
     if inputs.imu.rate_hz < MIN_IMU_RATE_HZ:
         raise InputError(
-            "has only {rate_hz:.1f} samples per second, too few for pats",
+            "has only {rate_hz:.1f} samples per second, too few for taps",
             where=inputs.imu.source,
             remedy="record at 100 Hz or more, or give --offset S",
             rate_hz=inputs.imu.rate_hz,

@@ -59,7 +59,7 @@ def read(source: LogSource, choices: LogChoices) -> RawLog:
     """
     maker = maker_of(source.path)
     if maker is None and not has_library():
-        raise _refusal(source.path, Message("holds no motion telemetry"), _BY_OTHERS)
+        raise _refusal(source.path, Message("contains no motion data"), _BY_OTHERS)
     if maker is not None and (maker.why_not or not has_library()):
         mark = Message("holds telemetry of {maker}", maker=maker.name)
         if maker.why_not:

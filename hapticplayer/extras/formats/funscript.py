@@ -210,7 +210,7 @@ class _AxisReader(NamedTuple):
         curve = _positions(one)
         same = self.axes.setdefault(name, curve)
         if not all(map(np.array_equal, same, curve)):
-            said = Message("{axis} is there twice; the first was read", axis=name)
+            said = Message("{axis} appears twice; the first was read", axis=name)
             self.unread.append(said)
 
 

@@ -189,7 +189,7 @@ def _form(body: bytes, where: str) -> _Form:
     )
     if not is_known:
         raise InputError(
-            "has no usual format ({bits} bits in {block} bytes for {channels} channels)",
+            "has an unusual format ({bits} bits in {block} bytes for {channels} channels)",
             where=where,
             remedy=_as_pcm(where),
             bits=bits,

@@ -169,7 +169,7 @@ def opencv() -> Any:
     if not is_available():
         raise InputError(
             "following frames needs OpenCV, which is not installed",
-            remedy="install hapticplayer[vision], which synchronises without pats, "
+            remedy="install hapticplayer[vision], which synchronises without taps, "
             "finds the mounting of a sensor and suggests motion for a plain video",
         )
     cv2 = importlib.import_module("cv2")

@@ -107,7 +107,7 @@ def _header(
         if len(cells) >= 2:
             header[cells[0]] = cells[1]
     raise InputError(
-        "has no line of the columns (t,gx,gy,gz,ax,ay,az) below its keys",
+        "has no header row (t,gx,gy,gz,ax,ay,az) below its keys",
         where=source.where(name),
         remedy="export the log again, or write that line above the first row",
     )

@@ -16,7 +16,7 @@ def _rig(options: DeviceOptions) -> Iterable[Check]:
 
 RIG = Guide(
     Message(
-        "Software of a motion rig: it gets the motion of the recording by UDP, as from a "
+        "Motion-rig software: receives the motion of the recording over UDP, as from a "
         "game."
     ),
     Message(

@@ -227,10 +227,10 @@ class ShakerDriver:
         reason = self._stream.problem if self._stream else ""
         self.close()
         return DeviceError(
-            "the sound card {card!r} takes nothing any more ({reason}); connect it and "
+            "the sound card {card!r} no longer accepts sound ({reason}); connect it and "
             "choose the device again",
             card=self.settings.address or "default",
-            reason=reason or Message("it asks for no sound"),
+            reason=reason or Message("it asks for none"),
         )
 
     def _fill(self, out: Any, at_s: float, frames: int) -> None:

@@ -1,4 +1,4 @@
-"""Effects on a time line: spans in which a motion or a force is changed.
+"""Effects on a timeline: spans in which a motion or a force is changed.
 
     effects = EffectList((Effect("knock", 1.2, 1.5, parameters={"amplitude": 2.0}),))
     motion = applied_to_motion(motion, effects)      # p, frame A, m/s^2

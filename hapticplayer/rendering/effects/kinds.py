@@ -82,7 +82,7 @@ EFFECTS: tuple[EffectKind, ...] = (
         (_cutoff(0.5, 0.05, 50.0),),
         change=signals.high_passed,
     ),
-    EffectKind("mute", Message("Mute (silence instead)"), change=signals.silent),
+    EffectKind("mute", Message("Silence"), change=signals.silent),
     EffectKind(
         "pulse",
         Message("Pulse"),

@@ -1,4 +1,4 @@
-"""Effects edited on the time line by mouse and keys, offered, saved and kept."""
+"""Effects edited on the timeline by mouse and keys, offered, saved and kept."""
 
 import numpy as np
 import pytest

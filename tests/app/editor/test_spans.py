@@ -1,4 +1,4 @@
-"""Where things lie on the time line: rows, views, lanes."""
+"""Where things lie on the timeline: rows, views, lanes."""
 
 import itertools
 

@@ -100,7 +100,7 @@ def test_a_plain_video_gets_an_estimate_if_a_person_wants_it(
     box = wizard.files.suggestion
     wizard.take([plain])
     wait_for(box.isVisible)
-    assert "plain.mp4: holds no motion telemetry" in box.reason.text()
+    assert "plain.mp4: contains no motion data" in box.reason.text()
     assert "Nothing measures this motion" in box.expect.text()
     assert not wizard.files.problem.isVisible()
     assert not wizard.next.isEnabled()

@@ -1,4 +1,4 @@
-"""The page that shows clip and log on one time line: seen, heard, dragged, taken."""
+"""The page that shows clip and log on one timeline: seen, heard, dragged, taken."""
 
 import dataclasses
 import sys

@@ -75,7 +75,7 @@ def test_the_answer_named_first_mends_the_log(tmp_path, key, mistake):
     plain = FORMATS[key].choices
     right = read_recording(written(key, tmp_path / "right"), parse_choices(plain))
     path = written(key, tmp_path / "wrong", accel, rate)
-    with pytest.raises(LogQuestion, match="does not turn as gravity") as asked:
+    with pytest.raises(LogQuestion, match="does not match that of gravity") as asked:
         read_recording(path, parse_choices(plain))
     answer = first_answer(asked)
     if key in {"own CSV", "gcsv"}:  # others have stored axes of their own
@@ -99,7 +99,7 @@ def test_sensors_that_agree_are_not_asked_about(tmp_path, key):
 def test_both_may_be_kept_as_they_are(tmp_path):
     path = written("own CSV", tmp_path / "log", rate=-np.eye(3))
     found = read_recording(path, parse_choices(["rate-axes=x,y,z"]))
-    assert any("does not turn as gravity" in note for note in found.notes)
+    assert any("does not match that of gravity" in note for note in found.notes)
 
 
 @pytest.mark.parametrize("axes", ["x,y", "x,x,z", "a,b,c", "x,y,z,x"])

@@ -47,7 +47,7 @@ def test_stuck_readings_are_not_valid_in_any_format(tmp_path, key, which):
     path = put(one.write(stuck(which, span, apart=one.apart)), tmp_path / "log")
     with pytest.raises(LogQuestion, match=ANSWER) as asked:
         read_recording(path, parse_choices(one.choices))
-    assert "as a stuck one does" in asked.value.what
+    assert "as a stuck sensor does" in asked.value.what
     found = read_recording(path, parse_choices([*one.choices, ANSWER]))
     time_s, valid = found.imu.time_s - found.imu.time_s[0], found.imu.valid
     assert valid is not None
@@ -55,7 +55,7 @@ def test_stuck_readings_are_not_valid_in_any_format(tmp_path, key, which):
     assert not valid[inside].any()
     assert valid[(time_s < span[0] - 0.05) | (time_s > span[1] + 0.05)].all()
     assert found.provenance["stuck"]["share"] == pytest.approx(2.0 / 12.0, abs=0.01)
-    assert sum("as a stuck one does" in note for note in found.notes) == len(which)
+    assert sum("as a stuck sensor does" in note for note in found.notes) == len(which)
 
 
 def test_a_short_span_is_noted_and_has_no_force(tmp_path):

@@ -192,7 +192,7 @@ def test_options_of_the_command_line_reach_that_check(
 ):
     target = tmp_path / "a.csv"
     said = refused("export", sequence_folder, "-o", target, "--tolerance=0.1")
-    assert "--tolerance has no effect: csv has no use for it" in said
+    assert "--tolerance has no effect: csv does not use it" in said
     assert not target.exists()
     csv = tmp_path / "in.csv"
     csv.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1.5,0\n")

@@ -300,7 +300,7 @@ def test_names_dates_and_numbers_stay_here_unless_asked_for(
     assert not read_entry(tmp_path / "again").problem
     read_recorded(tmp_path / "again")
     assert cli.main([*words, "-o", str(tmp_path / "b.mkv"), "--with-places"]) == 0
-    assert "goes along: date 2026-05-01T10" in capsys.readouterr().out
+    assert "included: date 2026-05-01T10" in capsys.readouterr().out
     content = (tmp_path / "b.mkv").read_bytes()
     assert all(word in content for word in secret)
 

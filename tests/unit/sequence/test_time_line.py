@@ -1,4 +1,4 @@
-"""The time line of a sequence holds what its editor shows."""
+"""The timeline of a sequence holds what its editor shows."""
 
 import numpy as np
 import pytest

@@ -160,7 +160,7 @@ INSTA360 = b"8db42d694ccc418790edff439fe026bf"
         ({"name": "DJI meta"}, "DJI, .*stores orientations only"),
         ({"mark": "CTMD"}, "Canon, which has no motion"),
         ({"mark": "gpmd"}, "GoPro, whose track another program has renamed"),
-        ({}, "holds no motion telemetry"),
+        ({}, "contains no motion data"),
     ],
 )
 def test_clips_of_other_makers_name_what_they_hold(tmp_path, made, says):

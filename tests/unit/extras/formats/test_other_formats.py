@@ -851,7 +851,7 @@ def test_an_axis_that_is_there_twice_is_said(read, more):
     found = read(json.dumps({"actions": LINE, **more}), ".funscript")
     assert at(found.track, 0.999)[0, 1] == pytest.approx(EDGE_N, abs=0.01)
     assert [str(note) for note in found.unread] == [
-        "L0 is there twice; the first was read"
+        "L0 appears twice; the first was read"
     ]
 
 

@@ -472,11 +472,11 @@ def test_a_doubt_tells_of_both_methods(found_by_frames, monkeypatch) -> None:
 
     monkeypatch.setattr(module, "by_pats", lambda _inputs: by_pats(7.0, 0.4))
     alone = automatic(SyncInput(imu, lambda: None, look=dark))
-    assert "pats are uncertain (confidence 0.40)" in uncertainty(alone, "ride.mp4")
+    assert "taps are uncertain (confidence 0.40)" in uncertainty(alone, "ride.mp4")
     assert "too dark" in uncertainty(alone, "ride.mp4")
 
     words = uncertainty(joined_findings(by_pats(7.0, 0.4), doubtful), "ride.mp4")
-    assert "pats are uncertain" in words
+    assert "taps are uncertain" in words
     assert "the gyro explains 99%" in words
     assert "was the video cut?" in words
     nowhere = replace(doubtful, frames=None)
@@ -485,7 +485,7 @@ def test_a_doubt_tells_of_both_methods(found_by_frames, monkeypatch) -> None:
     no_pats = replace(by_pats(7.0, 0.0), pats=())
     words = uncertainty(joined_findings(no_pats, doubtful), "ride.mp4")
     assert "the frames are uncertain" in words
-    assert "no three pats" in words
+    assert "no three taps" in words
 
 
 def test_a_log_without_a_gyro_is_refused_at_once() -> None:

@@ -192,7 +192,7 @@ def test_a_card_that_asks_for_nothing_is_late_and_then_gone():
     now_s = bench.clock.now_s()
     assert now_s - bench.device.exchange(steady(0), now_s).replied_s > 0.4
     with pytest.raises(
-        DeviceError, match=r"takes nothing any more \(it asks for no sound\); connect"
+        DeviceError, match=r"no longer accepts sound \(it asks for none\); connect"
     ):
         bench.play(steady, 1.0)
 
