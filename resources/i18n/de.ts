@@ -781,10 +781,6 @@
 <context>
     <name>EffectPanel</name>
     <message>
-        <source>Drag a kind of effect onto the time line, or click an event there. The recorded motion never changes.</source>
-        <translation>Eine Art von Effekt auf die Zeitleiste ziehen oder dort ein Ereignis anklicken. Die aufgezeichnete Bewegung ändert sich nie.</translation>
-    </message>
-    <message>
         <source>Switched &amp;on</source>
         <translation>&amp;Eingeschaltet</translation>
     </message>
@@ -833,8 +829,16 @@
         <translation>Ende</translation>
     </message>
     <message>
+        <source>Applies &amp;to</source>
+        <translation>Gilt f&amp;ür</translation>
+    </message>
+    <message>
         <source>Start</source>
         <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Drag a kind of effect onto the timeline, or click an event there. The recorded motion never changes.</source>
+        <translation>Eine Art von Effekt auf die Zeitleiste ziehen oder dort ein Ereignis anklicken. Die aufgezeichnete Bewegung ändert sich nie.</translation>
     </message>
     <message>
         <source>Control &amp;points: s after the start, value</source>
@@ -851,10 +855,6 @@
     <message>
         <source>Motion before the rendering</source>
         <translation>Bewegung vor dem Rendern</translation>
-    </message>
-    <message>
-        <source>Cha&amp;nges</source>
-        <translation>Ä&amp;ndert</translation>
     </message>
     <message>
         <source>right</source>
@@ -1285,14 +1285,6 @@
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
-    <message>
-        <source>{kept}; {rate} kbit/s</source>
-        <translation>{kept}; {rate} kbit/s</translation>
-    </message>
-    <message>
-        <source>; largest error {error} N</source>
-        <translation>; größter Fehler {error} N</translation>
-    </message>
 </context>
 <context>
     <name>ForceWords</name>
@@ -1461,48 +1453,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>GESTOPPT</translation>
     </message>
     <message>
-        <source>window not responding</source>
-        <translation>Fenster reagierte nicht</translation>
-    </message>
-    <message>
-        <source>player ended</source>
-        <translation>Player beendet</translation>
-    </message>
-    <message>
-        <source>invalid force track</source>
-        <translation>Kraftspur ungültig</translation>
-    </message>
-    <message>
-        <source>grip button</source>
-        <translation>Taste am Griff</translation>
-    </message>
-    <message>
-        <source>device not responding</source>
-        <translation>Gerät antwortet nicht</translation>
-    </message>
-    <message>
-        <source>malformed replies from the device</source>
-        <translation>ungültige Antworten des Geräts</translation>
-    </message>
-    <message>
-        <source>computer stalled</source>
-        <translation>Rechner stockte</translation>
-    </message>
-    <message>
-        <source>grip released</source>
-        <translation>Griff losgelassen</translation>
-    </message>
-    <message>
-        <source>grip at the edge of the workspace</source>
-        <translation>Griff am Rand des Arbeitsraums</translation>
-    </message>
-    <message>
         <source>{damaged} damaged, {dropped} dropped</source>
         <translation>{damaged} beschädigt, {dropped} ausgelassen</translation>
-    </message>
-    <message>
-        <source>unplugged</source>
-        <translation>abgezogen</translation>
     </message>
     <message>
         <source>FIFO</source>
@@ -1870,7 +1822,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Arten von Effekten</translation>
     </message>
     <message>
-        <source>Drag onto the time line; Enter adds at the cursor</source>
+        <source>Drag onto the timeline; Enter adds at the cursor</source>
         <translation>Auf die Zeitleiste ziehen; Enter fügt am Cursor ein</translation>
     </message>
 </context>
@@ -2042,8 +1994,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Stellen Sie die Latenzen ein, bis Blitz, Ton und Kraft zusammen kommen. Was zu spät kommt, braucht einen größeren Wert.</translation>
     </message>
     <message>
-        <source>Press the space bar on each beat, at least eight times: first to the flash, then to the beep and the force. The differences are filled in; fine-tune them with all together.</source>
-        <translation>Drücken Sie bei jedem Takt die Leertaste, mindestens achtmal: zuerst zum Blitz, dann zu Ton und Kraft. Die Differenzen werden eingetragen; stimmen Sie sie mit allen zusammen fein ab.</translation>
+        <source>Press the space bar on each beat, at least eight times: first to the flash, then to the beep and the force. The differences are filled in; fine-tune them with &quot;All together&quot;.</source>
+        <translation>Drücken Sie bei jedem Takt die Leertaste, mindestens achtmal: zuerst zum Blitz, dann zu Ton und Kraft. Die Differenzen werden eingetragen; stimmen Sie sie mit „Alle zusammen“ fein ab.</translation>
     </message>
     <message>
         <source>{n} of {least} taps</source>
@@ -2423,10 +2375,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Es können keine weiteren Geräte hinzugefügt werden; entfernen Sie erst eines</translation>
     </message>
     <message>
-        <source>Latency that is compensated ({source}), and gain</source>
-        <translation>Latenz, die ausgeglichen wird ({source}), und Verstärkung</translation>
-    </message>
-    <message>
         <source>Outputs</source>
         <translation>Ausgaben</translation>
     </message>
@@ -2459,6 +2407,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Adresse oder Einstellungen</translation>
     </message>
     <message>
+        <source>Nothing plays yet. Choose a device below and press Add.</source>
+        <translation>Noch spielt nichts. Wählen Sie unten ein Gerät, und drücken Sie Hinzufügen.</translation>
+    </message>
+    <message>
         <source>Gain</source>
         <translation>Verstärkung</translation>
     </message>
@@ -2471,12 +2423,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Gerät, das hinzukommt</translation>
     </message>
     <message>
+        <source>Latency that is compensated ({source})</source>
+        <translation>Latenz, die ausgeglichen wird ({source})</translation>
+    </message>
+    <message>
         <source>All of these play at once and stop at once. The first one leads: its position is shown and its buttons count. A rig moves with the motion of the recording: begin with a small gain.</source>
         <translation>Alle spielen gleichzeitig und halten gleichzeitig an. Die erste führt: Ihre Position wird gezeigt, und ihre Tasten gelten. Eine Bewegungsplattform bewegt sich mit der Bewegung der Aufnahme: Beginnen Sie mit einer kleinen Verstärkung.</translation>
     </message>
     <message>
         <source>Mute</source>
         <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>Multiplies everything that this output plays</source>
+        <translation>Multipliziert alles, was diese Ausgabe spielt</translation>
     </message>
     <message>
         <source>Test…</source>
@@ -2730,6 +2690,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Zeichnen Sie beim nächsten Video die Bewegung mit auf</translation>
     </message>
     <message>
+        <source>Check the synchronisation</source>
+        <translation>Prüfen Sie die Synchronisierung</translation>
+    </message>
+    <message>
         <source>Check the synchronisation; next time tap the recorder three times</source>
         <translation>Prüfen Sie die Synchronisierung; klopfen Sie nächstes Mal dreimal auf den Rekorder</translation>
     </message>
@@ -2756,6 +2720,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Gaps</source>
         <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>Bad: change the rendering</source>
+        <translation>Schlecht: Ändern Sie die Umsetzung</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -3065,8 +3033,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Lesen</translation>
     </message>
     <message>
-        <source>Predicting</source>
-        <translation>Vorhersage</translation>
+        <source>Predicting the excursion</source>
+        <translation>Auslenkung wird vorhergesagt</translation>
     </message>
     <message>
         <source>The sequence was rendered again</source>
@@ -3348,22 +3316,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wird wiederholt</translation>
     </message>
     <message>
-        <source>no force track</source>
-        <translation>keine Kraftspur</translation>
-    </message>
-    <message>
-        <source>guard process not responding</source>
-        <translation>Wachprozess antwortete nicht</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>abgeschaltet</translation>
-    </message>
-    <message>
-        <source>lost homing</source>
-        <translation>Referenz verloren</translation>
-    </message>
-    <message>
         <source>safety stop ({0})</source>
         <translation>Sicherheitsabschaltung ({0})</translation>
     </message>
@@ -3426,6 +3378,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>device lost</source>
         <translation>Gerät verloren</translation>
+    </message>
+    <message>
+        <source>an output did not play</source>
+        <translation>eine Ausgabe hat nicht gespielt</translation>
     </message>
     <message>
         <source>missed periods in the haptic loop</source>
@@ -3649,6 +3605,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>&amp;Bewegung und aufgezeichnete Messwerte mitgeben</translation>
     </message>
     <message>
+        <source>Include &amp;names, dates and places</source>
+        <translation>&amp;Namen, Zeiten und Orte mitgeben</translation>
+    </message>
+    <message>
+        <source>A video file you can send: any player shows it; hapticplayer also plays the force.</source>
+        <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie; hapticplayer spielt auch die Kraft.</translation>
+    </message>
+    <message>
         <source>Cancel; nothing is kept</source>
         <translation>Abbrechen; nichts bleibt zurück</translation>
     </message>
@@ -3659,6 +3623,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Choose a name, and write it</source>
         <translation>Einen Namen wählen und die Datei schreiben</translation>
+    </message>
+    <message>
+        <source>included</source>
+        <translation>enthalten</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
     </message>
     <message>
         <source>Total</source>
@@ -3683,10 +3655,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>What is shared</source>
         <translation>Was geteilt wird</translation>
-    </message>
-    <message>
-        <source>A video file to send: every player shows it, hapticplayer also plays the force.</source>
-        <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie, hapticplayer spielt auch die Kraft.</translation>
     </message>
     <message>
         <source>Matroska video (*.mkv)</source>
@@ -4103,7 +4071,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>No three taps found in both sound and motion; drag manually.</source>
-        <translation>Keine drei Klopfer in Ton und Bewegung gefunden; ziehen Sie von Hand.</translation>
+        <translation>Kein dreimaliges Klopfen in Ton und Bewegung gefunden; ziehen Sie von Hand.</translation>
     </message>
     <message>
         <source>Method</source>
@@ -4156,6 +4124,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Enter the offset, or drag the log&apos;s curves.</source>
         <translation>Geben Sie den Versatz ein, oder ziehen Sie die Kurven des Protokolls.</translation>
+    </message>
+    <message>
+        <source>Check the offset: {why}.</source>
+        <translation>Prüfen Sie den Versatz: {why}.</translation>
     </message>
     <message>
         <source>{recorder} records its motion with the clip.</source>
@@ -4460,12 +4432,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>--largest muss zwischen 3 und {most} liegen</translation>
     </message>
     <message>
+        <source>--offset {offset_s:.3f} ({by})</source>
+        <translation>--offset {offset_s:.3f} ({by})</translation>
+    </message>
+    <message>
+        <source>--read-as {sign}, or </source>
+        <translation>--read-as {sign} oder </translation>
+    </message>
+    <message>
         <source>--studies must be between {least} and {most}</source>
         <translation>--studies muss zwischen {least} und {most} liegen</translation>
     </message>
     <message>
         <source>Broken pipe</source>
         <translation>die Verbindung ist abgebrochen</translation>
+    </message>
+    <message>
+        <source>CSV for Excel (UTF-8 with a byte order mark)</source>
+        <translation>CSV für Excel (UTF-8 mit Byte-Reihenfolge-Marke)</translation>
     </message>
     <message>
         <source>CSV log</source>
@@ -4552,6 +4536,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>MARS logger</translation>
     </message>
     <message>
+        <source>Motion-rig software: receives the motion of the recording over UDP, as from a game.</source>
+        <translation>Software einer Bewegungsplattform: Sie bekommt die Bewegung der Aufnahme per UDP, wie von einem Spiel.</translation>
+    </message>
+    <message>
         <source>No space left on device</source>
         <translation>kein Platz mehr auf der Platte</translation>
     </message>
@@ -4570,6 +4558,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Not a directory</source>
         <translation>es ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Nothing moves but the picture.</source>
+        <translation>Nur das Bild bewegt sich.</translation>
     </message>
     <message>
         <source>Operation not permitted</source>
@@ -4604,6 +4596,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sensor Logger ({system})</translation>
     </message>
     <message>
+        <source>Silence</source>
+        <translation>Stille</translation>
+    </message>
+    <message>
         <source>Simulated</source>
         <translation>Simuliert</translation>
     </message>
@@ -4626,6 +4622,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>The log has {count}, the longest of {length_s:.2f} s at {at_s:.2f} s.</source>
         <translation>Das Protokoll hat {count}, die längste von {length_s:.2f} s bei {at_s:.2f} s.</translation>
+    </message>
+    <message>
+        <source>The motion&apos;s timestamps are {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) off the frames, measured from the camera&apos;s own orientation at each frame (CORI); this is corrected.</source>
+        <translation>Die Zeitstempel der Bewegung weichen um {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) von den Bildern ab, gemessen an der Ausrichtung, die die Kamera zu jedem Bild speichert (CORI); das ist korrigiert.</translation>
+    </message>
+    <message>
+        <source>This camera does not timestamp its samples: they are {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off the frames, measured from the rotation in the frames; this is corrected.</source>
+        <translation>Diese Kamera stempelt ihre Messwerte nicht: Sie weichen um {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) von den Bildern ab, gemessen an der Drehung in den Bildern; das ist korrigiert.</translation>
     </message>
     <message>
         <source>This camera does not timestamp its samples: they may be 10 to 30 ms off.</source>
@@ -4668,6 +4672,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine Grenzfrequenz von {cutoff_hz:g} Hz liegt nicht unter der halben Rate der Werte, {half_rate_hz:.4g} Hz</translation>
     </message>
     <message>
+        <source>a direction of length 0 was taken as x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
+        <translation>eine Richtung der Länge 0 gilt als x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
+    </message>
+    <message>
         <source>a duration of {length_s:g} s; give one from 1 to {longest_s:g} s</source>
         <translation>eine Dauer von {length_s:g} s; 1 bis {longest_s:g} s angeben</translation>
     </message>
@@ -4696,6 +4704,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Sensor mit {rate_hz:g} Hz, gemittelt auf {log_hz:g} Hz; Raten über 0 angeben, die zweite nicht über der ersten</translation>
     </message>
     <message>
+        <source>a session has one plan</source>
+        <translation>eine Sitzung hat nur einen Plan</translation>
+    </message>
+    <message>
         <source>a sound of {rate_hz} Hz is too coarse; give 8000 or more</source>
         <translation>ein Ton mit {rate_hz} Hz ist zu grob; geben Sie 8000 oder mehr an</translation>
     </message>
@@ -4714,6 +4726,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>about {count} samples were never recorded; the longest gap is {longest_s:.3g} s; nothing was put in their place</source>
         <translation>etwa {count} Werte wurden nie aufgezeichnet; die längste Lücke ist {longest_s:.3g} s; an ihre Stelle wurde nichts gesetzt</translation>
+    </message>
+    <message>
+        <source>accel-sign=+ if the recorder was that way up</source>
+        <translation>accel-sign=+, wenn der Rekorder so herum war</translation>
+    </message>
+    <message>
+        <source>accel-sign=-, or correct the sign in the log</source>
+        <translation>accel-sign=-, oder berichtigen Sie das Vorzeichen im Protokoll</translation>
+    </message>
+    <message>
+        <source>accelerometer</source>
+        <translation>Beschleunigungssensor</translation>
     </message>
     <message>
         <source>add a question to {page!r}</source>
@@ -4760,6 +4784,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Drehrate in {unit}</translation>
     </message>
     <message>
+        <source>another record has this number</source>
+        <translation>ein anderer Eintrag hat diese Nummer</translation>
+    </message>
+    <message>
+        <source>applied as given: {answers}</source>
+        <translation>wie angegeben angewendet: {answers}</translation>
+    </message>
+    <message>
+        <source>as its own times place it</source>
+        <translation>nach ihren eigenen Zeiten</translation>
+    </message>
+    <message>
         <source>as stored, orientation {orientation}</source>
         <translation>wie gespeichert, Ausrichtung {orientation}</translation>
     </message>
@@ -4768,8 +4804,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wie telemetry-parser sie liefert</translation>
     </message>
     <message>
+        <source>as the camera&apos;s stamps begin</source>
+        <translation>nach dem Beginn der Zeitstempel der Kamera</translation>
+    </message>
+    <message>
+        <source>as the edit list cuts the video</source>
+        <translation>wie die Schnittliste das Video schneidet</translation>
+    </message>
+    <message>
         <source>at the beginning</source>
         <translation>am Anfang</translation>
+    </message>
+    <message>
+        <source>at times nothing was played: {cause}; {remedy}</source>
+        <translation>zeitweise wurde nichts gespielt: {cause}; {remedy}</translation>
     </message>
     <message>
         <source>averaged from {rate_hz:.1f} to {average_hz:g} Hz</source>
@@ -4806,6 +4854,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>bring the streams to common times by interpolation first</source>
         <translation>bringen Sie die Ströme zuerst durch Interpolation auf gemeinsame Zeiten</translation>
+    </message>
+    <message>
+        <source>by the frames of the clip the mounting is {axes}, by gravity it is the other way up, so that the accelerometer has the other sign</source>
+        <translation>nach den Bildern des Clips ist die Befestigung {axes}, nach der Schwerkraft steht sie auf dem Kopf; der Beschleunigungssensor hat also das andere Vorzeichen</translation>
     </message>
     <message>
         <source>byte {number}</source>
@@ -4854,10 +4906,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>cannot be written</source>
         <translation>kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>cannot be written ({reason})</source>
-        <translation>kann nicht geschrieben werden ({reason})</translation>
     </message>
     <message>
         <source>carry the time of their packet and were spread evenly</source>
@@ -4920,10 +4968,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>schließen Sie es zuerst dort</translation>
     </message>
     <message>
-        <source>columns=time,ax,ay,az,gx,gy,gz (- to ignore a column)</source>
-        <translation>columns=time,ax,ay,az,gx,gy,gz (- für das, was nicht gebraucht wird)</translation>
-    </message>
-    <message>
         <source>complete</source>
         <translation>vollständig</translation>
     </message>
@@ -4949,7 +4993,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>copy it again from the recorder</source>
-        <translation>kopieren Sie es noch einmal vom Recorder</translation>
+        <translation>kopieren Sie es noch einmal vom Rekorder</translation>
     </message>
     <message>
         <source>copy it again, convert it to MP4 (H.264 and AAC), or choose another file</source>
@@ -5076,10 +5120,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>exportieren Sie die Aufnahme als CSV</translation>
     </message>
     <message>
-        <source>export the times as numbers, in s, ms, us or ns</source>
-        <translation>exportieren Sie die Zeiten als Zahlen, in s, ms, us oder ns</translation>
-    </message>
-    <message>
         <source>failed</source>
         <translation>fehlgeschlagen</translation>
     </message>
@@ -5094,14 +5134,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has {rows} rows of {columns} numbers{more}</source>
         <translation>hat {rows} Zeilen mit {columns} Zahlen{more}</translation>
-    </message>
-    <message>
-        <source>the columns are separated by semicolons instead of commas</source>
-        <translation>die Spalten sind durch Semikolons statt durch Kommas getrennt</translation>
-    </message>
-    <message>
-        <source>the columns are separated by tabs instead of commas</source>
-        <translation>die Spalten sind durch Tabulatoren statt durch Kommas getrennt</translation>
     </message>
     <message>
         <source>firm</source>
@@ -5138,10 +5170,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>free some memory and disk, and try again</source>
         <translation>machen Sie etwas Arbeitsspeicher und Plattenplatz frei, und versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>free some space or choose another folder</source>
-        <translation>machen Sie Platz frei, oder wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
         <source>free some space or copy the sequence to a folder of your own</source>
@@ -5281,7 +5309,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>gravity shows that {sign}{axis} of the recorder was up, not its z</source>
-        <translation>nach der Schwerkraft war {sign}{axis} des Recorders oben, nicht sein z</translation>
+        <translation>nach der Schwerkraft war {sign}{axis} des Rekorders oben, nicht sein z</translation>
     </message>
     <message>
         <source>gravity seems to be removed already: give the acceleration with gravity</source>
@@ -5293,15 +5321,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>gravity was already removed by the recorder</source>
-        <translation>die Schwerkraft hatte der Recorder schon entfernt</translation>
+        <translation>die Schwerkraft hatte der Rekorder schon entfernt</translation>
     </message>
     <message>
         <source>gyro</source>
         <translation>Gyroskop</translation>
-    </message>
-    <message>
-        <source>has a damaged header: no line t,gx,gy,gz,ax,ay,az</source>
-        <translation>hat einen beschädigten Kopf: keine Zeile t,gx,gy,gz,ax,ay,az</translation>
     </message>
     <message>
         <source>has changed since it was written (its checksum differs)</source>
@@ -5322,10 +5346,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has no timestamps, and its firmware has no fixed rate</source>
         <translation>hat keine Zeiten, und die Firmware hat keine feste Rate</translation>
-    </message>
-    <message>
-        <source>has only {rate_hz:.1f} samples per second, too few for pats</source>
-        <translation>hat nur {rate_hz:.1f} Werte je Sekunde, in denen sich Klopfen nicht zeigt</translation>
     </message>
     <message>
         <source>has the unknown name {unknown!r}</source>
@@ -5361,7 +5381,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>holds acceleration from which the recorder has removed gravity, so it cannot be checked or levelled</source>
-        <translation>enthält Beschleunigung, aus der der Recorder die Schwerkraft entfernt hat, sie lässt sich also weder prüfen noch ausrichten</translation>
+        <translation>enthält Beschleunigung, aus der der Rekorder die Schwerkraft entfernt hat, sie lässt sich also weder prüfen noch ausrichten</translation>
     </message>
     <message>
         <source>holds an acceleration of {largest:.3g} m/s2, beyond any sensor</source>
@@ -5388,10 +5408,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine Beschleunigung mit Schwerkraft</translation>
     </message>
     <message>
-        <source>holds no accelerometer samples (DJI stores orientations only)</source>
-        <translation>enthält keine Werte des Beschleunigungssensors (DJI speichert nur Ausrichtungen)</translation>
-    </message>
-    <message>
         <source>holds no angular rate; gravity cannot be removed without it</source>
         <translation>enthält keine Drehrate, ohne die sich Schwerkraft und Bewegung nicht trennen lassen</translation>
     </message>
@@ -5406,10 +5422,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>holds no log of a known format</source>
         <translation>enthält kein bekanntes Protokoll</translation>
-    </message>
-    <message>
-        <source>holds no motion telemetry</source>
-        <translation>enthält keine Telemetrie der Bewegung</translation>
     </message>
     <message>
         <source>holds no settings of this program</source>
@@ -5430,10 +5442,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>holds {count} logs ({known})</source>
         <translation>enthält {count} Protokolle ({known})</translation>
-    </message>
-    <message>
-        <source>holds {held} only, no acceleration</source>
-        <translation>enthält nur {held}, keine Beschleunigung</translation>
     </message>
     <message>
         <source>holds {name!r}, a name outside the zip</source>
@@ -5598,10 +5606,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>it holds no sound</source>
         <translation>es enthält keinen Ton</translation>
-    </message>
-    <message>
-        <source>it holds no sound, in which pats could be heard</source>
-        <translation>es enthält keinen Ton, in dem Klopfen zu hören wäre</translation>
     </message>
     <message>
         <source>it holds no video that can be shown</source>
@@ -5797,7 +5801,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>mapping axes</source>
-        <translation>Achsen der Abbildung</translation>
+        <translation>Achsen der Zuordnung</translation>
     </message>
     <message>
         <source>permission denied</source>
@@ -5814,10 +5818,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>names {count} columns, the table has {total} ({shown})</source>
         <translation>nennt {count} Spalten, die Tabelle hat {total} ({shown})</translation>
-    </message>
-    <message>
-        <source>needs {needed_mb} MB and only {free_mb} MB are free</source>
-        <translation>braucht {needed_mb} MB, und nur {free_mb} MB sind frei</translation>
     </message>
     <message>
         <source>the log is not synchronised: its clock is taken as media time; give --offset S</source>
@@ -5886,10 +5886,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>begins with {count} NUL bytes</source>
         <translation>beginnt mit {count} NUL-Bytes</translation>
-    </message>
-    <message>
-        <source>columns=time,ax,ay,az/time,gx,gy,gz (/ between the tables, - to ignore a column)</source>
-        <translation>columns=time,ax,ay,az/time,gx,gy,gz (/ zwischen den Tabellen, - für das, was nicht gebraucht wird)</translation>
     </message>
     <message>
         <source>convert it to CSV with blackbox_decode</source>
@@ -5965,7 +5961,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Changes only what would push a relaxed hand further than 26 mm from the centre.</source>
-        <translation>Ändert nur, was eine entspannte Hand weiter als 26 mm aus der Mitte drücken würde.</translation>
+        <translation>Ändert nur, was eine lockere Hand weiter als 26 mm aus der Mitte drücken würde.</translation>
     </message>
     <message>
         <source>Choose another device: only Linux has this interface.</source>
@@ -6144,18 +6140,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Intiface</translation>
     </message>
     <message>
-        <source>Intiface at {where} does not answer {name}; restart it</source>
-        <translation>Intiface an {where} antwortet nicht auf {name}; starten Sie es neu</translation>
-    </message>
-    <message>
-        <source>Intiface at {where} refuses: {reason}; update it</source>
-        <translation>Intiface an {where} lehnt ab: {reason}; aktualisieren Sie es</translation>
-    </message>
-    <message>
-        <source>Intiface describes a device in a way that is not known: {reason}; update it</source>
-        <translation>Intiface beschreibt ein Gerät auf unbekannte Weise: {reason}; aktualisieren Sie es</translation>
-    </message>
-    <message>
         <source>Intiface has no device that vibrates; connect one in Intiface and choose the device again</source>
         <translation>Intiface hat kein Gerät, das vibriert; verbinden Sie eines in Intiface und wählen Sie das Gerät erneut</translation>
     </message>
@@ -6192,10 +6176,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bewegungsplattform</translation>
     </message>
     <message>
-        <source>Mute (silence instead)</source>
-        <translation>Stumm (stattdessen Stille)</translation>
-    </message>
-    <message>
         <source>Nobody sits on it yet; its emergency stop is at hand.</source>
         <translation>Noch sitzt niemand darauf; der Notaus ist griffbereit.</translation>
     </message>
@@ -6210,10 +6190,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Novint Falcon: its grip pushes and pulls in three directions.</source>
         <translation>Novint Falcon: Sein Griff drückt und zieht in drei Richtungen.</translation>
-    </message>
-    <message>
-        <source>Only its picture moves.</source>
-        <translation>Nur sein Bild bewegt sich.</translation>
     </message>
     <message>
         <source>OpenCV is installed, but cannot be loaded: {why}</source>
@@ -6280,10 +6256,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sinus</translation>
     </message>
     <message>
-        <source>Software of a motion rig: it gets the motion of the recording by UDP, as from a game.</source>
-        <translation>Software einer Bewegungsplattform: Sie bekommt die Bewegung der Aufnahme per UDP, wie von einem Spiel.</translation>
-    </message>
-    <message>
         <source>Speed is lost at 0.3 g or more</source>
         <translation>Geschwindigkeit nimmt mit mindestens 0,3 g ab</translation>
     </message>
@@ -6332,20 +6304,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Der Drehratensensor ist am Ende seines Messbereichs</translation>
     </message>
     <message>
-        <source>The motion&apos;s timestamps are {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) off the frames, as the camera&apos;s own orientation at each frame (CORI) shows; this is corrected.</source>
-        <translation>Die Zeitstempel der Bewegung weichen um {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) von den Bildern ab, wie die Orientierung zeigt, die die Kamera zu jedem Bild speichert (CORI); das ist korrigiert.</translation>
-    </message>
-    <message>
         <source>The network does not know this address: correct it.</source>
         <translation>Das Netzwerk kennt diese Adresse nicht: Berichtigen Sie sie.</translation>
     </message>
     <message>
         <source>The sound system does not answer: restart it.</source>
         <translation>Das Tonsystem antwortet nicht: Starten Sie es neu.</translation>
-    </message>
-    <message>
-        <source>This camera does not timestamp its samples: they are {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off the frames, as the rotation in these shows; this is corrected.</source>
-        <translation>Diese Kamera stempelt ihre Messwerte nicht: Sie weichen um {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) von den Bildern ab, wie die Drehung in diesen zeigt; das ist korrigiert.</translation>
     </message>
     <message>
         <source>This camera does not timestamp its samples: they may be 10 to 30 ms off, and the frames could not tell by how much: {why}.</source>
@@ -6409,7 +6373,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>a part of the clip fits another part of the log: was the video cut?</source>
-        <translation>ein Teil des Videos passt zu einem anderen Teil des Logs: Wurde das Video geschnitten?</translation>
+        <translation>ein Teil des Videos passt zu einem anderen Teil des Protokolls: Wurde das Video geschnitten?</translation>
     </message>
     <message>
         <source>a rig moves only with the realistic feedback of a sequence that has its motion</source>
@@ -6464,10 +6428,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Audio mit drei Kanälen, für Körperschallwandler</translation>
     </message>
     <message>
-        <source>between {least:g} and {most:g}</source>
-        <translation>zwischen {least:g} und {most:g}</translation>
-    </message>
-    <message>
         <source>cannot be copied into {kind} without changing its video</source>
         <translation>kann nicht nach {kind} kopiert werden, ohne dass sich das Video ändert</translation>
     </message>
@@ -6476,8 +6436,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kann nicht geladen werden ({reason})</translation>
     </message>
     <message>
+        <source>cannot be written ({reason}); it is as it was</source>
+        <translation>kann nicht geschrieben werden ({reason}); es ist unverändert</translation>
+    </message>
+    <message>
         <source>cannot listen on port {port} ({reason})</source>
         <translation>Port {port} kann nicht geöffnet werden ({reason})</translation>
+    </message>
+    <message>
+        <source>channels for {count} parts of the body act on one hand</source>
+        <translation>Kanäle für {count} Körperteile wirken auf eine Hand</translation>
+    </message>
+    <message>
+        <source>check its cable and power supply, then test the device</source>
+        <translation>prüfen Sie Kabel und Netzteil, und testen Sie das Gerät</translation>
     </message>
     <message>
         <source>checking the clip</source>
@@ -6512,6 +6484,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein anderes Format wählen</translation>
     </message>
     <message>
+        <source>choose another key</source>
+        <translation>wählen Sie einen anderen Schlüssel</translation>
+    </message>
+    <message>
         <source>choose the other kind of file, or convert it to MP4 and import it again</source>
         <translation>wählen Sie die andere Art von Datei, oder wandeln Sie es in MP4 um und importieren Sie es erneut</translation>
     </message>
@@ -6520,8 +6496,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wählen Sie die andere Art von Datei, oder wandeln Sie das Video zuerst um</translation>
     </message>
     <message>
+        <source>close other programs</source>
+        <translation>schließen Sie andere Programme</translation>
+    </message>
+    <message>
         <source>closed</source>
         <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>columns={columns} (as the header suggests; - ignores a column)</source>
+        <translation>columns={columns} (wie der Kopf es nahelegt; - übergeht eine Spalte)</translation>
+    </message>
+    <message>
+        <source>computer stalled</source>
+        <translation>Rechner stockte</translation>
+    </message>
+    <message>
+        <source>contains no motion data</source>
+        <translation>enthält keine Bewegungsdaten</translation>
     </message>
     <message>
         <source>contents and checksums</source>
@@ -6530,6 +6522,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>convert it to MP4 (H.264 and AAC) and import it again</source>
         <translation>wandeln Sie es in MP4 (H.264 und AAC) um und importieren Sie es erneut</translation>
+    </message>
+    <message>
+        <source>copy it from the other machine again; to use what is intact, move its folder into sessions</source>
+        <translation>kopieren Sie es noch einmal vom anderen Rechner; um zu nutzen, was heil ist, verschieben Sie seinen Ordner nach sessions</translation>
     </message>
     <message>
         <source>copying the sequence</source>
@@ -6544,6 +6540,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>curve: {kind} nimmt höchstens {most} Punkte</translation>
     </message>
     <message>
+        <source>cut it into parts of some hours</source>
+        <translation>teilen Sie es in Stücke von einigen Stunden</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>device not responding</source>
+        <translation>Gerät antwortet nicht</translation>
+    </message>
+    <message>
+        <source>device {name!r}: nothing but gain= can follow; use {kind}</source>
+        <translation>Gerät {name!r}: Danach kann nur gain= folgen; verwenden Sie {kind}</translation>
+    </message>
+    <message>
         <source>direction: must be three numbers that are not all zero</source>
         <translation>direction: muss aus drei Zahlen bestehen, die nicht alle null sind</translation>
     </message>
@@ -6552,12 +6564,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>gibt seine Rate nicht an</translation>
     </message>
     <message>
+        <source>does not fit the definition of its session</source>
+        <translation>passt nicht zur Definition der Sitzung</translation>
+    </message>
+    <message>
         <source>drop one video with its log; import further ones after it</source>
         <translation>legen Sie ein Video mit seinem Protokoll ab; importieren Sie weitere danach</translation>
     </message>
     <message>
+        <source>durations were taken as seconds, as in PlaySEM</source>
+        <translation>Dauern gelten als Sekunden, wie in PlaySEM</translation>
+    </message>
+    <message>
         <source>effect</source>
         <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>effect {number} ({kind}, from {start_s:g} to {end_s:g} s) is beyond the clip, which lasts {duration_s:.3f} s; move or remove it</source>
+        <translation>Effekt {number} ({kind}, von {start_s:g} bis {end_s:g} s) liegt hinter dem Ende des Clips, der {duration_s:.3f} s dauert; verschieben oder entfernen Sie ihn</translation>
     </message>
     <message>
         <source>effects</source>
@@ -6572,12 +6596,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>endet vor 0 s</translation>
     </message>
     <message>
+        <source>enter one, or set it to false</source>
+        <translation>geben Sie einen an, oder setzen Sie es auf false</translation>
+    </message>
+    <message>
+        <source>error RMS {rms:.4f} N, largest {largest:.4f} N ({compared})</source>
+        <translation>Fehler RMS {rms:.4f} N, größter {largest:.4f} N ({compared})</translation>
+    </message>
+    <message>
+        <source>excursions beyond {reach_mm:g} mm</source>
+        <translation>Auslenkungen über {reach_mm:g} mm</translation>
+    </message>
+    <message>
+        <source>export it with semicolons, or with decimal points</source>
+        <translation>exportieren Sie es mit Semikolons oder mit Dezimalpunkten</translation>
+    </message>
+    <message>
         <source>export its accelerometer and gyroscope as CSV, with FitCSVTool</source>
         <translation>exportieren Sie Beschleunigungssensor und Gyroskop als CSV, mit FitCSVTool</translation>
     </message>
     <message>
         <source>export the accelerometer and the gyroscope too</source>
         <translation>exportieren Sie auch Beschleunigungssensor und Gyroskop</translation>
+    </message>
+    <message>
+        <source>export the log again, or write that line above the first row</source>
+        <translation>exportieren Sie das Protokoll noch einmal, oder schreiben Sie diese Zeile über die erste Zeile mit Werten</translation>
     </message>
     <message>
         <source>export the log with the digits 0 to 9, as programs in English do</source>
@@ -6640,6 +6684,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bilder und Gyroskop stimmen nur um eine Achse überein, wie es auch bei einer anderen Fahrt vorkommt</translation>
     </message>
     <message>
+        <source>free some space or choose a folder on another disk</source>
+        <translation>machen Sie Platz frei, oder wählen Sie einen Ordner auf einem anderen Datenträger</translation>
+    </message>
+    <message>
         <source>full scale was taken as {full_n:.3g} N</source>
         <translation>Vollausschlag wurde als {full_n:.3g} N genommen</translation>
     </message>
@@ -6650,6 +6698,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>give --mounting (right, front and up of the actor)</source>
         <translation>Geben Sie --mounting an (rechts, vorne und oben der Person)</translation>
+    </message>
+    <message>
+        <source>give a recording of sensors that worked</source>
+        <translation>geben Sie eine Aufnahme an, deren Sensoren funktioniert haben</translation>
     </message>
     <message>
         <source>give an effects.json</source>
@@ -6672,16 +6724,52 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie das Protokoll mit --imu LOG an, oder lassen Sie die Bewegung mit --suggest-motion aus dem Bild schätzen</translation>
     </message>
     <message>
+        <source>give the times in seconds of media time</source>
+        <translation>geben Sie die Zeiten in Sekunden der Medienzeit an</translation>
+    </message>
+    <message>
+        <source>give the times in seconds, or average to {most_hz:g} samples a second</source>
+        <translation>geben Sie die Zeiten in Sekunden an, oder mitteln Sie auf {most_hz:g} Werte je Sekunde</translation>
+    </message>
+    <message>
+        <source>grip at the edge of the workspace</source>
+        <translation>Griff am Rand des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>grip button</source>
+        <translation>Taste am Griff</translation>
+    </message>
+    <message>
+        <source>grip released</source>
+        <translation>Griff losgelassen</translation>
+    </message>
+    <message>
+        <source>guard process not responding</source>
+        <translation>Wachprozess antwortete nicht</translation>
+    </message>
+    <message>
+        <source>gyroscope</source>
+        <translation>Gyroskop</translation>
+    </message>
+    <message>
         <source>haptic pattern for iPhones</source>
         <translation>Haptik-Muster für iPhones</translation>
     </message>
     <message>
-        <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
-        <translation>hat mehr als {most_mb} MB an Kraft und Bewegung, zu viel für eine Datei</translation>
+        <source>has a row for each reading of one sensor (column {number} holds {names})</source>
+        <translation>hat eine Zeile je Messwert eines einzelnen Sensors (Spalte {number} enthält {names})</translation>
     </message>
     <message>
-        <source>has no usual format</source>
-        <translation>hat kein übliches Format</translation>
+        <source>has an unusual format ({bits} bits in {block} bytes for {channels} channels)</source>
+        <translation>hat ein unübliches Format ({bits} Bit in {block} Byte für {channels} Kanäle)</translation>
+    </message>
+    <message>
+        <source>has decimal commas between commas: {count} cells below {names} names</source>
+        <translation>hat Dezimalkommas zwischen Kommas: {count} Zellen unter {names} Namen</translation>
+    </message>
+    <message>
+        <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
+        <translation>hat mehr als {most_mb} MB an Kraft und Bewegung, zu viel für eine Datei</translation>
     </message>
     <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
@@ -6706,10 +6794,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>holds no numbers</source>
         <translation>enthält keine Zahlen</translation>
-    </message>
-    <message>
-        <source>holds no perceptions</source>
-        <translation>enthält keine „perceptions“</translation>
     </message>
     <message>
         <source>holds no positions</source>
@@ -6781,7 +6865,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is it the log of this clip, and the video not stabilised?</source>
-        <translation>gehört das Log zu diesem Video, und ist das Video nicht stabilisiert?</translation>
+        <translation>gehört das Protokoll zu diesem Video, und ist das Video nicht stabilisiert?</translation>
     </message>
     <message>
         <source>is not MPEG-V (SEM)</source>
@@ -6802,10 +6886,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>ist keine Vorlage für ein Protokoll (sie darf Texte enthalten für {known})</translation>
-    </message>
-    <message>
-        <source>is not an object</source>
-        <translation>ist kein Objekt</translation>
     </message>
     <message>
         <source>is not overwritten, because it is not such a file written by hapticplayer</source>
@@ -6860,10 +6940,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sein Video kann nicht gelesen werden</translation>
     </message>
     <message>
-        <source>its video is not the one that the force was made for (its checksum differs)</source>
-        <translation>sein Video ist nicht das, für das die Kraft gemacht wurde (die Prüfsumme weicht ab)</translation>
-    </message>
-    <message>
         <source>kind of event</source>
         <translation>Ereignisart</translation>
     </message>
@@ -6873,7 +6949,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
-        <translation>die Achsen der Abbildung müssen eine Drehung sein (orthogonal, Determinante +1)</translation>
+        <translation>die Achsen der Zuordnung müssen eine Drehung sein (orthogonal, Determinante +1)</translation>
     </message>
     <message>
         <source>method</source>
@@ -6898,10 +6974,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>must be at most {limit}</source>
         <translation>darf höchstens {limit} sein</translation>
-    </message>
-    <message>
-        <source>must be {wanted}</source>
-        <translation>muss {wanted} sein</translation>
     </message>
     <message>
         <source>must have at least {limit} characters</source>
@@ -6954,10 +7026,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no motion can be estimated from its picture ({why})</source>
         <translation>aus seinem Bild lässt sich keine Bewegung schätzen ({why})</translation>
-    </message>
-    <message>
-        <source>no three pats are both heard and felt</source>
-        <translation>es gibt kein dreimaliges Klopfen, das zu hören und zu spüren ist</translation>
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
@@ -7064,10 +7132,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>rate-unit={rate_unit} um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
-        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{rest}, at most {largest_radps:.2f} rad/s</source>
-        <translation>gelesen als Telemetrie der Kamera: spezifische Kraft in m/s2, Drehrate in rad/s, x nach rechts, y in Blickrichtung, z nach oben{rest}, höchste Drehrate {largest_radps:.2f} rad/s</translation>
-    </message>
-    <message>
         <source>read as {name}: specific force in {unit}</source>
         <translation>gelesen als {name}: spezifische Kraft in {unit}</translation>
     </message>
@@ -7122,10 +7186,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>record normal video</source>
         <translation>nehmen Sie gewöhnliches Video auf</translation>
-    </message>
-    <message>
-        <source>record the accelerometer too</source>
-        <translation>nehmen Sie auch den Beschleunigungssensor auf</translation>
     </message>
     <message>
         <source>record the gravity sensor (iOS) or total acceleration (Android)</source>
@@ -7428,10 +7488,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Achsen des Chips</translation>
     </message>
     <message>
-        <source>the columns are in another order</source>
-        <translation>die Spalten stehen in anderer Reihenfolge</translation>
-    </message>
-    <message>
         <source>the computer stalled repeatedly; close other programs, measure again</source>
         <translation>der Rechner stockte wiederholt; andere Programme schließen und noch einmal messen</translation>
     </message>
@@ -7552,12 +7608,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die realistische Kraft mit den Effekten der Sequenz</translation>
     </message>
     <message>
+        <source>the recording is incomplete: the disk at {disk} is full, or the file has reached its size limit</source>
+        <translation>die Aufnahme ist unvollständig: Der Datenträger bei {disk} ist voll, oder die Datei hat ihre Höchstgröße erreicht</translation>
+    </message>
+    <message>
         <source>the rig at {address} cannot be reached ({reason}); check address and network, and choose the device again</source>
         <translation>die Plattform bei {address} ist nicht erreichbar ({reason}); prüfen Sie Adresse und Netz und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>the rig is not open; choose the device again</source>
         <translation>die Plattform ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>the rotation of its gyroscope does not match that of gravity in its accelerometer: their axes or signs differ</source>
+        <translation>die Drehung seines Gyroskops passt nicht zu der der Schwerkraft in seinem Beschleunigungssensor: Achsen oder Vorzeichen sind verschieden</translation>
+    </message>
+    <message>
+        <source>the rows, of which the newest came first, were put in order</source>
+        <translation>die Zeilen, deren neueste zuerst kam, wurden geordnet</translation>
     </message>
     <message>
         <source>the shaker is not open; choose the device again</source>
@@ -7572,10 +7640,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Soundkarte {card!r} kann nicht mit {count} Kanälen geöffnet werden: {reason}; wählen Sie eine andere Karte oder ein anderes Profil</translation>
     </message>
     <message>
-        <source>the sound card {card!r} takes nothing any more; connect it and choose the device again</source>
-        <translation>die Soundkarte {card!r} nimmt nichts mehr an; schließen Sie sie an und wählen Sie das Gerät erneut</translation>
-    </message>
-    <message>
         <source>the track needs more than {most} keyframes</source>
         <translation>die Spur braucht mehr als {most} Keyframes</translation>
     </message>
@@ -7585,11 +7649,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
-        <translation>{clip}: Die Bilder lassen offen, ob die Montage {axes} oder {next_best} ist (Verhältnis {ratio:.2f}); {give}</translation>
+        <translation>{clip}: Die Bilder lassen offen, ob die Befestigung {axes} oder {next_best} ist (Verhältnis {ratio:.2f}); {give}</translation>
     </message>
     <message>
         <source>{clip}: by its frames the mounting is {axes}, but by gravity another side is up; is the video upright and not mirrored? Otherwise {give}</source>
-        <translation>{clip}: Die Bilder ergeben die Montage {axes}, die Schwerkraft aber eine andere Seite oben; steht das Video aufrecht und ist es nicht gespiegelt? Sonst: {give}</translation>
+        <translation>{clip}: Die Bilder ergeben die Befestigung {axes}, die Schwerkraft aber eine andere Seite oben; steht das Video aufrecht und ist es nicht gespiegelt? Sonst: {give}</translation>
     </message>
     <message>
         <source>{look}; {brings}</source>
@@ -7634,6 +7698,90 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the grip did not give way to 1 N; hold it more loosely</source>
         <translation>der Griff gab bei 1 N nicht nach; lockerer halten</translation>
+    </message>
+    <message>
+        <source>has no header row (t,gx,gy,gz,ax,ay,az) below its keys</source>
+        <translation>hat unter den Schlüsseln keine Kopfzeile (t,gx,gy,gz,ax,ay,az)</translation>
+    </message>
+    <message>
+        <source>has only {rate_hz:.1f} samples per second, too few for taps</source>
+        <translation>hat nur {rate_hz:.1f} Werte je Sekunde, in denen sich Klopfen nicht zeigt</translation>
+    </message>
+    <message>
+        <source>hold the grip, or lower the gain</source>
+        <translation>halten Sie den Griff fest, oder senken Sie die Verstärkung</translation>
+    </message>
+    <message>
+        <source>holds a file that is named like another part of it, {name!r}</source>
+        <translation>enthält eine Datei, die wie ein anderer Teil heißt, {name!r}</translation>
+    </message>
+    <message>
+        <source>holds a level twice</source>
+        <translation>enthält eine Stufe zweimal</translation>
+    </message>
+    <message>
+        <source>holds half a character</source>
+        <translation>enthält ein halbes Zeichen</translation>
+    </message>
+    <message>
+        <source>holds telemetry of {maker}</source>
+        <translation>enthält Telemetrie von {maker}</translation>
+    </message>
+    <message>
+        <source>holds {held}; columns of gyro and accelerometer are needed (t,gx,gy,gz,ax,ay,az)</source>
+        <translation>enthält {held}; nötig sind Spalten von Gyroskop und Beschleunigungssensor (t,gx,gy,gz,ax,ay,az)</translation>
+    </message>
+    <message>
+        <source>holds {what} (.{part}), which are not read</source>
+        <translation>enthält {what} (.{part}), die nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>if these are a magnetometer&apos;s readings, give those of the accelerometer; else give the specific force in m/s^2, about 9.8 at rest</source>
+        <translation>sind es Werte eines Magnetometers, geben Sie die des Beschleunigungssensors an; sonst geben Sie die spezifische Kraft in m/s^2 an, etwa 9.8 in Ruhe</translation>
+    </message>
+    <message>
+        <source>in swapped columns</source>
+        <translation>in vertauschten Spalten</translation>
+    </message>
+    <message>
+        <source>install hapticplayer[cameras] ({library}), which reads it ({how})</source>
+        <translation>installieren Sie hapticplayer[cameras] ({library}), das es liest ({how})</translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision], which synchronises without taps, finds the mounting of a sensor and suggests motion for a plain video</source>
+        <translation>installieren Sie hapticplayer[vision]: es synchronisiert ohne Klopfen, findet, wie ein Sensor befestigt war, und schlägt Bewegung für ein bloßes Video vor</translation>
+    </message>
+    <message>
+        <source>invalid force track</source>
+        <translation>Kraftspur ungültig</translation>
+    </message>
+    <message>
+        <source>is JSON, not a table</source>
+        <translation>ist JSON, keine Tabelle</translation>
+    </message>
+    <message>
+        <source>is XML or a web page, not a table</source>
+        <translation>ist XML oder eine Webseite, keine Tabelle</translation>
+    </message>
+    <message>
+        <source>is a session of the study {found}, not {expected}</source>
+        <translation>ist eine Sitzung der Studie {found}, nicht {expected}</translation>
+    </message>
+    <message>
+        <source>is a table with {count} columns of numbers, fewer than time and acceleration need; these columns hold text: {shown}</source>
+        <translation>ist eine Tabelle mit {count} Zahlenspalten, weniger als Zeit und Beschleunigung brauchen; diese Spalten enthalten Text: {shown}</translation>
+    </message>
+    <message>
+        <source>is not the video that its force was made for ({reason})</source>
+        <translation>ist nicht das Video, für das die Kraft berechnet wurde ({reason})</translation>
+    </message>
+    <message>
+        <source>is not used in {kind} questions</source>
+        <translation>wird in Fragen der Art {kind} nicht verwendet</translation>
+    </message>
+    <message>
+        <source>is not used in {kind} trials</source>
+        <translation>wird in Durchgängen der Art {kind} nicht verwendet</translation>
     </message>
     <message>
         <source>the guard did not start, so nothing is measured; run &apos;hapticplayer doctor&apos;</source>
@@ -7708,12 +7856,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Bewegungsspur ist leer, es gibt also keine Kraft zu berechnen</translation>
     </message>
     <message>
+        <source>the motion where it is not valid</source>
+        <translation>die Bewegung, wo sie nicht gültig ist</translation>
+    </message>
+    <message>
         <source>the norm of the specific force is {norm:.3g} where it is calmest, but gravity is {gravity:.3g} m/s^2</source>
         <translation>der Betrag der spezifischen Kraft ist {norm:.3g}, wo sie am ruhigsten ist, aber die Schwerkraft ist {gravity:.3g} m/s^2</translation>
     </message>
     <message>
         <source>the number of samples is {count}; {least} to {most} can be used</source>
         <translation>die Zahl der Werte ist {count}; {least} bis {most} sind zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, otherwise taps and frames</source>
+        <translation>der Versatz, wenn gegeben; die eigene Uhr der Aufnahme, wenn sie die des Clips ist; sonst Klopfen und Bilder</translation>
+    </message>
+    <message>
+        <source>the other axes are in {names}</source>
+        <translation>die anderen Achsen sind in {names}</translation>
     </message>
     <message>
         <source>the other clip has a force track of a single row</source>
@@ -7724,8 +7884,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der andere Clip hat keine Kraft entlang einer Achse, die dieser nutzt</translation>
     </message>
     <message>
+        <source>the output {name} appears twice</source>
+        <translation>die Ausgabe {name} kommt zweimal vor</translation>
+    </message>
+    <message>
         <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
         <translation>Achsen des Telefons: x rechts, y oben, z aus dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>the range of {range:g} % was not applied: 0 to 100 is the whole way</source>
+        <translation>der Bereich (range) von {range:g} % wurde nicht angewendet: 0 bis 100 ist der ganze Weg</translation>
     </message>
     <message>
         <source>the rate</source>
@@ -7774,10 +7942,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the recording is incomplete: its process ended with status {status}</source>
         <translation>die Aufnahme ist unvollständig: ihr Prozess endete mit Status {status}</translation>
-    </message>
-    <message>
-        <source>the recording is incomplete: the disk is full, or the file has reached its size limit</source>
-        <translation>die Aufnahme ist unvollständig: der Datenträger ist voll, oder die Datei hat ihre Höchstgröße erreicht</translation>
     </message>
     <message>
         <source>the recording is incomplete: the disk is too slow</source>
@@ -7889,11 +8053,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
-        <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Recorders an, etwa --mounting=-x,y,-z</translation>
-    </message>
-    <message>
-        <source>the clip has no sound, which pats need</source>
-        <translation>es gibt keinen Ton, in dem Klopfen zu hören wäre</translation>
+        <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Rekorders an, etwa --mounting=-x,y,-z</translation>
     </message>
     <message>
         <source>there is no sound output, so the clip plays silently</source>
@@ -7998,10 +8158,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>write one with --save-template</source>
         <translation>schreiben Sie eine mit --save-template</translation>
-    </message>
-    <message>
-        <source>has dates as timestamps ({found})</source>
-        <translation>schreibt seine Zeiten als Datum ({found})</translation>
     </message>
     <message>
         <source>written to</source>
@@ -8156,10 +8312,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Inverse Service von Haply hat kein Inverse3; schließen Sie Kabel und Netzteil an und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
-        <source>Intiface at {where} gives no version or no ping time; update it</source>
-        <translation>Intiface unter {where} nennt keine Version oder keine Ping-Zeit; aktualisieren Sie es</translation>
-    </message>
-    <message>
         <source>Inverse3</source>
         <translation>Inverse3</translation>
     </message>
@@ -8256,10 +8408,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>lassen Sie sich die Datei noch einmal geben, oder stimmen Sie mit --accept-changed-video zu</translation>
     </message>
     <message>
-        <source>asks about feedbacks before the first trial</source>
-        <translation>fragt vor dem ersten Durchgang nach Feedbacks</translation>
-    </message>
-    <message>
         <source>check the address and the network</source>
         <translation>prüfen Sie die Adresse und das Netzwerk</translation>
     </message>
@@ -8294,10 +8442,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>copying the clip</source>
         <translation>Clip wird kopiert</translation>
-    </message>
-    <message>
-        <source>device {name!r}: nothing can follow; use {kind}</source>
-        <translation>Gerät {name!r}: Danach kann nichts folgen; verwenden Sie {kind}</translation>
     </message>
     <message>
         <source>does not give parts of this file</source>
@@ -8412,10 +8556,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine lesbare Bewegung</translation>
     </message>
     <message>
-        <source>install hapticplayer[vision], which synchronises without pats, finds the mounting of a sensor and suggests motion for a plain video</source>
-        <translation>Installieren Sie hapticplayer[vision]: es synchronisiert ohne Klopfer, findet, wie ein Sensor montiert war, und schlägt Bewegung für ein bloßes Video vor</translation>
-    </message>
-    <message>
         <source>is being changed by another program</source>
         <translation>wird gerade von einem anderen Programm geändert</translation>
     </message>
@@ -8456,36 +8596,180 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>beschreibt keine Studie</translation>
     </message>
     <message>
-        <source>is not the video that its force was made for (its checksum differs)</source>
-        <translation>ist nicht das Video, für das die Kraft berechnet wurde (die Prüfsumme weicht ab)</translation>
-    </message>
-    <message>
         <source>is not valid JSON ({reason})</source>
         <translation>ist kein gültiges JSON ({reason})</translation>
+    </message>
+    <message>
+        <source>is only used after the last trial</source>
+        <translation>wird nur nach dem letzten Durchgang verwendet</translation>
     </message>
     <message>
         <source>is refused by its server (status {status})</source>
         <translation>wird vom Server verweigert (Status {status})</translation>
     </message>
     <message>
+        <source>is the consent of {code}</source>
+        <translation>ist die Einwilligung von {code}</translation>
+    </message>
+    <message>
+        <source>is the session of {code}</source>
+        <translation>ist die Sitzung von {code}</translation>
+    </message>
+    <message>
+        <source>is_valid and reasons contradict each other</source>
+        <translation>is_valid und reasons widersprechen sich</translation>
+    </message>
+    <message>
+        <source>it appears twice</source>
+        <translation>er kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>it asks for none</source>
+        <translation>sie verlangt keinen</translation>
+    </message>
+    <message>
+        <source>it belongs to the study {found}</source>
+        <translation>sie gehört zur Studie {found}</translation>
+    </message>
+    <message>
+        <source>it holds half a character</source>
+        <translation>es enthält ein halbes Zeichen</translation>
+    </message>
+    <message>
+        <source>it holds no sound, in which taps could be heard</source>
+        <translation>es enthält keinen Ton, in dem Klopfen zu hören wäre</translation>
+    </message>
+    <message>
+        <source>it holds no such samples, or states their unit</source>
+        <translation>es enthält keine solchen Werte, oder es nennt ihre Einheit</translation>
+    </message>
+    <message>
+        <source>it is {container}, which is not read</source>
+        <translation>es ist {container}, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>it was recorded at {captured_hz:g} frames per second and plays at {shown_hz:g}</source>
+        <translation>er wurde mit {captured_hz:g} Bildern je Sekunde aufgenommen und läuft mit {shown_hz:g}</translation>
+    </message>
+    <message>
+        <source>its accelerometer reads {norm:.3g} m/s2 where it is calm, and its {sensor} would read {found:.3g}, as gravity: these columns are swapped</source>
+        <translation>sein Beschleunigungssensor misst in Ruhe {norm:.3g} m/s2, {sensor} wäre {found:.3g}, wie die Schwerkraft: Diese Spalten sind vertauscht</translation>
+    </message>
+    <message>
+        <source>its checksum differs</source>
+        <translation>die Prüfsumme weicht ab</translation>
+    </message>
+    <message>
+        <source>its clip has changed since it was imported (its checksum differs)</source>
+        <translation>der Clip hat sich seit dem Import geändert (die Prüfsumme weicht ab)</translation>
+    </message>
+    <message>
+        <source>its columns are known</source>
+        <translation>seine Spalten sind bekannt</translation>
+    </message>
+    <message>
+        <source>its edit list stretches time</source>
+        <translation>seine Schnittliste dehnt die Zeit</translation>
+    </message>
+    <message>
+        <source>its format tells its sensors apart, or it does not have both</source>
+        <translation>sein Format unterscheidet die Sensoren, oder es hat nicht beide</translation>
+    </message>
+    <message>
+        <source>its frames are shown at other times</source>
+        <translation>seine Bilder werden zu anderen Zeiten gezeigt</translation>
+    </message>
+    <message>
         <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
         <translation>die Bilder mit {width} x {height} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
+    </message>
+    <message>
+        <source>its index lists {count} frames and pieces of sound, which is too much (limit: {most})</source>
+        <translation>der Index nennt {count} Bilder und Tonstücke, das ist zu viel (Grenze: {most})</translation>
+    </message>
+    <message>
+        <source>its index, tags or chapters are too large ({size_mb} MB)</source>
+        <translation>Index, Tags oder Kapitel sind zu groß ({size_mb} MB)</translation>
+    </message>
+    <message>
+        <source>its last part names no variant of it</source>
+        <translation>der letzte Teil nennt keine Variante davon</translation>
+    </message>
+    <message>
+        <source>its metadata say that it is a time lapse</source>
+        <translation>nach seinen Metadaten ist er ein Zeitraffer</translation>
     </message>
     <message>
         <source>its pixel format cannot be converted</source>
         <translation>sein Pixelformat kann nicht umgewandelt werden</translation>
     </message>
     <message>
+        <source>its samples have times, or a rate of their own</source>
+        <translation>seine Werte haben Zeiten oder eine eigene Rate</translation>
+    </message>
+    <message>
         <source>its server does not give parts of files (HTTP ranges)</source>
         <translation>der Server gibt keine Teile von Dateien heraus (HTTP-Bereiche)</translation>
+    </message>
+    <message>
+        <source>its sound is heard at other times</source>
+        <translation>sein Ton ist zu anderen Zeiten zu hören</translation>
+    </message>
+    <message>
+        <source>its video is not the one that the force was made for ({reason})</source>
+        <translation>sein Video ist nicht das, für das die Kraft gemacht wurde ({reason})</translation>
+    </message>
+    <message>
+        <source>keep the calibration of another recording</source>
+        <translation>sichern Sie die Kalibrierung einer anderen Aufnahme</translation>
+    </message>
+    <message>
+        <source>larger than a file on the disk at {disk} may be (ulimit -f)</source>
+        <translation>größer, als eine Datei auf dem Datenträger bei {disk} sein darf (ulimit -f)</translation>
+    </message>
+    <message>
+        <source>left out: nothing</source>
+        <translation>weggelassen: nichts</translation>
+    </message>
+    <message>
+        <source>left out: {what}</source>
+        <translation>weggelassen: {what}</translation>
     </message>
     <message>
         <source>listening</source>
         <translation>Ton wird angehört</translation>
     </message>
     <message>
+        <source>magnetometer</source>
+        <translation>Magnetometer</translation>
+    </message>
+    <message>
+        <source>make an MP4 of it with: {command}</source>
+        <translation>machen Sie ein MP4 daraus mit: {command}</translation>
+    </message>
+    <message>
+        <source>make the force again</source>
+        <translation>berechnen Sie die Kraft neu</translation>
+    </message>
+    <message>
+        <source>malformed replies from the device</source>
+        <translation>ungültige Antworten des Geräts</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
         <source>missing entry {name!r}</source>
         <translation>fehlender Eintrag {name!r}</translation>
+    </message>
+    <message>
+        <source>motion track of the camera, which may hold places (only an MP4 has it)</source>
+        <translation>Bewegungsspur der Kamera, die Orte enthalten kann (nur ein MP4 hat sie)</translation>
+    </message>
+    <message>
+        <source>move it to its own study</source>
+        <translation>verschieben Sie sie in ihre eigene Studie</translation>
     </message>
     <message>
         <source>move the grip to the centre first, then re-arm again</source>
@@ -8516,6 +8800,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ergibt {count} Bedingungen; 2 bis {most} gehen</translation>
     </message>
     <message>
+        <source>name of a file</source>
+        <translation>Name einer Datei</translation>
+    </message>
+    <message>
+        <source>name or number of a device</source>
+        <translation>Name oder Nummer eines Geräts</translation>
+    </message>
+    <message>
+        <source>nested too deeply</source>
+        <translation>zu tief verschachtelt</translation>
+    </message>
+    <message>
         <source>no data from the device yet</source>
         <translation>noch keine Daten vom Gerät</translation>
     </message>
@@ -8528,8 +8824,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kein geschätztes Schwanken: keine Kurven, die größer sind als ein möglicher Fehler</translation>
     </message>
     <message>
+        <source>no force track</source>
+        <translation>keine Kraftspur</translation>
+    </message>
+    <message>
         <source>no participant {code}</source>
         <translation>keine teilnehmende Person {code}</translation>
+    </message>
+    <message>
+        <source>no question has a published wording</source>
+        <translation>keine Frage hat einen veröffentlichten Wortlaut</translation>
+    </message>
+    <message>
+        <source>no sensor of it was stuck</source>
+        <translation>keiner seiner Sensoren hing fest</translation>
+    </message>
+    <message>
+        <source>no three taps are both heard and felt</source>
+        <translation>es gibt kein dreimaliges Klopfen, das zu hören und zu spüren ist</translation>
     </message>
     <message>
         <source>none</source>
@@ -8540,12 +8852,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>keines seiner Bilder kann dekodiert werden</translation>
     </message>
     <message>
+        <source>not compared with the track</source>
+        <translation>nicht mit der Spur verglichen</translation>
+    </message>
+    <message>
         <source>not confirmed</source>
         <translation>nicht bestätigt</translation>
     </message>
     <message>
+        <source>not homed</source>
+        <translation>Referenz verloren</translation>
+    </message>
+    <message>
+        <source>not read: the columns {names}</source>
+        <translation>nicht gelesen: die Spalten {names}</translation>
+    </message>
+    <message>
         <source>not yet</source>
         <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>nothing was played: {cause}; {remedy}</source>
+        <translation>es wurde nichts gespielt: {cause}; {remedy}</translation>
     </message>
     <message>
         <source>open it again</source>
@@ -8556,8 +8884,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>öffnen Sie die Studie noch einmal, und wiederholen Sie die Änderung</translation>
     </message>
     <message>
+        <source>pairs: Wilcoxon with Holm, exact to {most} participants, then normal approximation; friedman: chi-square approximation</source>
+        <translation>pairs: Wilcoxon mit Holm, exakt bis {most} Personen, darüber Normalnäherung; friedman: Chi-Quadrat-Näherung</translation>
+    </message>
+    <message>
+        <source>play again</source>
+        <translation>spielen Sie noch einmal ab</translation>
+    </message>
+    <message>
+        <source>player ended</source>
+        <translation>Player beendet</translation>
+    </message>
+    <message>
         <source>predicting excursions</source>
         <translation>Ausschläge werden vorhergesagt</translation>
+    </message>
+    <message>
+        <source>rate-axes={axes} to keep both as they are</source>
+        <translation>rate-axes={axes}, um beide zu lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s; x right, y forward, z up{rest}; up to {largest_radps:.2f} rad/s</source>
+        <translation>gelesen als Telemetrie der Kamera: spezifische Kraft in m/s2, Drehrate in rad/s; x rechts, y vorn, z oben{rest}; bis {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
         <source>reading the answers</source>
@@ -8566,6 +8914,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>reading {name}</source>
         <translation>{name} wird gelesen</translation>
+    </message>
+    <message>
+        <source>record both</source>
+        <translation>zeichnen Sie beide auf</translation>
+    </message>
+    <message>
+        <source>record {number} ({kind}) was left out: {reason}</source>
+        <translation>Eintrag {number} ({kind}) wurde weggelassen: {reason}</translation>
+    </message>
+    <message>
+        <source>record {number}: the answer to {name!r} in {step} was left out: {reason}</source>
+        <translation>Eintrag {number}: die Antwort auf {name!r} in {step} wurde weggelassen: {reason}</translation>
     </message>
     <message>
         <source>redirects from {scheme} to another scheme</source>
@@ -8578,6 +8938,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>redirects too often</source>
         <translation>leitet zu oft um</translation>
+    </message>
+    <message>
+        <source>reference device {number:g} is not in the file; the first was taken</source>
+        <translation>das Bezugsgerät {number:g} ist nicht in der Datei; das erste gilt</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>entfernen Sie es</translation>
     </message>
     <message>
         <source>remove the constraint</source>
@@ -8596,6 +8964,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Schwerkraft wird entfernt</translation>
     </message>
     <message>
+        <source>remux it with MKVToolNix or FFmpeg, without them</source>
+        <translation>packen Sie es mit MKVToolNix oder FFmpeg ohne sie um</translation>
+    </message>
+    <message>
         <source>rename one of them</source>
         <translation>eine davon umbenennen</translation>
     </message>
@@ -8612,12 +8984,32 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fahrt</translation>
     </message>
     <message>
+        <source>rig option id={id} has no effect: packets of {format} have no ID; leave it out</source>
+        <translation>Plattform-Option id={id} hat keine Wirkung: Pakete von {format} haben keine ID; lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>rotations</source>
+        <translation>Drehungen</translation>
+    </message>
+    <message>
+        <source>samples of {bits} bits were taken from the lower end of {width} bytes</source>
+        <translation>Werte von {bits} Bit wurden vom unteren Ende von {width} Byte genommen</translation>
+    </message>
+    <message>
         <source>say it once</source>
         <translation>geben Sie es nur einmal an</translation>
     </message>
     <message>
+        <source>say what it is with --other-is force or --other-is vibration</source>
+        <translation>geben Sie an, was es ist: --other-is force oder --other-is vibration</translation>
+    </message>
+    <message>
         <source>session {code}: {key} was left out; it is not in the definition</source>
         <translation>Sitzung {code}: {key} wurde ausgelassen; es ist nicht in der Definition</translation>
+    </message>
+    <message>
+        <source>set the device up first</source>
+        <translation>richten Sie das Gerät zuerst ein</translation>
     </message>
     <message>
         <source>simulated {begin} of {studies} studies</source>
@@ -8648,8 +9040,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>startet</translation>
     </message>
     <message>
+        <source>stopped: {cause}; {remedy}</source>
+        <translation>angehalten: {cause}; {remedy}</translation>
+    </message>
+    <message>
+        <source>strengths</source>
+        <translation>Stärken</translation>
+    </message>
+    <message>
+        <source>stuck must be no-force</source>
+        <translation>stuck muss no-force sein</translation>
+    </message>
+    <message>
+        <source>stuck=no-force to have no force there, or record it again</source>
+        <translation>stuck=no-force, damit dort keine Kraft ist, oder nehmen Sie es noch einmal auf</translation>
+    </message>
+    <message>
+        <source>swapped must be {known}</source>
+        <translation>swapped muss {known} sein</translation>
+    </message>
+    <message>
+        <source>swapped=no to keep them</source>
+        <translation>swapped=no, um sie zu lassen</translation>
+    </message>
+    <message>
+        <source>swapped={key} to swap them</source>
+        <translation>swapped={key}, um sie zu vertauschen</translation>
+    </message>
+    <message>
         <source>synchronising</source>
         <translation>wird synchronisiert</translation>
+    </message>
+    <message>
+        <source>takes column {number} for {name}, but it holds {text!r}; ignore it with -, or write it as numbers</source>
+        <translation>nimmt Spalte {number} für {name}, aber sie enthält {text!r}; übergehen Sie sie mit -, oder schreiben Sie sie als Zahlen</translation>
     </message>
     <message>
         <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
@@ -8673,11 +9097,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the camera&apos;s rotation in the frames fits the log nowhere (is it the log of this clip, and the video not stabilised?)</source>
-        <translation>die Drehung der Kamera in den Bildern passt nirgends zum Log (gehört es zu diesem Video, und ist das Video nicht stabilisiert?)</translation>
+        <translation>die Drehung der Kamera in den Bildern passt nirgends zum Protokoll (gehört es zu diesem Video, und ist das Video nicht stabilisiert?)</translation>
     </message>
     <message>
         <source>the causal filter of Laidig and Seel 2023</source>
         <translation>das kausale Filter von Laidig und Seel 2023</translation>
+    </message>
+    <message>
+        <source>the clip has no sound, which taps need</source>
+        <translation>es gibt keinen Ton, in dem Klopfen zu hören wäre</translation>
     </message>
     <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
@@ -8692,6 +9120,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Clip ist zu kurz, um Bewegung vorzuschlagen; er muss {least_s:g} s haben</translation>
     </message>
     <message>
+        <source>the clip needs {needed_mb} MB and only {free_mb} MB are free</source>
+        <translation>der Clip braucht {needed_mb} MB, und nur {free_mb} MB sind frei</translation>
+    </message>
+    <message>
+        <source>the clip was cut and joined, or its times were changed</source>
+        <translation>der Clip wurde geschnitten und zusammengefügt, oder seine Zeiten wurden geändert</translation>
+    </message>
+    <message>
         <source>the clocks differ by {ppm:.0f} ppm or more: is the video played at the frame rate it was recorded with?</source>
         <translation>die Uhren weichen um mindestens {ppm:.0f} ppm voneinander ab: Wird das Video mit der Bildrate abgespielt, mit der es aufgenommen wurde?</translation>
     </message>
@@ -8704,8 +9140,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>dies ist die Seite {page}, nicht {expected}</translation>
     </message>
     <message>
+        <source>the device driver failed ({reason}); report this, and choose the device again</source>
+        <translation>der Treiber des Geräts ist ausgefallen ({reason}); melden Sie das, und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>the direction of the force</source>
+        <translation>die Richtung der Kraft</translation>
+    </message>
+    <message>
+        <source>the disk at {disk} is full</source>
+        <translation>der Datenträger bei {disk} ist voll</translation>
+    </message>
+    <message>
         <source>the extension {name!r} cannot be used: {reason}; update or uninstall it</source>
         <translation>die Erweiterung {name!r} kann nicht verwendet werden: {reason}; aktualisieren oder entfernen Sie sie</translation>
+    </message>
+    <message>
+        <source>the force after the end of the clip ({end_s:.3f} s)</source>
+        <translation>die Kraft nach dem Ende des Clips ({end_s:.3f} s)</translation>
+    </message>
+    <message>
+        <source>the force before 0 s</source>
+        <translation>die Kraft vor 0 s</translation>
+    </message>
+    <message>
+        <source>the force goes on until {end_s:.3f} s, the clip ends at {clip_s:.3f} s</source>
+        <translation>die Kraft dauert bis {end_s:.3f} s, der Clip endet bei {clip_s:.3f} s</translation>
+    </message>
+    <message>
+        <source>the force in newtons</source>
+        <translation>die Kraft in Newton</translation>
     </message>
     <message>
         <source>the force is stopped; re-arm it first</source>
@@ -8736,8 +9200,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der persönliche Ordner ist unbekannt; {variable} auf den Pfad der Firmware setzen</translation>
     </message>
     <message>
+        <source>the kind is not known</source>
+        <translation>die Art ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the last {count} samples are missing</source>
+        <translation>die letzten {count} Werte fehlen</translation>
+    </message>
+    <message>
         <source>the log has no angular rate, which frames could be compared with</source>
-        <translation>das Log enthält keine Drehrate, mit der Bilder verglichen werden könnten</translation>
+        <translation>das Protokoll enthält keine Drehrate, mit der Bilder verglichen werden könnten</translation>
     </message>
     <message>
         <source>the method frames needs a clip</source>
@@ -8746,18 +9218,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
         <translation>die Bewegung von {name} wurde aufgezeichnet, und das ist besser als eine Schätzung aus dem Bild; importieren Sie es ohne --suggest-motion</translation>
-    </message>
-    <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else tap marks (pats) and frames, as far as there are any</source>
-        <translation>der Versatz, wenn gegeben; die eigene Uhr der Aufnahme, wenn sie die des Videos ist; sonst Klopfer (pats) und Einzelbilder (frames), soweit vorhanden</translation>
-    </message>
-    <message>
-        <source>the output {name} is there twice</source>
-        <translation>die Ausgabe {name} kommt zweimal vor</translation>
-    </message>
-    <message>
-        <source>the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
-        <translation>das Klopfen ist nicht sicher (Konfidenz {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}</translation>
     </message>
     <message>
         <source>the quaternion Kalman filter of Sabatini 2006</source>
@@ -8832,28 +9292,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>diese Installation hat keine Datenströme der Art {name!r}; lassen Sie sie weg</translation>
     </message>
     <message>
-        <source>this is not the video that the force was made for (its checksum differs): it plays without force</source>
-        <translation>dies ist nicht das Video, für das die Kraft gemacht wurde (die Prüfsumme weicht ab): Es läuft ohne Kraft</translation>
-    </message>
-    <message>
         <source>tidy CSV with a data dictionary</source>
         <translation>CSV-Tabellen mit einem Verzeichnis der Spalten</translation>
     </message>
     <message>
-        <source>timescale must be 1 or more</source>
-        <translation>timescale muss mindestens 1 sein</translation>
-    </message>
-    <message>
         <source>title, mapping and provenance</source>
-        <translation>Titel, Abbildung und Herkunft</translation>
+        <translation>Titel, Zuordnung und Herkunft</translation>
     </message>
     <message>
         <source>true motion of a simulation</source>
         <translation>wahre Bewegung einer Simulation</translation>
-    </message>
-    <message>
-        <source>holds rotations, which are not read</source>
-        <translation>dreht und wird nicht gelesen</translation>
     </message>
     <message>
         <source>--bind {text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
@@ -8862,6 +9310,58 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
         <translation>die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s ({doubt})</translation>
+    </message>
+    <message>
+        <source>the sound card {card!r} no longer accepts sound ({reason}); connect it and choose the device again</source>
+        <translation>die Soundkarte {card!r} nimmt keinen Ton mehr an ({reason}); schließen Sie sie an, und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>the taps are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
+        <translation>das Klopfen ist nicht sicher (Konfidenz {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}</translation>
+    </message>
+    <message>
+        <source>the times of its packets and the camera&apos;s own place the motion {apart_s:.2f} s apart: the clip was cut</source>
+        <translation>die Zeiten der Pakete und die der Kamera legen die Bewegung {apart_s:.2f} s auseinander: Der Clip wurde geschnitten</translation>
+    </message>
+    <message>
+        <source>the unit of its times is known, or it has no times</source>
+        <translation>die Einheit seiner Zeiten ist bekannt, oder es hat keine Zeiten</translation>
+    </message>
+    <message>
+        <source>the {sensor} is slower than the log: each reading is held for {each} rows, so that there are {rate_hz:.4g} a second</source>
+        <translation>langsamer als das Protokoll: {sensor}; jeder Messwert wird {each} Zeilen lang gehalten, es sind also {rate_hz:.4g} je Sekunde</translation>
+    </message>
+    <message>
+        <source>the {sensor} repeats its readings as a stuck sensor does, {share:.1%} of the time ({spans} from the start of the log); they are not used</source>
+        <translation>{sensor}: Werte wiederholen sich wie bei einem Sensor, der festhängt, {share:.1%} der Zeit ({spans} ab dem Beginn des Protokolls); sie werden nicht verwendet</translation>
+    </message>
+    <message>
+        <source>there is no trial {step!r}</source>
+        <translation>es gibt keinen Durchgang {step!r}</translation>
+    </message>
+    <message>
+        <source>this is not the video that the force was made for ({reason}): it plays without force</source>
+        <translation>dies ist nicht das Video, für das die Kraft gemacht wurde ({reason}): Es läuft ohne Kraft</translation>
+    </message>
+    <message>
+        <source>three channels were taken as x, y and z</source>
+        <translation>drei Kanäle gelten als x, y und z</translation>
+    </message>
+    <message>
+        <source>three taps on the camera, heard and felt</source>
+        <translation>dreimaliges Klopfen auf die Kamera, gehört und gespürt</translation>
+    </message>
+    <message>
+        <source>time_s runs at {rate_hz:.3g} samples a second, faster than any sensor</source>
+        <translation>time_s läuft mit {rate_hz:.3g} Werten je Sekunde, schneller als jeder Sensor</translation>
+    </message>
+    <message>
+        <source>times were taken as milliseconds</source>
+        <translation>Zeiten gelten als Millisekunden</translation>
+    </message>
+    <message>
+        <source>turned</source>
+        <translation>gedreht</translation>
     </message>
     <message>
         <source>two outputs send {what}; keep one of them</source>
@@ -8880,6 +9380,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>entpacken Sie es und geben Sie den Ordner an</translation>
     </message>
     <message>
+        <source>unplugged</source>
+        <translation>abgezogen</translation>
+    </message>
+    <message>
+        <source>use &apos;repeats&apos;</source>
+        <translation>verwenden Sie &apos;repeats&apos;</translation>
+    </message>
+    <message>
         <source>use --sync pats (sync: --method pats), or give --offset S</source>
         <translation>nehmen Sie --sync pats (sync: --method pats), oder geben Sie --offset S an</translation>
     </message>
@@ -8894,6 +9402,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>use a name in /dev/input, such as event5</source>
         <translation>verwenden Sie einen Namen aus /dev/input, etwa event5</translation>
+    </message>
+    <message>
+        <source>utc is not a time with its zone</source>
+        <translation>utc ist keine Zeit mit Zeitzone</translation>
     </message>
     <message>
         <source>vibration: full intensity was taken as {full_n:.3g} N</source>
@@ -8944,12 +9456,52 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Wellen von mehr als {most_s:.0f} s</translation>
     </message>
     <message>
+        <source>what changes within a millisecond</source>
+        <translation>was sich innerhalb einer Millisekunde ändert</translation>
+    </message>
+    <message>
+        <source>what lies before 0 s was left out</source>
+        <translation>was vor 0 s liegt, wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>what was recorded lasts from {first_s:.2f} to {last_s:.2f} s, the clip from 0 to {duration_s:.2f} s: it was cut, or plays at another speed</source>
+        <translation>das Aufgezeichnete reicht von {first_s:.2f} bis {last_s:.2f} s, der Clip von 0 bis {duration_s:.2f} s: Er wurde geschnitten oder läuft mit anderer Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>which has no accelerometer samples (DJI stores orientations only)</source>
+        <translation>die keine Werte des Beschleunigungssensors hat (DJI speichert nur Ausrichtungen)</translation>
+    </message>
+    <message>
+        <source>which has no motion</source>
+        <translation>die keine Bewegung enthält</translation>
+    </message>
+    <message>
+        <source>which nothing here reads</source>
+        <translation>die hier nichts liest</translation>
+    </message>
+    <message>
+        <source>window not responding</source>
+        <translation>Fenster reagierte nicht</translation>
+    </message>
+    <message>
         <source>with hapticplayer[vision] installed, the frames are compared with the gyro exactly, and those of H.265 too</source>
         <translation>mit hapticplayer[vision] werden die Bilder genau mit dem Gyroskop verglichen, auch die von H.265</translation>
     </message>
     <message>
+        <source>write numbers without units or signs, or choose another log</source>
+        <translation>schreiben Sie Zahlen ohne Einheiten und Zeichen, oder wählen Sie ein anderes Protokoll</translation>
+    </message>
+    <message>
         <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>
         <translation>schreiben Sie eine mit `hapticplayer process LOG --save-calibration FILE`</translation>
+    </message>
+    <message>
+        <source>write the rows of each sensor to a file of its own and give both</source>
+        <translation>schreiben Sie die Zeilen jedes Sensors in eine eigene Datei, und geben Sie beide an</translation>
+    </message>
+    <message>
+        <source>write the time of each sample with all its digits</source>
+        <translation>schreiben Sie die Zeit jedes Werts mit allen Ziffern</translation>
     </message>
     <message>
         <source>writing</source>
@@ -8984,12 +9536,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ja</translation>
     </message>
     <message>
-        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; give --mounting auto to take it, or --mounting forward to keep the axes of the log</source>
-        <translation>{clip}: Die Bilder zeigen die Montage {axes} (Verhältnis {ratio:.1f}), nicht {used}; geben Sie --mounting auto an, um sie zu übernehmen, oder --mounting forward, um die Achsen des Logs zu behalten</translation>
+        <source>your quota of the disk at {disk} is used up</source>
+        <translation>Ihr Kontingent auf dem Datenträger bei {disk} ist aufgebraucht</translation>
     </message>
     <message>
-        <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose --sync pats or --sync frames (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
-        <translation>{clip}: Die Klopfer ergeben einen Versatz von {pats_s:.3f} s, die Einzelbilder {frames_s:.3f} s; wählen Sie --sync pats oder --sync frames (sync: --method), oder geben Sie --offset S an; kommt der Ton der Kamera spät, klärt --skew es</translation>
+        <source>your video editor</source>
+        <translation>Ihrem Videoschnittprogramm</translation>
+    </message>
+    <message>
+        <source>{axis} appears twice; the first was read</source>
+        <translation>{axis} kommt zweimal vor; gelesen wurde das erste</translation>
+    </message>
+    <message>
+        <source>{begin_s:.2f} to {end_s:.2f} s</source>
+        <translation>{begin_s:.2f} bis {end_s:.2f} s</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, {rate:.3g} kbit/s ({packed:.3g} compressed; the track: {own:.3g})</source>
+        <translation>{bytes} Byte, {rate:.3g} kbit/s ({packed:.3g} komprimiert; die Spur: {own:.3g})</translation>
+    </message>
+    <message>
+        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; give --mounting auto to take it, or --mounting forward to keep the axes of the log</source>
+        <translation>{clip}: Die Bilder zeigen die Befestigung {axes} (Verhältnis {ratio:.1f}), nicht {used}; geben Sie --mounting auto an, um sie zu übernehmen, oder --mounting forward, um die Achsen des Protokolls zu behalten</translation>
     </message>
     <message>
         <source>{clip}: {why}; {look}</source>
@@ -9032,16 +9600,40 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
     </message>
     <message>
-        <source>{file}: {what}; give --mounting {name}, or another of {known}, or auto for what the frames tell, or --mounting forward to keep its axes</source>
-        <translation>{file}: {what}; geben Sie --mounting {name} an, oder etwas anderes von {known}, oder auto für das, was die Bilder zeigen, oder --mounting forward, um es so zu nehmen, wie es ist</translation>
-    </message>
-    <message>
         <source>{free_gb:.1f} GB free</source>
         <translation>{free_gb:.1f} GB frei</translation>
     </message>
     <message>
+        <source>{how}; or {others}</source>
+        <translation>{how}; oder {others}</translation>
+    </message>
+    <message>
+        <source>{key!r} is the name of another condition</source>
+        <translation>{key!r} ist der Name einer anderen Bedingung</translation>
+    </message>
+    <message>
+        <source>{key} is not the condition of {step}</source>
+        <translation>{key} ist nicht die Bedingung von {step}</translation>
+    </message>
+    <message>
+        <source>{key}={axes} are not three axes; give the sensor&apos;s x, y, z in its columns, such as y,x,z or x,-y,z</source>
+        <translation>{key}={axes} sind keine drei Achsen; geben Sie x, y, z des Sensors in seinen Spalten an, etwa y,x,z oder x,-y,z</translation>
+    </message>
+    <message>
+        <source>{key}={axes} if the {sensor} is {how}</source>
+        <translation>{key}={axes} im Fall: {sensor} {how}</translation>
+    </message>
+    <message>
         <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number between {least:g} and {largest:g}</source>
         <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl zwischen {least:g} und {largest:g} an</translation>
+    </message>
+    <message>
+        <source>{kind!r}</source>
+        <translation>{kind!r}</translation>
+    </message>
+    <message>
+        <source>{kind!r} was read as a sine</source>
+        <translation>{kind!r} wurde als Sinus gelesen</translation>
     </message>
     <message>
         <source>{kind} was read as lines</source>
@@ -9052,6 +9644,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{modality}: Amplitude 1 wurde als {full_n:.3g} N genommen</translation>
     </message>
     <message>
+        <source>{more} more</source>
+        <translation>{more} weitere</translation>
+    </message>
+    <message>
         <source>{name!r} has no parameters</source>
         <translation>{name!r} hat keine Parameter</translation>
     </message>
@@ -9060,8 +9656,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name!r} ist kein einfacher Dateiname</translation>
     </message>
     <message>
+        <source>{name!r} is the name of a condition; choose another name</source>
+        <translation>{name!r} ist der Name einer Bedingung; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
         <source>{name!r} must end with .mkv (one file) or .mp4 (with a side-car)</source>
         <translation>{name!r} muss mit .mkv enden (eine Datei) oder mit .mp4 (mit einer Datei daneben)</translation>
+    </message>
+    <message>
+        <source>{name} beside it was read, too</source>
+        <translation>{name} daneben wurde auch gelesen</translation>
     </message>
     <message>
         <source>{name} does not hold numbers only ({reason})</source>
@@ -9140,8 +9744,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} muss positiv und endlich sein, ist {value}</translation>
     </message>
     <message>
+        <source>{name} must be true or false</source>
+        <translation>{name} muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>{name} must hold real numbers</source>
+        <translation>{name} muss reelle Zahlen enthalten</translation>
+    </message>
+    <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
         <translation>{name} muss streng steigen, aber in Zeile {row} stehen {time_s:.6f} s nach {last_s:.6f} s</translation>
+    </message>
+    <message>
+        <source>{name} was taken as {modality}</source>
+        <translation>{name} gilt als {modality}</translation>
     </message>
     <message>
         <source>{name}: {kind} has no such parameter; it has {known}</source>
@@ -9150,6 +9766,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{norm:.2f} m/s2 at rest</source>
         <translation>{norm:.2f} m/s2 in Ruhe</translation>
+    </message>
+    <message>
+        <source>{notes}</source>
+        <translation>{notes}</translation>
     </message>
     <message>
         <source>{note} (first in line {line})</source>
@@ -9212,6 +9832,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{text!r} ist kein Parameter; schreiben Sie NAME=WERT</translation>
     </message>
     <message>
+        <source>{time_s:.3g} s is later than any clip</source>
+        <translation>{time_s:.3g} s ist später als jeder Clip</translation>
+    </message>
+    <message>
         <source>{title} at {where}</source>
         <translation>{title} unter {where}</translation>
     </message>
@@ -9220,12 +9844,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{title} hat kein realistisches Feedback, aus dem {name!r} entstehen kann; importieren Sie den Clip zuerst</translation>
     </message>
     <message>
+        <source>{title} refuses the effect ({reason}); close other programs that use it, and choose the device again</source>
+        <translation>{title} lehnt den Effekt ab ({reason}); schließen Sie andere Programme, die das Gerät verwenden, und wählen Sie es erneut</translation>
+    </message>
+    <message>
         <source>{title} was unplugged; plug it in and choose the device again</source>
         <translation>{title} wurde getrennt; schließen Sie es an und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>{title}: permission denied for {path}; add yourself to the group input and log in again</source>
         <translation>{title}: kein Zugriff auf {path}; nehmen Sie sich in die Gruppe input auf und melden Sie sich neu an</translation>
+    </message>
+    <message>
+        <source>{toy} has left Intiface; connect it there and choose the device again</source>
+        <translation>{toy} hat Intiface verlassen; verbinden Sie es dort, und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>{unseen_s:.0f} s without estimate: cuts, dark, blurred or empty frames</source>
@@ -9238,6 +9870,30 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{value!r} is not allowed</source>
         <translation>ist {value!r}</translation>
+    </message>
+    <message>
+        <source>{value} is not allowed</source>
+        <translation>{value} ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>{what}, with the axes that were given</source>
+        <translation>{what}, mit den angegebenen Achsen</translation>
+    </message>
+    <message>
+        <source>{what}, {why}</source>
+        <translation>{what}, {why}</translation>
+    </message>
+    <message>
+        <source>{where} does not answer {name}; restart it</source>
+        <translation>{where} antwortet nicht auf {name}; starten Sie es neu</translation>
+    </message>
+    <message>
+        <source>{where} refuses: {reason}; update it</source>
+        <translation>{where} lehnt ab: {reason}; aktualisieren Sie es</translation>
+    </message>
+    <message>
+        <source>{where} reports an error ({reason}); see whether the toy is connected and charged, and choose the device again</source>
+        <translation>{where} meldet einen Fehler ({reason}); sehen Sie nach, ob das Gerät verbunden und geladen ist, und wählen Sie es erneut</translation>
     </message>
     <message>
         <source>{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}</source>
@@ -9254,6 +9910,66 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the sound output was lost; video and force continue</source>
         <translation>die Tonausgabe ist ausgefallen; Video und Kraft laufen weiter</translation>
+    </message>
+    <message>
+        <source>{clip}: motion is estimated as the video plays; give --slow-motion 1</source>
+        <translation>{clip}: Die Bewegung wird so geschätzt, wie das Video läuft; geben Sie --slow-motion 1 an</translation>
+    </message>
+    <message>
+        <source>{clip}: taps and frames cannot be compared at another speed; give --offset S with --slow-motion</source>
+        <translation>{clip}: Klopfen und Bilder lassen sich bei anderer Geschwindigkeit nicht vergleichen; geben Sie --offset S mit --slow-motion an</translation>
+    </message>
+    <message>
+        <source>{clip}: the skew of the sound would have no effect, because the offset comes from elsewhere (method {method}); leave out --skew and --camera</source>
+        <translation>{clip}: Die Tonverzögerung hätte keine Wirkung, weil der Versatz anderswoher kommt (Methode {method}); lassen Sie --skew und --camera weg</translation>
+    </message>
+    <message>
+        <source>{clip}: the taps give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose --sync pats or --sync frames (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
+        <translation>{clip}: Das Klopfen ergibt einen Versatz von {pats_s:.3f} s, die Bilder {frames_s:.3f} s; wählen Sie --sync pats oder --sync frames (sync: --method), oder geben Sie --offset S an; kommt der Ton der Kamera spät, klärt --skew es</translation>
+    </message>
+    <message>
+        <source>{clip}: {what}, and neither frames nor taps tell which is right ({why}); give {places}, or another --offset S</source>
+        <translation>{clip}: {what}, und weder Bilder noch Klopfen zeigen, was stimmt ({why}); geben Sie {places} an oder ein anderes --offset S</translation>
+    </message>
+    <message>
+        <source>{clip}: {why}; make a copy at its real speed ({copy}), or give --slow-motion 1 to take it as it plays, or --slow-motion {slowed} with --offset S to stretch the motion</source>
+        <translation>{clip}: {why}; machen Sie eine Kopie in wirklicher Geschwindigkeit ({copy}), oder geben Sie --slow-motion 1 an, um ihn zu nehmen, wie er läuft, oder --slow-motion {slowed} mit --offset S, um die Bewegung zu dehnen</translation>
+    </message>
+    <message>
+        <source>{count} places are damaged: {first}</source>
+        <translation>{count} Stellen sind beschädigt: {first}</translation>
+    </message>
+    <message>
+        <source>{count} positions of {axis} beyond 0 to 100 were limited</source>
+        <translation>{count} Positionen von {axis} außerhalb von 0 bis 100 wurden begrenzt</translation>
+    </message>
+    <message>
+        <source>{example} (a name for each column, - to ignore one, / between tables)</source>
+        <translation>{example} (ein Name je Spalte, - übergeht eine, / zwischen Tabellen)</translation>
+    </message>
+    <message>
+        <source>{file} is not used: order.method is {method}</source>
+        <translation>{file} wird nicht verwendet: order.method ist {method}</translation>
+    </message>
+    <message>
+        <source>{file}: holds another plan</source>
+        <translation>{file}: enthält einen anderen Plan</translation>
+    </message>
+    <message>
+        <source>{file}: its times are clock times, not {unit}; leave out time-unit={unit}</source>
+        <translation>{file}: Die Zeiten sind Uhrzeiten, nicht {unit}; lassen Sie time-unit={unit} weg</translation>
+    </message>
+    <message>
+        <source>{file}: {option} has no effect: {form} does not use it, or this file says it itself; leave it out</source>
+        <translation>{file}: {option} hat keine Wirkung: {form} verwendet es nicht, oder die Datei sagt es selbst; lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>{file}: {option} {key}={value} has no effect on a log of {form}: {why}; leave it out</source>
+        <translation>{file}: {option} {key}={value} hat keine Wirkung auf ein Protokoll von {form}: {why}; lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>{file}: {what}; give {sign}--mounting {name}, or another of {known}, or auto for what the frames tell, or --mounting forward to keep its axes</source>
+        <translation>{file}: {what}; geben Sie {sign}--mounting {name} an, oder etwas anderes von {known}, oder auto für das, was die Bilder zeigen, oder --mounting forward, um seine Achsen zu behalten</translation>
     </message>
     <message>
         <source>{name} does not know the clip&apos;s clock; use --sync pats (sync: --method pats) or give --offset S</source>
@@ -9316,10 +10032,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{what} und sind als ungültig markiert</translation>
     </message>
     <message>
-        <source>{what}, but the numbers would fit another unit</source>
-        <translation>{what}, aber die Zahlen würden zu einer anderen Einheit passen</translation>
-    </message>
-    <message>
         <source>{what}; see --mounting</source>
         <translation>{what}; siehe --mounting</translation>
     </message>
@@ -9350,10 +10062,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>decreases</source>
         <translation>nimmt ab</translation>
-    </message>
-    <message>
-        <source>three pats on the camera, heard and felt</source>
-        <translation>drei Klopfer auf die Kamera, gehört und gespürt</translation>
     </message>
     <message>
         <source>the first sudden rise of sound and motion, as in the paper</source>

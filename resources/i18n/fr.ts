@@ -293,7 +293,7 @@
     <name>CheckList</name>
     <message>
         <source>What the device needs</source>
-        <translation>Ce dont l&apos;appareil a besoin</translation>
+        <translation>Ce dont l’appareil a besoin</translation>
     </message>
     <message>
         <source>OK</source>
@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>not visible from here</source>
-        <translation>non visible d&apos;ici</translation>
+        <translation>non visible d’ici</translation>
     </message>
 </context>
 <context>
@@ -498,7 +498,7 @@
     </message>
     <message>
         <source>You will feel each force three times, starting gently. Esc, STOP or a button on the device stops it immediately.</source>
-        <translation>Vous sentirez chaque force trois fois, d&apos;abord doucement. Échap, STOP ou un bouton de l&apos;appareil l&apos;arrête aussitôt.</translation>
+        <translation>Vous sentirez chaque force trois fois, d’abord doucement. Échap, STOP ou un bouton de l’appareil l’arrête aussitôt.</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -564,7 +564,7 @@
     </message>
     <message>
         <source>Test the device</source>
-        <translation>Tester l&apos;appareil</translation>
+        <translation>Tester l’appareil</translation>
     </message>
     <message>
         <source>Start the test</source>
@@ -572,7 +572,7 @@
     </message>
     <message>
         <source>Waiting until the device is at rest</source>
-        <translation>En attente du repos de l&apos;appareil</translation>
+        <translation>En attente du repos de l’appareil</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -587,27 +587,27 @@
     <name>DeviceTestWords</name>
     <message>
         <source>Esc or STOP ends it immediately.</source>
-        <translation>Échap ou STOP l&apos;arrête aussitôt.</translation>
+        <translation>Échap ou STOP l’arrête aussitôt.</translation>
     </message>
     <message>
         <source>It will move gently for {seconds} s, along and about one axis after the other.</source>
-        <translation>Il bougera doucement pendant {seconds} s, le long et autour d&apos;un axe après l&apos;autre.</translation>
+        <translation>Il bougera doucement pendant {seconds} s, le long et autour d’un axe après l’autre.</translation>
     </message>
     <message>
         <source>It will vibrate on the channels {channels}, one after the other, for {seconds} s, with up to {strength}.</source>
-        <translation>Il vibrera sur les canaux {channels}, l&apos;un après l&apos;autre, pendant {seconds} s, jusqu&apos;à {strength}.</translation>
+        <translation>Il vibrera sur les canaux {channels}, l’un après l’autre, pendant {seconds} s, jusqu’à {strength}.</translation>
     </message>
     <message>
         <source>It will vibrate for {seconds} s, with up to {strength}.</source>
-        <translation>Il vibrera pendant {seconds} s, jusqu&apos;à {strength}.</translation>
+        <translation>Il vibrera pendant {seconds} s, jusqu’à {strength}.</translation>
     </message>
     <message>
         <source>It will turn or pull to one side and to the other for {seconds} s, with up to {strength}.</source>
-        <translation>Il tournera ou tirera d&apos;un côté puis de l&apos;autre pendant {seconds} s, jusqu&apos;à {strength}.</translation>
+        <translation>Il tournera ou tirera d’un côté puis de l’autre pendant {seconds} s, jusqu’à {strength}.</translation>
     </message>
     <message>
         <source>It will push gently in each direction for {seconds} s, with up to {strength}.</source>
-        <translation>Il poussera doucement dans chaque direction pendant {seconds} s, jusqu&apos;à {strength}.</translation>
+        <translation>Il poussera doucement dans chaque direction pendant {seconds} s, jusqu’à {strength}.</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -781,10 +781,6 @@
 <context>
     <name>EffectPanel</name>
     <message>
-        <source>Drag a kind of effect onto the time line, or click an event there. The recorded motion never changes.</source>
-        <translation>Glissez un type d’effet sur la ligne de temps ou cliquez-y sur un événement. Le mouvement enregistré ne change jamais.</translation>
-    </message>
-    <message>
         <source>Switched &amp;on</source>
         <translation>Act&amp;ivé</translation>
     </message>
@@ -833,8 +829,16 @@
         <translation>Fin</translation>
     </message>
     <message>
+        <source>Applies &amp;to</source>
+        <translation>S’appli&amp;que à</translation>
+    </message>
+    <message>
         <source>Start</source>
         <translation>Début</translation>
+    </message>
+    <message>
+        <source>Drag a kind of effect onto the timeline, or click an event there. The recorded motion never changes.</source>
+        <translation>Glissez un type d’effet sur la ligne de temps ou cliquez-y sur un événement. Le mouvement enregistré ne change jamais.</translation>
     </message>
     <message>
         <source>Control &amp;points: s after the start, value</source>
@@ -851,10 +855,6 @@
     <message>
         <source>Motion before the rendering</source>
         <translation>Mouvement avant le rendu</translation>
-    </message>
-    <message>
-        <source>Cha&amp;nges</source>
-        <translation>Modi&amp;fie</translation>
     </message>
     <message>
         <source>right</source>
@@ -1285,14 +1285,6 @@
         <source>All files (*)</source>
         <translation>Tous les fichiers (*)</translation>
     </message>
-    <message>
-        <source>{kept}; {rate} kbit/s</source>
-        <translation>{kept}&#xa0;; {rate} kbit/s</translation>
-    </message>
-    <message>
-        <source>; largest error {error} N</source>
-        <translation>&#xa0;; erreur maximale {error} N</translation>
-    </message>
 </context>
 <context>
     <name>ForceWords</name>
@@ -1461,48 +1453,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ARRÊT</translation>
     </message>
     <message>
-        <source>window not responding</source>
-        <translation>fenêtre sans réponse</translation>
-    </message>
-    <message>
-        <source>player ended</source>
-        <translation>lecteur terminé</translation>
-    </message>
-    <message>
-        <source>invalid force track</source>
-        <translation>piste de force invalide</translation>
-    </message>
-    <message>
-        <source>grip button</source>
-        <translation>bouton de la poignée</translation>
-    </message>
-    <message>
-        <source>device not responding</source>
-        <translation>l’appareil ne répond pas</translation>
-    </message>
-    <message>
-        <source>malformed replies from the device</source>
-        <translation>réponses invalides de l’appareil</translation>
-    </message>
-    <message>
-        <source>computer stalled</source>
-        <translation>ordinateur bloqué</translation>
-    </message>
-    <message>
-        <source>grip released</source>
-        <translation>poignée lâchée</translation>
-    </message>
-    <message>
-        <source>grip at the edge of the workspace</source>
-        <translation>poignée au bord de l’espace de travail</translation>
-    </message>
-    <message>
         <source>{damaged} damaged, {dropped} dropped</source>
         <translation>{damaged} endommagées, {dropped} perdues</translation>
-    </message>
-    <message>
-        <source>unplugged</source>
-        <translation>débranché</translation>
     </message>
     <message>
         <source>FIFO</source>
@@ -1870,7 +1822,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Types d’effets</translation>
     </message>
     <message>
-        <source>Drag onto the time line; Enter adds at the cursor</source>
+        <source>Drag onto the timeline; Enter adds at the cursor</source>
         <translation>Glissez sur la ligne de temps&#xa0;; Entrée ajoute au curseur</translation>
     </message>
 </context>
@@ -1933,7 +1885,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>kept by the device&apos;s clock</source>
-        <translation>tenue par l&apos;horloge de l&apos;appareil</translation>
+        <translation>tenue par l’horloge de l’appareil</translation>
     </message>
     <message>
         <source>typical value, not measured</source>
@@ -2042,8 +1994,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Réglez les latences jusqu’à ce que flash, bip et force coïncident. Augmentez celle qui est en retard.</translation>
     </message>
     <message>
-        <source>Press the space bar on each beat, at least eight times: first to the flash, then to the beep and the force. The differences are filled in; fine-tune them with all together.</source>
-        <translation>Appuyez sur la barre d’espace à chaque battement, au moins huit fois&#xa0;: d’abord sur le flash, puis sur le bip et la force. Les différences sont inscrites&#xa0;; affinez-les avec tout ensemble.</translation>
+        <source>Press the space bar on each beat, at least eight times: first to the flash, then to the beep and the force. The differences are filled in; fine-tune them with &quot;All together&quot;.</source>
+        <translation>Appuyez sur la barre d’espace à chaque battement, au moins huit fois&#xa0;: d’abord sur le flash, puis sur le bip et la force. Les différences sont inscrites&#xa0;; affinez-les avec «&#xa0;Tout ensemble&#xa0;».</translation>
     </message>
     <message>
         <source>{n} of {least} taps</source>
@@ -2377,7 +2329,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>The drawing shows the recorder on the actor, who faces forward; the dashed line shows which way was up, from gravity.</source>
-        <translation>Le dessin montre l’enregistreur sur l’acteur, qui regarde devant lui&#xa0;; la ligne pointillée indique le haut d’après la pesanteur.</translation>
+        <translation>Le dessin montre l’enregistreur sur la personne, qui regarde devant elle&#xa0;; la ligne pointillée indique le haut d’après la pesanteur.</translation>
     </message>
     <message>
         <source>The frames show this mounting (ratio {ratio} to the next best); gravity does not contradict it.</source>
@@ -2423,10 +2375,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Aucun autre appareil ne peut être ajouté&#xa0;; retirez-en un d’abord</translation>
     </message>
     <message>
-        <source>Latency that is compensated ({source}), and gain</source>
-        <translation>Latence compensée ({source}) et gain</translation>
-    </message>
-    <message>
         <source>Outputs</source>
         <translation>Sorties</translation>
     </message>
@@ -2459,6 +2407,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Adresse ou réglages</translation>
     </message>
     <message>
+        <source>Nothing plays yet. Choose a device below and press Add.</source>
+        <translation>Rien ne joue encore. Choisissez un appareil ci-dessous et appuyez sur Ajouter.</translation>
+    </message>
+    <message>
         <source>Gain</source>
         <translation>Gain</translation>
     </message>
@@ -2471,12 +2423,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Appareil à ajouter</translation>
     </message>
     <message>
+        <source>Latency that is compensated ({source})</source>
+        <translation>Latence compensée ({source})</translation>
+    </message>
+    <message>
         <source>All of these play at once and stop at once. The first one leads: its position is shown and its buttons count. A rig moves with the motion of the recording: begin with a small gain.</source>
         <translation>Toutes jouent et s’arrêtent en même temps. La première mène&#xa0;: sa position est affichée et ses boutons comptent. Une plateforme suit le mouvement de l’enregistrement&#xa0;: commencez par un petit gain.</translation>
     </message>
     <message>
         <source>Mute</source>
         <translation>Muet</translation>
+    </message>
+    <message>
+        <source>Multiplies everything that this output plays</source>
+        <translation>Multiplie tout ce que joue cette sortie</translation>
     </message>
     <message>
         <source>Test…</source>
@@ -2730,6 +2690,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Enregistrez le mouvement avec la prochaine vidéo</translation>
     </message>
     <message>
+        <source>Check the synchronisation</source>
+        <translation>Vérifiez la synchronisation</translation>
+    </message>
+    <message>
         <source>Check the synchronisation; next time tap the recorder three times</source>
         <translation>Vérifiez la synchronisation&#xa0;; la prochaine fois, tapez trois fois sur l’enregistreur</translation>
     </message>
@@ -2756,6 +2720,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Gaps</source>
         <translation>Lacunes</translation>
+    </message>
+    <message>
+        <source>Bad: change the rendering</source>
+        <translation>Mauvais&#xa0;: changez le rendu</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -3065,8 +3033,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Lecture</translation>
     </message>
     <message>
-        <source>Predicting</source>
-        <translation>Prévision</translation>
+        <source>Predicting the excursion</source>
+        <translation>Prévision de l’excursion</translation>
     </message>
     <message>
         <source>The sequence was rendered again</source>
@@ -3132,11 +3100,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>RigPanel</name>
     <message>
         <source>Listening on this computer at the ports {ports}. Play with --device rig:outsim, or let a game send its telemetry here.</source>
-        <translation>À l&apos;écoute sur cet ordinateur aux ports {ports}. Lisez avec --device rig:outsim, ou laissez un jeu envoyer sa télémétrie ici.</translation>
+        <translation>À l’écoute sur cet ordinateur aux ports {ports}. Lisez avec --device rig:outsim, ou laissez un jeu envoyer sa télémétrie ici.</translation>
     </message>
     <message>
         <source>Not listening</source>
-        <translation>Pas à l&apos;écoute</translation>
+        <translation>Pas à l’écoute</translation>
     </message>
     <message>
         <source>No data received yet</source>
@@ -3258,7 +3226,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>End the session; it cannot be resumed</source>
-        <translation>Terminer la session&#xa0;; elle ne pourra pas être reprise</translation>
+        <translation>Terminer la séance&#xa0;; elle ne pourra pas être reprise</translation>
     </message>
     <message>
         <source>Retry saving</source>
@@ -3270,7 +3238,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Volume {n} %, fixed for the session</source>
-        <translation>Volume {n}&#xa0;%, fixe pour la session</translation>
+        <translation>Volume {n}&#xa0;%, fixe pour la séance</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -3294,11 +3262,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Reason for ending the session (all answers so far are kept):</source>
-        <translation>Raison de terminer la session (toutes les réponses sont conservées)&#xa0;:</translation>
+        <translation>Raison de terminer la séance (toutes les réponses sont conservées)&#xa0;:</translation>
     </message>
     <message>
         <source>The session is not complete. Close it and resume later?</source>
-        <translation>La session n’est pas terminée. Fermer et reprendre plus tard&#xa0;?</translation>
+        <translation>La séance n’est pas terminée. Fermer et reprendre plus tard&#xa0;?</translation>
     </message>
     <message>
         <source>consent</source>
@@ -3348,22 +3316,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>à répéter</translation>
     </message>
     <message>
-        <source>no force track</source>
-        <translation>pas de piste de force</translation>
-    </message>
-    <message>
-        <source>guard process not responding</source>
-        <translation>processus de garde sans réponse</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>coupée</translation>
-    </message>
-    <message>
-        <source>lost homing</source>
-        <translation>repère perdu</translation>
-    </message>
-    <message>
         <source>safety stop ({0})</source>
         <translation>arrêt de sécurité ({0})</translation>
     </message>
@@ -3381,7 +3333,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>session ended</source>
-        <translation>session terminée</translation>
+        <translation>séance terminée</translation>
     </message>
     <message>
         <source>the force was stopped</source>
@@ -3426,6 +3378,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>device lost</source>
         <translation>appareil perdu</translation>
+    </message>
+    <message>
+        <source>an output did not play</source>
+        <translation>une sortie n’a pas joué</translation>
     </message>
     <message>
         <source>missed periods in the haptic loop</source>
@@ -3500,7 +3456,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Looking for the device</source>
-        <translation>Recherche de l&apos;appareil</translation>
+        <translation>Recherche de l’appareil</translation>
     </message>
     <message>
         <source>Not ready yet</source>
@@ -3649,6 +3605,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Inclure le &amp;mouvement et les échantillons enregistrés</translation>
     </message>
     <message>
+        <source>Include &amp;names, dates and places</source>
+        <translation>Inclure les &amp;noms, dates et lieux</translation>
+    </message>
+    <message>
+        <source>A video file you can send: any player shows it; hapticplayer also plays the force.</source>
+        <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs l’affichent&#xa0;; hapticplayer joue aussi la force.</translation>
+    </message>
+    <message>
         <source>Cancel; nothing is kept</source>
         <translation>Annuler&#xa0;; rien n’est conservé</translation>
     </message>
@@ -3659,6 +3623,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Choose a name, and write it</source>
         <translation>Choisir un nom et écrire le fichier</translation>
+    </message>
+    <message>
+        <source>included</source>
+        <translation>inclus</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>omis</translation>
     </message>
     <message>
         <source>Total</source>
@@ -3683,10 +3655,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>What is shared</source>
         <translation>Ce qui est partagé</translation>
-    </message>
-    <message>
-        <source>A video file to send: every player shows it, hapticplayer also plays the force.</source>
-        <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs l’affichent, hapticplayer joue aussi la force.</translation>
     </message>
     <message>
         <source>Matroska video (*.mkv)</source>
@@ -3741,7 +3709,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Fixed for the whole session and stored with it</source>
-        <translation>Fixe pour toute la session et enregistré avec elle</translation>
+        <translation>Fixe pour toute la séance et enregistré avec elle</translation>
     </message>
     <message>
         <source>The sound is audible</source>
@@ -3757,7 +3725,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Start session</source>
-        <translation>Démarrer la session</translation>
+        <translation>Démarrer la séance</translation>
     </message>
     <message>
         <source>Language of the pages</source>
@@ -4067,7 +4035,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Play the visible part: the clip on the left, a tick at each tap of the log on the right</source>
-        <translation>Lire la partie visible&#xa0;: le clip à gauche, un tic à chaque tape du journal à droite</translation>
+        <translation>Lire la partie visible&#xa0;: le clip à gauche, un tic à chaque tapotement du journal à droite</translation>
     </message>
     <message>
         <source>S&amp;ound delay</source>
@@ -4087,7 +4055,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>The tap marks and the frames disagree ({method}: {offset} s, {other}: {other_offset} s). Check which is right.</source>
-        <translation>Les tapes et les images se contredisent ({method}&#xa0;: {offset} s, {other}&#xa0;: {other_offset} s). Vérifiez ce qui est juste.</translation>
+        <translation>Les tapotements et les images se contredisent ({method}&#xa0;: {offset} s, {other}&#xa0;: {other_offset} s). Vérifiez ce qui est juste.</translation>
     </message>
     <message>
         <source>Synchronised: {method} (confidence {confidence}).</source>
@@ -4099,11 +4067,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>The tap marks are uncertain (confidence {confidence}). Check that the same events line up, and drag them if not.</source>
-        <translation>Les tapes sont incertaines (confiance {confidence}). Vérifiez que les mêmes événements sont alignés, sinon faites-les glisser.</translation>
+        <translation>Les tapotements sont incertains (confiance {confidence}). Vérifiez que les mêmes événements sont alignés, sinon faites-les glisser.</translation>
     </message>
     <message>
         <source>No three taps found in both sound and motion; drag manually.</source>
-        <translation>Pas de triple tape à la fois dans le son et le mouvement&#xa0;; alignez à la main.</translation>
+        <translation>Pas de triple tapotement à la fois dans le son et le mouvement&#xa0;; alignez à la main.</translation>
     </message>
     <message>
         <source>Method</source>
@@ -4123,7 +4091,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Zoom to the tap marks, or to where the camera turned most</source>
-        <translation>Zoomer sur les tapes, ou là où la caméra tourne le plus</translation>
+        <translation>Zoomer sur les tapotements, ou là où la caméra tourne le plus</translation>
     </message>
     <message>
         <source>&amp;Offset</source>
@@ -4135,7 +4103,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Drag the log&apos;s curves until they line up with the clip&apos;s; the arrow keys move them by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
-        <translation>Faites glisser les courbes de l&apos;enregistrement jusqu&apos;à ce qu&apos;elles s&apos;alignent sur celles de la vidéo&#xa0;; les flèches les déplacent de 1 ms, avec Maj 10 ms, avec Ctrl 100 ms. La molette zoome. L&apos;image affichée est celle du curseur&#xa0;; la virgule et le point le déplacent.</translation>
+        <translation>Faites glisser les courbes de l’enregistrement jusqu’à ce qu’elles s’alignent sur celles de la vidéo&#xa0;; les flèches les déplacent de 1 ms, avec Maj 10 ms, avec Ctrl 100 ms. La molette zoome. L’image affichée est celle du curseur&#xa0;; la virgule et le point le déplacent.</translation>
     </message>
     <message>
         <source>sound</source>
@@ -4155,7 +4123,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Enter the offset, or drag the log&apos;s curves.</source>
-        <translation>Saisissez le décalage, ou faites glisser les courbes de l&apos;enregistrement.</translation>
+        <translation>Saisissez le décalage, ou faites glisser les courbes de l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>Check the offset: {why}.</source>
+        <translation>Vérifiez le décalage&#xa0;: {why}.</translation>
     </message>
     <message>
         <source>{recorder} records its motion with the clip.</source>
@@ -4163,15 +4135,15 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
-        <translation>La rotation dans les images ne correspond nulle part à l&apos;enregistrement. Est-ce bien celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;? Alignez à la main.</translation>
+        <translation>La rotation dans les images ne correspond nulle part à l’enregistrement. Est-ce bien celui de cette vidéo, et la vidéo n’est-elle pas stabilisée&#xa0;? Alignez à la main.</translation>
     </message>
     <message>
         <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation ({doubt}). Check that both line up, and drag if not.</source>
-        <translation>Les images sont incertaines (confiance {confidence})&#xa0;: le gyroscope explique {share} % de la rotation ({doubt}). Vérifiez que les deux s&apos;alignent, sinon faites glisser.</translation>
+        <translation>Les images sont incertaines (confiance {confidence})&#xa0;: le gyroscope explique {share} % de la rotation ({doubt}). Vérifiez que les deux s’alignent, sinon faites glisser.</translation>
     </message>
     <message>
         <source>Frames and tap marks agree, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
-        <translation>Images et tapes concordent, à ±{ms} ms près (confiance {confidence})&#xa0;; le gyroscope explique {share} % de la rotation dans les images.</translation>
+        <translation>Images et tapotements concordent, à ±{ms} ms près (confiance {confidence})&#xa0;; le gyroscope explique {share} % de la rotation dans les images.</translation>
     </message>
     <message>
         <source>Frames and gyro fit, to ±{ms} ms (confidence {confidence}); the gyro explains {share} % of the rotation in the frames.</source>
@@ -4460,12 +4432,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>--largest doit être compris entre 3 et {most}</translation>
     </message>
     <message>
+        <source>--offset {offset_s:.3f} ({by})</source>
+        <translation>--offset {offset_s:.3f} ({by})</translation>
+    </message>
+    <message>
+        <source>--read-as {sign}, or </source>
+        <translation>--read-as {sign}, ou </translation>
+    </message>
+    <message>
         <source>--studies must be between {least} and {most}</source>
         <translation>--studies doit être compris entre {least} et {most}</translation>
     </message>
     <message>
         <source>Broken pipe</source>
         <translation>la connexion est rompue</translation>
+    </message>
+    <message>
+        <source>CSV for Excel (UTF-8 with a byte order mark)</source>
+        <translation>CSV pour Excel (UTF-8 avec indicateur d’ordre des octets)</translation>
     </message>
     <message>
         <source>CSV log</source>
@@ -4552,6 +4536,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>MARS logger</translation>
     </message>
     <message>
+        <source>Motion-rig software: receives the motion of the recording over UDP, as from a game.</source>
+        <translation>Logiciel d’une plateforme de mouvement&#xa0;: il reçoit le mouvement de l’enregistrement par UDP, comme d’un jeu.</translation>
+    </message>
+    <message>
         <source>No space left on device</source>
         <translation>plus de place sur le disque</translation>
     </message>
@@ -4570,6 +4558,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Not a directory</source>
         <translation>ce n’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>Nothing moves but the picture.</source>
+        <translation>Seule l’image bouge.</translation>
     </message>
     <message>
         <source>Operation not permitted</source>
@@ -4604,6 +4596,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Sensor Logger ({system})</translation>
     </message>
     <message>
+        <source>Silence</source>
+        <translation>Silence</translation>
+    </message>
+    <message>
         <source>Simulated</source>
         <translation>Simulé</translation>
     </message>
@@ -4626,6 +4622,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>The log has {count}, the longest of {length_s:.2f} s at {at_s:.2f} s.</source>
         <translation>Le journal a {count}, la plus longue de {length_s:.2f} s à {at_s:.2f} s.</translation>
+    </message>
+    <message>
+        <source>The motion&apos;s timestamps are {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) off the frames, measured from the camera&apos;s own orientation at each frame (CORI); this is corrected.</source>
+        <translation>Les horodatages du mouvement s’écartent des images de {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms), mesuré d’après l’orientation que la caméra enregistre à chaque image (CORI)&#xa0;; c’est corrigé.</translation>
+    </message>
+    <message>
+        <source>This camera does not timestamp its samples: they are {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off the frames, measured from the rotation in the frames; this is corrected.</source>
+        <translation>Cette caméra n’horodate pas ses mesures&#xa0;: elles s’écartent des images de {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms), mesuré d’après la rotation dans les images&#xa0;; c’est corrigé.</translation>
     </message>
     <message>
         <source>This camera does not timestamp its samples: they may be 10 to 30 ms off.</source>
@@ -4668,6 +4672,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une fréquence de coupure de {cutoff_hz:g} Hz n’est pas inférieure à la moitié de la cadence des mesures, {half_rate_hz:.4g} Hz</translation>
     </message>
     <message>
+        <source>a direction of length 0 was taken as x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
+        <translation>une direction de longueur 0 a été prise comme x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
+    </message>
+    <message>
         <source>a duration of {length_s:g} s; give one from 1 to {longest_s:g} s</source>
         <translation>une durée de {length_s:g} s&#xa0;; indiquez de 1 à {longest_s:g} s</translation>
     </message>
@@ -4696,6 +4704,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un capteur à {rate_hz:g} Hz moyenné à {log_hz:g} Hz&#xa0;; indiquez des fréquences positives, la seconde ne dépassant pas la première</translation>
     </message>
     <message>
+        <source>a session has one plan</source>
+        <translation>une séance n’a qu’un plan</translation>
+    </message>
+    <message>
         <source>a sound of {rate_hz} Hz is too coarse; give 8000 or more</source>
         <translation>un son de {rate_hz} Hz est trop grossier&#xa0;; donnez 8000 ou plus</translation>
     </message>
@@ -4714,6 +4726,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>about {count} samples were never recorded; the longest gap is {longest_s:.3g} s; nothing was put in their place</source>
         <translation>environ {count} mesures n’ont jamais été enregistrées&#xa0;; la plus longue lacune est de {longest_s:.3g} s&#xa0;; rien n’a été mis à leur place</translation>
+    </message>
+    <message>
+        <source>accel-sign=+ if the recorder was that way up</source>
+        <translation>accel-sign=+ si l’enregistreur était dans ce sens</translation>
+    </message>
+    <message>
+        <source>accel-sign=-, or correct the sign in the log</source>
+        <translation>accel-sign=-, ou corrigez le signe dans le journal</translation>
+    </message>
+    <message>
+        <source>accelerometer</source>
+        <translation>accéléromètre</translation>
     </message>
     <message>
         <source>add a question to {page!r}</source>
@@ -4760,6 +4784,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>vitesse angulaire en {unit}</translation>
     </message>
     <message>
+        <source>another record has this number</source>
+        <translation>une autre entrée a ce numéro</translation>
+    </message>
+    <message>
+        <source>applied as given: {answers}</source>
+        <translation>appliqué comme indiqué&#xa0;: {answers}</translation>
+    </message>
+    <message>
+        <source>as its own times place it</source>
+        <translation>d’après ses propres temps</translation>
+    </message>
+    <message>
         <source>as stored, orientation {orientation}</source>
         <translation>tel qu’enregistré, orientation {orientation}</translation>
     </message>
@@ -4768,8 +4804,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>tels que telemetry-parser les donne</translation>
     </message>
     <message>
+        <source>as the camera&apos;s stamps begin</source>
+        <translation>d’après le début des horodatages de la caméra</translation>
+    </message>
+    <message>
+        <source>as the edit list cuts the video</source>
+        <translation>selon la coupe de la vidéo par la liste de montage</translation>
+    </message>
+    <message>
         <source>at the beginning</source>
         <translation>au début</translation>
+    </message>
+    <message>
+        <source>at times nothing was played: {cause}; {remedy}</source>
+        <translation>par moments, rien n’a été joué&#xa0;: {cause}&#xa0;; {remedy}</translation>
     </message>
     <message>
         <source>averaged from {rate_hz:.1f} to {average_hz:g} Hz</source>
@@ -4806,6 +4854,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>bring the streams to common times by interpolation first</source>
         <translation>ramenez d’abord les flux à des temps communs par interpolation</translation>
+    </message>
+    <message>
+        <source>by the frames of the clip the mounting is {axes}, by gravity it is the other way up, so that the accelerometer has the other sign</source>
+        <translation>d’après les images du clip, la fixation est {axes}, d’après la pesanteur elle est à l’envers&#xa0;; l’accéléromètre a donc le signe contraire</translation>
     </message>
     <message>
         <source>byte {number}</source>
@@ -4854,10 +4906,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>cannot be written</source>
         <translation>ne peut pas être écrit</translation>
-    </message>
-    <message>
-        <source>cannot be written ({reason})</source>
-        <translation>ne peut pas être écrit ({reason})</translation>
     </message>
     <message>
         <source>carry the time of their packet and were spread evenly</source>
@@ -4918,10 +4966,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>close it there first</source>
         <translation>fermez-la d’abord là-bas</translation>
-    </message>
-    <message>
-        <source>columns=time,ax,ay,az,gx,gy,gz (- to ignore a column)</source>
-        <translation>columns=time,ax,ay,az,gx,gy,gz (- pour ce qui ne sert pas)</translation>
     </message>
     <message>
         <source>complete</source>
@@ -5076,10 +5120,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>exportez l’enregistrement en CSV</translation>
     </message>
     <message>
-        <source>export the times as numbers, in s, ms, us or ns</source>
-        <translation>exportez les temps en nombres, en s, ms, us ou ns</translation>
-    </message>
-    <message>
         <source>failed</source>
         <translation>a échoué</translation>
     </message>
@@ -5094,14 +5134,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has {rows} rows of {columns} numbers{more}</source>
         <translation>a {rows} lignes de {columns} nombres{more}</translation>
-    </message>
-    <message>
-        <source>the columns are separated by semicolons instead of commas</source>
-        <translation>les colonnes sont séparées par des points-virgules au lieu de virgules</translation>
-    </message>
-    <message>
-        <source>the columns are separated by tabs instead of commas</source>
-        <translation>les colonnes sont séparées par des tabulations au lieu de virgules</translation>
     </message>
     <message>
         <source>firm</source>
@@ -5138,10 +5170,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>free some memory and disk, and try again</source>
         <translation>libérez de la mémoire et du disque, puis réessayez</translation>
-    </message>
-    <message>
-        <source>free some space or choose another folder</source>
-        <translation>libérez de la place ou choisissez un autre dossier</translation>
     </message>
     <message>
         <source>free some space or copy the sequence to a folder of your own</source>
@@ -5300,10 +5328,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>gyroscope</translation>
     </message>
     <message>
-        <source>has a damaged header: no line t,gx,gy,gz,ax,ay,az</source>
-        <translation>a un en-tête endommagé&#xa0;: pas de ligne t,gx,gy,gz,ax,ay,az</translation>
-    </message>
-    <message>
         <source>has changed since it was written (its checksum differs)</source>
         <translation>a changé depuis son écriture (sa somme de contrôle diffère)</translation>
     </message>
@@ -5322,10 +5346,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has no timestamps, and its firmware has no fixed rate</source>
         <translation>n’a pas de temps, et son micrologiciel n’a pas de cadence fixe</translation>
-    </message>
-    <message>
-        <source>has only {rate_hz:.1f} samples per second, too few for pats</source>
-        <translation>n’a que {rate_hz:.1f} mesures par seconde, où des tapes ne se voient pas</translation>
     </message>
     <message>
         <source>has the unknown name {unknown!r}</source>
@@ -5388,10 +5408,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas d’accélération avec la pesanteur</translation>
     </message>
     <message>
-        <source>holds no accelerometer samples (DJI stores orientations only)</source>
-        <translation>ne contient pas de mesures d’accéléromètre (DJI n’enregistre que des orientations)</translation>
-    </message>
-    <message>
         <source>holds no angular rate; gravity cannot be removed without it</source>
         <translation>ne contient pas de vitesse angulaire, sans laquelle la pesanteur ne se distingue pas du mouvement</translation>
     </message>
@@ -5406,10 +5422,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>holds no log of a known format</source>
         <translation>ne contient aucun journal connu</translation>
-    </message>
-    <message>
-        <source>holds no motion telemetry</source>
-        <translation>ne contient pas de télémétrie du mouvement</translation>
     </message>
     <message>
         <source>holds no settings of this program</source>
@@ -5430,10 +5442,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>holds {count} logs ({known})</source>
         <translation>contient {count} journaux ({known})</translation>
-    </message>
-    <message>
-        <source>holds {held} only, no acceleration</source>
-        <translation>contient seulement {held}, pas d’accélération</translation>
     </message>
     <message>
         <source>holds {name!r}, a name outside the zip</source>
@@ -5598,10 +5606,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>it holds no sound</source>
         <translation>il ne contient pas de son</translation>
-    </message>
-    <message>
-        <source>it holds no sound, in which pats could be heard</source>
-        <translation>elle ne contient pas de son où des tapes pourraient s’entendre</translation>
     </message>
     <message>
         <source>it holds no video that can be shown</source>
@@ -5816,10 +5820,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>nomme {count} colonnes, le tableau en a {total} ({shown})</translation>
     </message>
     <message>
-        <source>needs {needed_mb} MB and only {free_mb} MB are free</source>
-        <translation>demande {needed_mb} Mo, et seulement {free_mb} Mo sont libres</translation>
-    </message>
-    <message>
         <source>the log is not synchronised: its clock is taken as media time; give --offset S</source>
         <translation>le journal n’est pas synchronisé&#xa0;: son horloge est prise comme temps du média&#x202f;; donnez --offset S</translation>
     </message>
@@ -5888,10 +5888,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>commence par {count} octets NUL</translation>
     </message>
     <message>
-        <source>columns=time,ax,ay,az/time,gx,gy,gz (/ between the tables, - to ignore a column)</source>
-        <translation>columns=time,ax,ay,az/time,gx,gy,gz (/ entre les tableaux, - pour ce qui ne sert pas)</translation>
-    </message>
-    <message>
         <source>convert it to CSV with blackbox_decode</source>
         <translation>convertissez-le en CSV avec blackbox_decode</translation>
     </message>
@@ -5953,7 +5949,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Board that takes TCode: its vibration follows the strength of the force, not its direction.</source>
-        <translation>Carte qui comprend le TCode&#xa0;: sa vibration suit l&apos;intensité de la force, pas sa direction.</translation>
+        <translation>Carte qui comprend le TCode&#xa0;: sa vibration suit l’intensité de la force, pas sa direction.</translation>
     </message>
     <message>
         <source>Braking</source>
@@ -5973,7 +5969,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Choose this game in the rig&apos;s software. Packets stay on this computer unless you enter another address.</source>
-        <translation>Choisissez ce jeu dans le logiciel de la plateforme. Les paquets restent sur cet ordinateur tant que vous n&apos;entrez pas une autre adresse.</translation>
+        <translation>Choisissez ce jeu dans le logiciel de la plateforme. Les paquets restent sur cet ordinateur tant que vous n’entrez pas une autre adresse.</translation>
     </message>
     <message>
         <source>Connect it as its maker says.</source>
@@ -5985,7 +5981,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Connect it; if it is connected, its driver is missing or has no such force feedback.</source>
-        <translation>Branchez-le&#xa0;; s&apos;il est branché, son pilote manque ou n&apos;a pas ce retour de force.</translation>
+        <translation>Branchez-le&#xa0;; s’il est branché, son pilote manque ou n’a pas ce retour de force.</translation>
     </message>
     <message>
         <source>Connect its USB cable and power supply; it is detected automatically.</source>
@@ -5993,11 +5989,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Connect its power supply and its USB cable.</source>
-        <translation>Branchez l&apos;alimentation et le câble USB.</translation>
+        <translation>Branchez l’alimentation et le câble USB.</translation>
     </message>
     <message>
         <source>Connect the amplifier of the shakers to the sound output. By default channels 1 and 2 play; pulse,channels=3+4 chooses others.</source>
-        <translation>Branchez l&apos;amplificateur des vibreurs sur la sortie son. Par défaut, les canaux 1 et 2 jouent&#xa0;; pulse,channels=3+4 en choisit d&apos;autres.</translation>
+        <translation>Branchez l’amplificateur des vibreurs sur la sortie son. Par défaut, les canaux 1 et 2 jouent&#xa0;; pulse,channels=3+4 en choisit d’autres.</translation>
     </message>
     <message>
         <source>Connect the board, and add yourself to the group dialout.</source>
@@ -6005,7 +6001,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the device and plug it in.</source>
-        <translation>Copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez et rebranchez l&apos;appareil.</translation>
+        <translation>Copiez la règle udev {rule} dans /etc/udev/rules.d, puis débranchez et rebranchez l’appareil.</translation>
     </message>
     <message>
         <source>Cut-off frequency</source>
@@ -6029,7 +6025,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Enter HOST:PORT of a board or program that takes TCode by UDP, or a serial port such as /dev/ttyUSB0.</source>
-        <translation>Entrez HOST:PORT d&apos;une carte ou d&apos;un programme qui reçoit le TCode par UDP, ou un port série comme /dev/ttyUSB0.</translation>
+        <translation>Entrez HOST:PORT d’une carte ou d’un programme qui reçoit le TCode par UDP, ou un port série comme /dev/ttyUSB0.</translation>
     </message>
     <message>
         <source>Facing backward, upright</source>
@@ -6089,7 +6085,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Game pad that Linux can rumble: its vibration follows the strength of the force, not its direction.</source>
-        <translation>Manette que Linux peut faire vibrer&#xa0;: la vibration suit l&apos;intensité de la force, pas sa direction.</translation>
+        <translation>Manette que Linux peut faire vibrer&#xa0;: la vibration suit l’intensité de la force, pas sa direction.</translation>
     </message>
     <message>
         <source>Given offset</source>
@@ -6144,20 +6140,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Intiface</translation>
     </message>
     <message>
-        <source>Intiface at {where} does not answer {name}; restart it</source>
-        <translation>Intiface à {where} ne répond pas à {name}&#xa0;; redémarrez-le</translation>
-    </message>
-    <message>
-        <source>Intiface at {where} refuses: {reason}; update it</source>
-        <translation>Intiface à {where} refuse&#xa0;: {reason}&#xa0;; mettez-le à jour</translation>
-    </message>
-    <message>
-        <source>Intiface describes a device in a way that is not known: {reason}; update it</source>
-        <translation>Intiface décrit un appareil d&apos;une façon inconnue&#xa0;: {reason}&#xa0;; mettez-le à jour</translation>
-    </message>
-    <message>
         <source>Intiface has no device that vibrates; connect one in Intiface and choose the device again</source>
-        <translation>Intiface n&apos;a aucun appareil qui vibre&#xa0;; connectez-en un dans Intiface et choisissez l&apos;appareil à nouveau</translation>
+        <translation>Intiface n’a aucun appareil qui vibre&#xa0;; connectez-en un dans Intiface et choisissez l’appareil à nouveau</translation>
     </message>
     <message>
         <source>Inverted</source>
@@ -6192,12 +6176,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Plateforme mobile</translation>
     </message>
     <message>
-        <source>Mute (silence instead)</source>
-        <translation>Muet (silence à la place)</translation>
-    </message>
-    <message>
         <source>Nobody sits on it yet; its emergency stop is at hand.</source>
-        <translation>Personne n&apos;y est encore assis&#xa0;; l&apos;arrêt d&apos;urgence est à portée de main.</translation>
+        <translation>Personne n’y est encore assis&#xa0;; l’arrêt d’urgence est à portée de main.</translation>
     </message>
     <message>
         <source>Noise</source>
@@ -6205,15 +6185,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Nothing has to be connected.</source>
-        <translation>Il n&apos;y a rien à brancher.</translation>
+        <translation>Il n’y a rien à brancher.</translation>
     </message>
     <message>
         <source>Novint Falcon: its grip pushes and pulls in three directions.</source>
         <translation>Novint Falcon&#xa0;: sa poignée pousse et tire dans trois directions.</translation>
-    </message>
-    <message>
-        <source>Only its picture moves.</source>
-        <translation>Seule son image bouge.</translation>
     </message>
     <message>
         <source>OpenCV is installed, but cannot be loaded: {why}</source>
@@ -6280,10 +6256,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Sinus</translation>
     </message>
     <message>
-        <source>Software of a motion rig: it gets the motion of the recording by UDP, as from a game.</source>
-        <translation>Logiciel d&apos;une plateforme de mouvement&#xa0;: il reçoit le mouvement de l&apos;enregistrement par UDP, comme d&apos;un jeu.</translation>
-    </message>
-    <message>
         <source>Speed is lost at 0.3 g or more</source>
         <translation>La vitesse baisse à 0,3 g ou plus</translation>
     </message>
@@ -6293,7 +6265,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Start Haply&apos;s Inverse Service and connect the Inverse3, with its power supply. Enter HOST:PORT if the service runs on another computer.</source>
-        <translation>Lancez l&apos;Inverse Service de Haply et branchez l&apos;Inverse3 et son alimentation. Entrez HOST:PORT si le service tourne sur un autre ordinateur.</translation>
+        <translation>Lancez l’Inverse Service de Haply et branchez l’Inverse3 et son alimentation. Entrez HOST:PORT si le service tourne sur un autre ordinateur.</translation>
     </message>
     <message>
         <source>Start Intiface, start its server and connect what vibrates there.</source>
@@ -6325,15 +6297,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>The frames were compared by the motion vectors of the codec, which is coarse; with hapticplayer[vision] installed they are followed more exactly, those of H.265 too.</source>
-        <translation>Les images ont été comparées d&apos;après les vecteurs de mouvement du codec, donc grossièrement&#xa0;; avec hapticplayer[vision] installé, elles sont suivies plus exactement, celles de H.265 aussi.</translation>
+        <translation>Les images ont été comparées d’après les vecteurs de mouvement du codec, donc grossièrement&#xa0;; avec hapticplayer[vision] installé, elles sont suivies plus exactement, celles de H.265 aussi.</translation>
     </message>
     <message>
         <source>The gyro is at the end of its range</source>
         <translation>Le gyroscope est au bout de sa plage de mesure</translation>
-    </message>
-    <message>
-        <source>The motion&apos;s timestamps are {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) off the frames, as the camera&apos;s own orientation at each frame (CORI) shows; this is corrected.</source>
-        <translation>Les horodatages du mouvement s&apos;écartent des images de {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms), comme le montre l&apos;orientation que la caméra enregistre à chaque image (CORI)&#xa0;; c&apos;est corrigé.</translation>
     </message>
     <message>
         <source>The network does not know this address: correct it.</source>
@@ -6344,16 +6312,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Le système audio ne répond pas&#xa0;: redémarrez-le.</translation>
     </message>
     <message>
-        <source>This camera does not timestamp its samples: they are {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off the frames, as the rotation in these shows; this is corrected.</source>
-        <translation>Cette caméra n&apos;horodate pas ses mesures&#xa0;: elles s&apos;écartent des images de {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms), comme le montre la rotation dans celles-ci&#xa0;; c&apos;est corrigé.</translation>
-    </message>
-    <message>
         <source>This camera does not timestamp its samples: they may be 10 to 30 ms off, and the frames could not tell by how much: {why}.</source>
-        <translation>Cette caméra n&apos;horodate pas ses mesures&#xa0;: elles peuvent s&apos;écarter de 10 à 30 ms, et les images ne montrent pas de combien&#xa0;: {why}.</translation>
+        <translation>Cette caméra n’horodate pas ses mesures&#xa0;: elles peuvent s’écarter de 10 à 30 ms, et les images ne montrent pas de combien&#xa0;: {why}.</translation>
     </message>
     <message>
         <source>Toys through Intiface: their vibration follows the strength of the force, not its direction.</source>
-        <translation>Jouets par Intiface&#xa0;: leur vibration suit l&apos;intensité de la force, pas sa direction.</translation>
+        <translation>Jouets par Intiface&#xa0;: leur vibration suit l’intensité de la force, pas sa direction.</translation>
     </message>
     <message>
         <source>Track</source>
@@ -6365,7 +6329,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Turn the amplifier low.</source>
-        <translation>Baissez l&apos;amplificateur.</translation>
+        <translation>Baissez l’amplificateur.</translation>
     </message>
     <message>
         <source>Turn to the left with up to {level_mps2:.1f} m/s² for {length_s:.1f} s</source>
@@ -6464,10 +6428,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>audio à trois canaux, pour transducteurs</translation>
     </message>
     <message>
-        <source>between {least:g} and {most:g}</source>
-        <translation>compris entre {least:g} et {most:g}</translation>
-    </message>
-    <message>
         <source>cannot be copied into {kind} without changing its video</source>
         <translation>ne peut pas être copié en {kind} sans que sa vidéo change</translation>
     </message>
@@ -6476,8 +6436,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne peut pas être récupéré ({reason})</translation>
     </message>
     <message>
+        <source>cannot be written ({reason}); it is as it was</source>
+        <translation>ne peut pas être écrit ({reason})&#xa0;; il est inchangé</translation>
+    </message>
+    <message>
         <source>cannot listen on port {port} ({reason})</source>
         <translation>impossible d’écouter sur le port {port} ({reason})</translation>
+    </message>
+    <message>
+        <source>channels for {count} parts of the body act on one hand</source>
+        <translation>des canaux pour {count} parties du corps agissent sur une main</translation>
+    </message>
+    <message>
+        <source>check its cable and power supply, then test the device</source>
+        <translation>vérifiez le câble et l’alimentation, puis testez l’appareil</translation>
     </message>
     <message>
         <source>checking the clip</source>
@@ -6512,6 +6484,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez un autre format</translation>
     </message>
     <message>
+        <source>choose another key</source>
+        <translation>choisissez une autre clé</translation>
+    </message>
+    <message>
         <source>choose the other kind of file, or convert it to MP4 and import it again</source>
         <translation>choisissez l’autre type de fichier, ou convertissez-le en MP4 et réimportez-le</translation>
     </message>
@@ -6520,8 +6496,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez l’autre type de fichier, ou convertissez d’abord la vidéo</translation>
     </message>
     <message>
+        <source>close other programs</source>
+        <translation>fermez d’autres programmes</translation>
+    </message>
+    <message>
         <source>closed</source>
         <translation>fermé</translation>
+    </message>
+    <message>
+        <source>columns={columns} (as the header suggests; - ignores a column)</source>
+        <translation>columns={columns} (comme le suggère l’en-tête&#xa0;; - ignore une colonne)</translation>
+    </message>
+    <message>
+        <source>computer stalled</source>
+        <translation>ordinateur bloqué</translation>
+    </message>
+    <message>
+        <source>contains no motion data</source>
+        <translation>ne contient pas de données de mouvement</translation>
     </message>
     <message>
         <source>contents and checksums</source>
@@ -6530,6 +6522,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>convert it to MP4 (H.264 and AAC) and import it again</source>
         <translation>convertissez-la en MP4 (H.264 et AAC) et réimportez-la</translation>
+    </message>
+    <message>
+        <source>copy it from the other machine again; to use what is intact, move its folder into sessions</source>
+        <translation>copiez-la encore une fois depuis l’autre machine&#xa0;; pour utiliser ce qui est intact, déplacez son dossier dans sessions</translation>
     </message>
     <message>
         <source>copying the sequence</source>
@@ -6544,20 +6540,48 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>curve: {kind} prend au plus {most} points</translation>
     </message>
     <message>
+        <source>cut it into parts of some hours</source>
+        <translation>découpez-le en parties de quelques heures</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>date</translation>
+    </message>
+    <message>
+        <source>device not responding</source>
+        <translation>l’appareil ne répond pas</translation>
+    </message>
+    <message>
+        <source>device {name!r}: nothing but gain= can follow; use {kind}</source>
+        <translation>appareil {name!r}&#xa0;: seul gain= peut suivre&#xa0;; utilisez {kind}</translation>
+    </message>
+    <message>
         <source>direction: must be three numbers that are not all zero</source>
         <translation>direction: doit être trois nombres qui ne sont pas tous nuls</translation>
     </message>
     <message>
         <source>does not declare its rate</source>
-        <translation>n&apos;indique pas sa fréquence</translation>
+        <translation>n’indique pas sa fréquence</translation>
+    </message>
+    <message>
+        <source>does not fit the definition of its session</source>
+        <translation>ne correspond pas à la définition de sa séance</translation>
     </message>
     <message>
         <source>drop one video with its log; import further ones after it</source>
         <translation>déposez une vidéo avec son journal&#xa0;; importez les autres ensuite</translation>
     </message>
     <message>
+        <source>durations were taken as seconds, as in PlaySEM</source>
+        <translation>les durées ont été prises en secondes, comme dans PlaySEM</translation>
+    </message>
+    <message>
         <source>effect</source>
         <translation>l’effet</translation>
+    </message>
+    <message>
+        <source>effect {number} ({kind}, from {start_s:g} to {end_s:g} s) is beyond the clip, which lasts {duration_s:.3f} s; move or remove it</source>
+        <translation>l’effet {number} ({kind}, de {start_s:g} à {end_s:g} s) est au-delà du clip, qui dure {duration_s:.3f} s&#xa0;; déplacez-le ou enlevez-le</translation>
     </message>
     <message>
         <source>effects</source>
@@ -6572,12 +6596,32 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>se termine avant 0 s</translation>
     </message>
     <message>
+        <source>enter one, or set it to false</source>
+        <translation>saisissez-en un, ou mettez false</translation>
+    </message>
+    <message>
+        <source>error RMS {rms:.4f} N, largest {largest:.4f} N ({compared})</source>
+        <translation>erreur RMS {rms:.4f} N, maximale {largest:.4f} N ({compared})</translation>
+    </message>
+    <message>
+        <source>excursions beyond {reach_mm:g} mm</source>
+        <translation>les excursions au-delà de {reach_mm:g} mm</translation>
+    </message>
+    <message>
+        <source>export it with semicolons, or with decimal points</source>
+        <translation>exportez-le avec des points-virgules, ou avec des points décimaux</translation>
+    </message>
+    <message>
         <source>export its accelerometer and gyroscope as CSV, with FitCSVTool</source>
         <translation>exportez son accéléromètre et son gyroscope en CSV, avec FitCSVTool</translation>
     </message>
     <message>
         <source>export the accelerometer and the gyroscope too</source>
-        <translation>exportez aussi l&apos;accéléromètre et le gyroscope</translation>
+        <translation>exportez aussi l’accéléromètre et le gyroscope</translation>
+    </message>
+    <message>
+        <source>export the log again, or write that line above the first row</source>
+        <translation>exportez de nouveau le journal, ou écrivez cette ligne au-dessus de la première ligne de valeurs</translation>
     </message>
     <message>
         <source>export the log with the digits 0 to 9, as programs in English do</source>
@@ -6585,7 +6629,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>export the recording again, or unpack it and give the folder</source>
-        <translation>exportez de nouveau l&apos;enregistrement, ou décompressez-le et donnez le dossier</translation>
+        <translation>exportez de nouveau l’enregistrement, ou décompressez-le et donnez le dossier</translation>
     </message>
     <message>
         <source>fades: {fades_s:g} s together must fit into the {duration_s:g} s of the effect</source>
@@ -6640,6 +6684,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les images et le gyroscope ne concordent que sur un seul axe, comme cela arrive avec un autre trajet</translation>
     </message>
     <message>
+        <source>free some space or choose a folder on another disk</source>
+        <translation>libérez de la place ou choisissez un dossier sur un autre disque</translation>
+    </message>
+    <message>
         <source>full scale was taken as {full_n:.3g} N</source>
         <translation>la pleine échelle a été prise comme {full_n:.3g} N</translation>
     </message>
@@ -6650,6 +6698,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give --mounting (right, front and up of the actor)</source>
         <translation>donnez --mounting (droite, avant et haut de la personne)</translation>
+    </message>
+    <message>
+        <source>give a recording of sensors that worked</source>
+        <translation>donnez un enregistrement dont les capteurs fonctionnaient</translation>
     </message>
     <message>
         <source>give an effects.json</source>
@@ -6672,20 +6724,56 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez le journal avec --imu LOG, ou faites estimer le mouvement d’après l’image avec --suggest-motion</translation>
     </message>
     <message>
+        <source>give the times in seconds of media time</source>
+        <translation>donnez les temps en secondes du temps du média</translation>
+    </message>
+    <message>
+        <source>give the times in seconds, or average to {most_hz:g} samples a second</source>
+        <translation>donnez les temps en secondes, ou moyennez à {most_hz:g} mesures par seconde</translation>
+    </message>
+    <message>
+        <source>grip at the edge of the workspace</source>
+        <translation>poignée au bord de l’espace de travail</translation>
+    </message>
+    <message>
+        <source>grip button</source>
+        <translation>bouton de la poignée</translation>
+    </message>
+    <message>
+        <source>grip released</source>
+        <translation>poignée lâchée</translation>
+    </message>
+    <message>
+        <source>guard process not responding</source>
+        <translation>processus de garde sans réponse</translation>
+    </message>
+    <message>
+        <source>gyroscope</source>
+        <translation>gyroscope</translation>
+    </message>
+    <message>
         <source>haptic pattern for iPhones</source>
         <translation>motif haptique pour iPhone</translation>
+    </message>
+    <message>
+        <source>has a row for each reading of one sensor (column {number} holds {names})</source>
+        <translation>a une ligne par mesure d’un seul capteur (la colonne {number} contient {names})</translation>
+    </message>
+    <message>
+        <source>has an unusual format ({bits} bits in {block} bytes for {channels} channels)</source>
+        <translation>a un format inhabituel ({bits} bits dans {block} octets pour {channels} canaux)</translation>
+    </message>
+    <message>
+        <source>has decimal commas between commas: {count} cells below {names} names</source>
+        <translation>a des virgules décimales entre des virgules&#xa0;: {count} cellules sous {names} noms</translation>
     </message>
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>a plus de {most_mb} Mo de force et de mouvement, trop pour un seul fichier</translation>
     </message>
     <message>
-        <source>has no usual format</source>
-        <translation>n’a pas un format usuel</translation>
-    </message>
-    <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
-        <translation>a des nombres en d&apos;autres chiffres que 0 à 9 ({found})</translation>
+        <translation>a des nombres en d’autres chiffres que 0 à 9 ({found})</translation>
     </message>
     <message>
         <source>holds NUL bytes, as a logger leaves that loses its power</source>
@@ -6706,10 +6794,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>holds no numbers</source>
         <translation>ne contient pas de nombres</translation>
-    </message>
-    <message>
-        <source>holds no perceptions</source>
-        <translation>ne contient pas de «&#xa0;perceptions&#xa0;»</translation>
     </message>
     <message>
         <source>holds no positions</source>
@@ -6753,27 +6837,27 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
-        <translation>est un fichier FIT d&apos;une montre de sport ou d&apos;un compteur de vélo</translation>
+        <translation>est un fichier FIT d’une montre de sport ou d’un compteur de vélo</translation>
     </message>
     <message>
         <source>is a blackbox log of a flight controller</source>
-        <translation>est un journal blackbox d&apos;un contrôleur de vol</translation>
+        <translation>est un journal blackbox d’un contrôleur de vol</translation>
     </message>
     <message>
         <source>is a table of {program} without the acceleration of three axes</source>
-        <translation>est un tableau de {program} sans l&apos;accélération de trois axes</translation>
+        <translation>est un tableau de {program} sans l’accélération de trois axes</translation>
     </message>
     <message>
         <source>is a zip that is cut off, damaged or followed by other bytes ({reason})</source>
-        <translation>est un zip coupé, endommagé ou suivi d&apos;autres octets ({reason})</translation>
+        <translation>est un zip coupé, endommagé ou suivi d’autres octets ({reason})</translation>
     </message>
     <message>
         <source>is a zip with other bytes before it</source>
-        <translation>est un zip précédé d&apos;autres octets</translation>
+        <translation>est un zip précédé d’autres octets</translation>
     </message>
     <message>
         <source>is an archive that is not a zip</source>
-        <translation>est une archive qui n&apos;est pas un zip</translation>
+        <translation>est une archive qui n’est pas un zip</translation>
     </message>
     <message>
         <source>is compressed with gzip</source>
@@ -6781,7 +6865,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>is it the log of this clip, and the video not stabilised?</source>
-        <translation>est-ce le journal de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;?</translation>
+        <translation>est-ce le journal de cette vidéo, et la vidéo n’est-elle pas stabilisée&#xa0;?</translation>
     </message>
     <message>
         <source>is not MPEG-V (SEM)</source>
@@ -6802,10 +6886,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not a template for logs (it must hold texts for {known})</source>
         <translation>n’est pas un modèle de journal (il peut contenir des textes pour {known})</translation>
-    </message>
-    <message>
-        <source>is not an object</source>
-        <translation>n’est pas un objet</translation>
     </message>
     <message>
         <source>is not overwritten, because it is not such a file written by hapticplayer</source>
@@ -6849,7 +6929,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
-        <translation>la télémétrie n&apos;a pas d&apos;horodatage utilisable et trop peu de blocs ({count}) pour déterminer la fréquence de ses capteurs</translation>
+        <translation>la télémétrie n’a pas d’horodatage utilisable et trop peu de blocs ({count}) pour déterminer la fréquence de ses capteurs</translation>
     </message>
     <message>
         <source>its video ({codec}) holds no motion vectors that can be read</source>
@@ -6858,10 +6938,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>its video cannot be read</source>
         <translation>sa vidéo ne peut pas être lue</translation>
-    </message>
-    <message>
-        <source>its video is not the one that the force was made for (its checksum differs)</source>
-        <translation>sa vidéo n’est pas celle pour laquelle la force a été faite (la somme de contrôle diffère)</translation>
     </message>
     <message>
         <source>kind of event</source>
@@ -6900,10 +6976,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>doit être au plus {limit}</translation>
     </message>
     <message>
-        <source>must be {wanted}</source>
-        <translation>doit être {wanted}</translation>
-    </message>
-    <message>
         <source>must have at least {limit} characters</source>
         <translation>doit avoir au moins {limit} caractères</translation>
     </message>
@@ -6933,7 +7005,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>no device with such force feedback is plugged in; connect it, and see whether its driver is loaded</source>
-        <translation>aucun appareil avec un tel retour de force n&apos;est branché&#xa0;; branchez-le et vérifiez que son pilote est chargé</translation>
+        <translation>aucun appareil avec un tel retour de force n’est branché&#xa0;; branchez-le et vérifiez que son pilote est chargé</translation>
     </message>
     <message>
         <source>no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
@@ -6956,10 +7028,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucun mouvement ne peut être estimé d’après son image ({why})</translation>
     </message>
     <message>
-        <source>no three pats are both heard and felt</source>
-        <translation>aucune série de trois tapes n’est à la fois entendue et sentie</translation>
-    </message>
-    <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
         <translation>personne n’écoute à {address}&#xa0;: lancez le logiciel de la plateforme</translation>
     </message>
@@ -6973,7 +7041,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>nothing takes TCode at {where} any more; connect it and choose the device again</source>
-        <translation>plus rien n&apos;accepte TCode à {where}&#xa0;; branchez-le et choisissez l&apos;appareil à nouveau</translation>
+        <translation>plus rien n’accepte TCode à {where}&#xa0;; branchez-le et choisissez l’appareil à nouveau</translation>
     </message>
     <message>
         <source>offset {offset_s} s with rate {rate} is not a valid clock map; give finite numbers and a positive rate</source>
@@ -7025,7 +7093,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>other offsets fit nearly as well</source>
-        <translation>d&apos;autres décalages conviennent presque aussi bien</translation>
+        <translation>d’autres décalages conviennent presque aussi bien</translation>
     </message>
     <message>
         <source>otherwise give --offset S</source>
@@ -7062,10 +7130,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>rate-unit={rate_unit} to take it as it is</source>
         <translation>rate-unit={rate_unit} pour la prendre telle quelle</translation>
-    </message>
-    <message>
-        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s, x to its right, y to where it looks, z to its top{rest}, at most {largest_radps:.2f} rad/s</source>
-        <translation>lu comme télémétrie de la caméra&#xa0;: force spécifique en m/s2, vitesse angulaire en rad/s, x vers sa droite, y dans la direction du regard, z vers le haut{rest}, vitesse angulaire d’au plus {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
         <source>read as {name}: specific force in {unit}</source>
@@ -7122,10 +7186,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>record normal video</source>
         <translation>filmez en vidéo normale</translation>
-    </message>
-    <message>
-        <source>record the accelerometer too</source>
-        <translation>enregistrez aussi l’accéléromètre</translation>
     </message>
     <message>
         <source>record the gravity sensor (iOS) or total acceleration (Android)</source>
@@ -7377,7 +7437,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the Inverse3 is not open; choose the device again</source>
-        <translation>l&apos;Inverse3 n&apos;est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
+        <translation>l’Inverse3 n’est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
     </message>
     <message>
         <source>the Python package websockets is missing; install hapticplayer with its extra websockets</source>
@@ -7405,7 +7465,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the answer ended early</source>
-        <translation>la réponse s&apos;est terminée trop tôt</translation>
+        <translation>la réponse s’est terminée trop tôt</translation>
     </message>
     <message>
         <source>the axes {text!r} mirror the motion; change one sign</source>
@@ -7428,10 +7488,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>axes de la puce</translation>
     </message>
     <message>
-        <source>the columns are in another order</source>
-        <translation>les colonnes sont dans un autre ordre</translation>
-    </message>
-    <message>
         <source>the computer stalled repeatedly; close other programs, measure again</source>
         <translation>l’ordinateur s’est figé à plusieurs reprises&#xa0;; fermez les autres programmes et mesurez à nouveau</translation>
     </message>
@@ -7441,11 +7497,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the device is not homed or not ready; set it up first</source>
-        <translation>l&apos;appareil n&apos;est pas initialisé ou pas prêt&#xa0;; configurez-le d&apos;abord</translation>
+        <translation>l’appareil n’est pas initialisé ou pas prêt&#xa0;; configurez-le d’abord</translation>
     </message>
     <message>
         <source>the device is not open; choose the device again</source>
-        <translation>l&apos;appareil n&apos;est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
+        <translation>l’appareil n’est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
     </message>
     <message>
         <source>the excursion that a normal hand would make; no newtons</source>
@@ -7552,6 +7608,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la force réaliste avec les effets de la séquence</translation>
     </message>
     <message>
+        <source>the recording is incomplete: the disk at {disk} is full, or the file has reached its size limit</source>
+        <translation>l’enregistrement est incomplet&#xa0;: le disque sur {disk} est plein, ou le fichier a atteint sa taille maximale</translation>
+    </message>
+    <message>
         <source>the rig at {address} cannot be reached ({reason}); check address and network, and choose the device again</source>
         <translation>la plateforme à {address} est injoignable ({reason})&#xa0;; vérifiez l’adresse et le réseau, puis choisissez à nouveau l’appareil</translation>
     </message>
@@ -7560,20 +7620,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la plateforme n’est pas ouverte&#xa0;; choisissez à nouveau l’appareil</translation>
     </message>
     <message>
+        <source>the rotation of its gyroscope does not match that of gravity in its accelerometer: their axes or signs differ</source>
+        <translation>la rotation de son gyroscope ne correspond pas à celle de la pesanteur dans son accéléromètre&#xa0;: leurs axes ou leurs signes diffèrent</translation>
+    </message>
+    <message>
+        <source>the rows, of which the newest came first, were put in order</source>
+        <translation>les lignes, dont la plus récente venait d’abord, ont été remises en ordre</translation>
+    </message>
+    <message>
         <source>the shaker is not open; choose the device again</source>
-        <translation>le transducteur n&apos;est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
+        <translation>le transducteur n’est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
     </message>
     <message>
         <source>the simulated service has ended; choose the device again to start a new one</source>
-        <translation>le service simulé s&apos;est terminé&#xa0;; choisissez l&apos;appareil à nouveau pour en démarrer un autre</translation>
+        <translation>le service simulé s’est terminé&#xa0;; choisissez l’appareil à nouveau pour en démarrer un autre</translation>
     </message>
     <message>
         <source>the sound card {card!r} cannot be opened with {count} channels: {reason}; choose another card or profile</source>
         <translation>la carte son {card!r} ne peut pas être ouverte avec {count} canaux&#xa0;: {reason}&#xa0;; choisissez une autre carte ou un autre profil</translation>
-    </message>
-    <message>
-        <source>the sound card {card!r} takes nothing any more; connect it and choose the device again</source>
-        <translation>la carte son {card!r} ne prend plus rien&#xa0;; branchez-la et choisissez l&apos;appareil à nouveau</translation>
     </message>
     <message>
         <source>the track needs more than {most} keyframes</source>
@@ -7581,7 +7645,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>their rotation is not that of the gyro</source>
-        <translation>leur rotation n&apos;est pas celle du gyroscope</translation>
+        <translation>leur rotation n’est pas celle du gyroscope</translation>
     </message>
     <message>
         <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
@@ -7589,7 +7653,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{clip}: by its frames the mounting is {axes}, but by gravity another side is up; is the video upright and not mirrored? Otherwise {give}</source>
-        <translation>{clip}&#xa0;: d&apos;après les images le montage est {axes}, mais selon la gravité un autre côté était en haut&#xa0;; la vidéo est-elle droite et non inversée&#xa0;? Sinon&#xa0;: {give}</translation>
+        <translation>{clip}&#xa0;: d’après les images le montage est {axes}, mais selon la gravité un autre côté était en haut&#xa0;; la vidéo est-elle droite et non inversée&#xa0;? Sinon&#xa0;: {give}</translation>
     </message>
     <message>
         <source>{look}; {brings}</source>
@@ -7613,11 +7677,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{title} does not answer at {url}; start it and choose the device again</source>
-        <translation>{title} ne répond pas à {url}&#xa0;; démarrez-le et choisissez l&apos;appareil à nouveau</translation>
+        <translation>{title} ne répond pas à {url}&#xa0;; démarrez-le et choisissez l’appareil à nouveau</translation>
     </message>
     <message>
         <source>{title} has closed the connection; start it and choose the device again</source>
-        <translation>{title} a fermé la connexion&#xa0;; démarrez-le et choisissez l&apos;appareil à nouveau</translation>
+        <translation>{title} a fermé la connexion&#xa0;; démarrez-le et choisissez l’appareil à nouveau</translation>
     </message>
     <message>
         <source>{what} {name!r} not found; choose one of {known}</source>
@@ -7625,7 +7689,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{where} cannot be opened: {reason}; see whether the board is connected and you may use it</source>
-        <translation>{where} ne peut pas être ouvert&#xa0;: {reason}&#xa0;; vérifiez que la carte est branchée et que vous pouvez l&apos;utiliser</translation>
+        <translation>{where} ne peut pas être ouvert&#xa0;: {reason}&#xa0;; vérifiez que la carte est branchée et que vous pouvez l’utiliser</translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>
@@ -7634,6 +7698,90 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the grip did not give way to 1 N; hold it more loosely</source>
         <translation>la poignée n’a pas cédé à 1 N&#xa0;; tenez-la plus souplement</translation>
+    </message>
+    <message>
+        <source>has no header row (t,gx,gy,gz,ax,ay,az) below its keys</source>
+        <translation>n’a pas de ligne d’en-tête (t,gx,gy,gz,ax,ay,az) sous ses clés</translation>
+    </message>
+    <message>
+        <source>has only {rate_hz:.1f} samples per second, too few for taps</source>
+        <translation>n’a que {rate_hz:.1f} mesures par seconde, trop peu pour des tapotements</translation>
+    </message>
+    <message>
+        <source>hold the grip, or lower the gain</source>
+        <translation>tenez la poignée, ou baissez le gain</translation>
+    </message>
+    <message>
+        <source>holds a file that is named like another part of it, {name!r}</source>
+        <translation>contient un fichier nommé comme une autre de ses parties, {name!r}</translation>
+    </message>
+    <message>
+        <source>holds a level twice</source>
+        <translation>contient deux fois un niveau</translation>
+    </message>
+    <message>
+        <source>holds half a character</source>
+        <translation>contient un demi-caractère</translation>
+    </message>
+    <message>
+        <source>holds telemetry of {maker}</source>
+        <translation>contient de la télémétrie de {maker}</translation>
+    </message>
+    <message>
+        <source>holds {held}; columns of gyro and accelerometer are needed (t,gx,gy,gz,ax,ay,az)</source>
+        <translation>contient {held}&#xa0;; il faut des colonnes du gyroscope et de l’accéléromètre (t,gx,gy,gz,ax,ay,az)</translation>
+    </message>
+    <message>
+        <source>holds {what} (.{part}), which are not read</source>
+        <translation>contient des {what} (.{part}), qui ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>if these are a magnetometer&apos;s readings, give those of the accelerometer; else give the specific force in m/s^2, about 9.8 at rest</source>
+        <translation>si ce sont des mesures d’un magnétomètre, donnez celles de l’accéléromètre&#xa0;; sinon donnez la force spécifique en m/s^2, environ 9.8 au repos</translation>
+    </message>
+    <message>
+        <source>in swapped columns</source>
+        <translation>dans des colonnes échangées</translation>
+    </message>
+    <message>
+        <source>install hapticplayer[cameras] ({library}), which reads it ({how})</source>
+        <translation>installez hapticplayer[cameras] ({library}), qui le lit ({how})</translation>
+    </message>
+    <message>
+        <source>install hapticplayer[vision], which synchronises without taps, finds the mounting of a sensor and suggests motion for a plain video</source>
+        <translation>installez hapticplayer[vision], qui synchronise sans tapotements, trouve la fixation d’un capteur et suggère un mouvement pour une simple vidéo</translation>
+    </message>
+    <message>
+        <source>invalid force track</source>
+        <translation>piste de force invalide</translation>
+    </message>
+    <message>
+        <source>is JSON, not a table</source>
+        <translation>est du JSON, pas un tableau</translation>
+    </message>
+    <message>
+        <source>is XML or a web page, not a table</source>
+        <translation>est du XML ou une page web, pas un tableau</translation>
+    </message>
+    <message>
+        <source>is a session of the study {found}, not {expected}</source>
+        <translation>est une séance de l’étude {found}, pas de {expected}</translation>
+    </message>
+    <message>
+        <source>is a table with {count} columns of numbers, fewer than time and acceleration need; these columns hold text: {shown}</source>
+        <translation>est un tableau avec {count} colonnes de nombres, moins qu’il n’en faut pour le temps et l’accélération&#xa0;; ces colonnes contiennent du texte&#xa0;: {shown}</translation>
+    </message>
+    <message>
+        <source>is not the video that its force was made for ({reason})</source>
+        <translation>n’est pas la vidéo pour laquelle la force a été calculée ({reason})</translation>
+    </message>
+    <message>
+        <source>is not used in {kind} questions</source>
+        <translation>n’est pas utilisé dans les questions {kind}</translation>
+    </message>
+    <message>
+        <source>is not used in {kind} trials</source>
+        <translation>n’est pas utilisé dans les essais {kind}</translation>
     </message>
     <message>
         <source>the guard did not start, so nothing is measured; run &apos;hapticplayer doctor&apos;</source>
@@ -7708,12 +7856,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la piste de mouvement est vide, il n’y a donc pas de force à calculer</translation>
     </message>
     <message>
+        <source>the motion where it is not valid</source>
+        <translation>le mouvement là où il n’est pas valide</translation>
+    </message>
+    <message>
         <source>the norm of the specific force is {norm:.3g} where it is calmest, but gravity is {gravity:.3g} m/s^2</source>
         <translation>la norme de la force spécifique est de {norm:.3g} là où elle est la plus calme, mais la pesanteur est de {gravity:.3g} m/s^2</translation>
     </message>
     <message>
         <source>the number of samples is {count}; {least} to {most} can be used</source>
         <translation>le nombre de mesures est de {count}&#xa0;; de {least} à {most} sont utilisables</translation>
+    </message>
+    <message>
+        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, otherwise taps and frames</source>
+        <translation>le décalage s’il est donné, l’horloge de l’enregistrement si c’est celle du clip, sinon tapotements et images</translation>
+    </message>
+    <message>
+        <source>the other axes are in {names}</source>
+        <translation>les autres axes sont dans {names}</translation>
     </message>
     <message>
         <source>the other clip has a force track of a single row</source>
@@ -7724,8 +7884,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’autre vidéo n’a pas de force sur un axe que celle-ci utilise</translation>
     </message>
     <message>
+        <source>the output {name} appears twice</source>
+        <translation>la sortie {name} figure deux fois</translation>
+    </message>
+    <message>
         <source>the phone&apos;s axes: x right, y top, z out of the screen</source>
         <translation>axes du téléphone&#xa0;: x à droite, y en haut, z hors de l’écran</translation>
+    </message>
+    <message>
+        <source>the range of {range:g} % was not applied: 0 to 100 is the whole way</source>
+        <translation>la plage (range) de {range:g} % n’a pas été appliquée&#xa0;: 0 à 100 est toute la course</translation>
     </message>
     <message>
         <source>the rate</source>
@@ -7774,10 +7942,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the recording is incomplete: its process ended with status {status}</source>
         <translation>l’enregistrement est incomplet&#xa0;: son processus s’est terminé avec le code {status}</translation>
-    </message>
-    <message>
-        <source>the recording is incomplete: the disk is full, or the file has reached its size limit</source>
-        <translation>l’enregistrement est incomplet&#xa0;: le disque est plein, ou le fichier a atteint sa taille maximale</translation>
     </message>
     <message>
         <source>the recording is incomplete: the disk is too slow</source>
@@ -7892,10 +8056,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
     </message>
     <message>
-        <source>the clip has no sound, which pats need</source>
-        <translation>il n’y a pas de son où des tapes pourraient s’entendre</translation>
-    </message>
-    <message>
         <source>there is no sound output, so the clip plays silently</source>
         <translation>il n’y a pas de sortie de son, la vidéo est donc muette</translation>
     </message>
@@ -7998,10 +8158,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>write one with --save-template</source>
         <translation>écrivez-en un avec --save-template</translation>
-    </message>
-    <message>
-        <source>has dates as timestamps ({found})</source>
-        <translation>écrit ses temps sous forme de dates ({found})</translation>
     </message>
     <message>
         <source>written to</source>
@@ -8153,11 +8309,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Haply&apos;s Inverse Service has no Inverse3; connect its cable and supply, and choose the device again</source>
-        <translation>l&apos;Inverse Service de Haply n&apos;a pas d&apos;Inverse3&#xa0;; branchez son câble et son alimentation, puis choisissez l&apos;appareil à nouveau</translation>
-    </message>
-    <message>
-        <source>Intiface at {where} gives no version or no ping time; update it</source>
-        <translation>Intiface à l’adresse {where} n’indique pas de version ou de délai de ping&#xa0;; mettez-le à jour</translation>
+        <translation>l’Inverse Service de Haply n’a pas d’Inverse3&#xa0;; branchez son câble et son alimentation, puis choisissez l’appareil à nouveau</translation>
     </message>
     <message>
         <source>Inverse3</source>
@@ -8256,10 +8408,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>redemandez le fichier, ou acceptez avec --accept-changed-video</translation>
     </message>
     <message>
-        <source>asks about feedbacks before the first trial</source>
-        <translation>interroge sur les retours avant le premier essai</translation>
-    </message>
-    <message>
         <source>check the address and the network</source>
         <translation>vérifiez l’adresse et le réseau</translation>
     </message>
@@ -8294,10 +8442,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>copying the clip</source>
         <translation>copie du clip</translation>
-    </message>
-    <message>
-        <source>device {name!r}: nothing can follow; use {kind}</source>
-        <translation>appareil {name!r}&#xa0;: rien ne peut suivre&#xa0;; utilisez {kind}</translation>
     </message>
     <message>
         <source>does not give parts of this file</source>
@@ -8412,10 +8556,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas de mouvement lisible</translation>
     </message>
     <message>
-        <source>install hapticplayer[vision], which synchronises without pats, finds the mounting of a sensor and suggests motion for a plain video</source>
-        <translation>installez hapticplayer[vision], qui synchronise sans tapes, trouve le montage d’un capteur et suggère un mouvement pour une simple vidéo</translation>
-    </message>
-    <message>
         <source>is being changed by another program</source>
         <translation>est en cours de modification par un autre programme</translation>
     </message>
@@ -8456,36 +8596,180 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne décrit pas d’étude</translation>
     </message>
     <message>
-        <source>is not the video that its force was made for (its checksum differs)</source>
-        <translation>n’est pas la vidéo pour laquelle la force a été calculée (sa somme de contrôle diffère)</translation>
-    </message>
-    <message>
         <source>is not valid JSON ({reason})</source>
         <translation>n’est pas du JSON valable ({reason})</translation>
+    </message>
+    <message>
+        <source>is only used after the last trial</source>
+        <translation>n’est utilisé qu’après le dernier essai</translation>
     </message>
     <message>
         <source>is refused by its server (status {status})</source>
         <translation>est refusé par son serveur (statut {status})</translation>
     </message>
     <message>
+        <source>is the consent of {code}</source>
+        <translation>est le consentement de {code}</translation>
+    </message>
+    <message>
+        <source>is the session of {code}</source>
+        <translation>est la séance de {code}</translation>
+    </message>
+    <message>
+        <source>is_valid and reasons contradict each other</source>
+        <translation>is_valid et reasons se contredisent</translation>
+    </message>
+    <message>
+        <source>it appears twice</source>
+        <translation>elle figure deux fois</translation>
+    </message>
+    <message>
+        <source>it asks for none</source>
+        <translation>elle n’en demande plus</translation>
+    </message>
+    <message>
+        <source>it belongs to the study {found}</source>
+        <translation>elle appartient à l’étude {found}</translation>
+    </message>
+    <message>
+        <source>it holds half a character</source>
+        <translation>il contient un demi-caractère</translation>
+    </message>
+    <message>
+        <source>it holds no sound, in which taps could be heard</source>
+        <translation>elle ne contient pas de son où des tapotements pourraient s’entendre</translation>
+    </message>
+    <message>
+        <source>it holds no such samples, or states their unit</source>
+        <translation>il ne contient pas de telles mesures, ou indique leur unité</translation>
+    </message>
+    <message>
+        <source>it is {container}, which is not read</source>
+        <translation>c’est {container}, qui n’est pas lu</translation>
+    </message>
+    <message>
+        <source>it was recorded at {captured_hz:g} frames per second and plays at {shown_hz:g}</source>
+        <translation>il a été enregistré à {captured_hz:g} images par seconde et est lu à {shown_hz:g}</translation>
+    </message>
+    <message>
+        <source>its accelerometer reads {norm:.3g} m/s2 where it is calm, and its {sensor} would read {found:.3g}, as gravity: these columns are swapped</source>
+        <translation>son accéléromètre mesure {norm:.3g} m/s2 au calme, et {sensor} donnerait {found:.3g}, comme la pesanteur&#xa0;: ces colonnes sont échangées</translation>
+    </message>
+    <message>
+        <source>its checksum differs</source>
+        <translation>sa somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>its clip has changed since it was imported (its checksum differs)</source>
+        <translation>son clip a changé depuis l’importation (sa somme de contrôle diffère)</translation>
+    </message>
+    <message>
+        <source>its columns are known</source>
+        <translation>ses colonnes sont connues</translation>
+    </message>
+    <message>
+        <source>its edit list stretches time</source>
+        <translation>sa liste de montage étire le temps</translation>
+    </message>
+    <message>
+        <source>its format tells its sensors apart, or it does not have both</source>
+        <translation>son format distingue ses capteurs, ou il n’a pas les deux</translation>
+    </message>
+    <message>
+        <source>its frames are shown at other times</source>
+        <translation>ses images sont montrées à d’autres moments</translation>
+    </message>
+    <message>
         <source>its frames of {width} x {height} pixels are too large (up to 8192 x 4320 are shown)</source>
         <translation>ses images de {width} x {height} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
+    </message>
+    <message>
+        <source>its index lists {count} frames and pieces of sound, which is too much (limit: {most})</source>
+        <translation>son index annonce {count} images et morceaux de son, c’est trop (limite&#xa0;: {most})</translation>
+    </message>
+    <message>
+        <source>its index, tags or chapters are too large ({size_mb} MB)</source>
+        <translation>son index, ses balises ou ses chapitres sont trop grands ({size_mb} Mo)</translation>
+    </message>
+    <message>
+        <source>its last part names no variant of it</source>
+        <translation>sa dernière partie n’en nomme aucune variante</translation>
+    </message>
+    <message>
+        <source>its metadata say that it is a time lapse</source>
+        <translation>d’après ses métadonnées, c’est un accéléré</translation>
     </message>
     <message>
         <source>its pixel format cannot be converted</source>
         <translation>son format de pixels ne peut pas être converti</translation>
     </message>
     <message>
+        <source>its samples have times, or a rate of their own</source>
+        <translation>ses mesures ont des temps, ou leur propre cadence</translation>
+    </message>
+    <message>
         <source>its server does not give parts of files (HTTP ranges)</source>
         <translation>son serveur ne fournit pas de parties de fichiers (plages HTTP)</translation>
+    </message>
+    <message>
+        <source>its sound is heard at other times</source>
+        <translation>son son est entendu à d’autres moments</translation>
+    </message>
+    <message>
+        <source>its video is not the one that the force was made for ({reason})</source>
+        <translation>sa vidéo n’est pas celle pour laquelle la force a été faite ({reason})</translation>
+    </message>
+    <message>
+        <source>keep the calibration of another recording</source>
+        <translation>gardez l’étalonnage d’un autre enregistrement</translation>
+    </message>
+    <message>
+        <source>larger than a file on the disk at {disk} may be (ulimit -f)</source>
+        <translation>plus grand que ne peut l’être un fichier sur le disque {disk} (ulimit -f)</translation>
+    </message>
+    <message>
+        <source>left out: nothing</source>
+        <translation>omis&#xa0;: rien</translation>
+    </message>
+    <message>
+        <source>left out: {what}</source>
+        <translation>omis&#xa0;: {what}</translation>
     </message>
     <message>
         <source>listening</source>
         <translation>écoute du son</translation>
     </message>
     <message>
+        <source>magnetometer</source>
+        <translation>magnétomètre</translation>
+    </message>
+    <message>
+        <source>make an MP4 of it with: {command}</source>
+        <translation>faites-en un MP4 avec&#xa0;: {command}</translation>
+    </message>
+    <message>
+        <source>make the force again</source>
+        <translation>recalculez la force</translation>
+    </message>
+    <message>
+        <source>malformed replies from the device</source>
+        <translation>réponses invalides de l’appareil</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>inversé en miroir</translation>
+    </message>
+    <message>
         <source>missing entry {name!r}</source>
         <translation>entrée manquante {name!r}</translation>
+    </message>
+    <message>
+        <source>motion track of the camera, which may hold places (only an MP4 has it)</source>
+        <translation>piste de mouvement de la caméra, qui peut contenir des lieux (seul un MP4 l’a)</translation>
+    </message>
+    <message>
+        <source>move it to its own study</source>
+        <translation>déplacez-la dans sa propre étude</translation>
     </message>
     <message>
         <source>move the grip to the centre first, then re-arm again</source>
@@ -8516,6 +8800,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donne {count} conditions&#xa0;; de 2 à {most} sont possibles</translation>
     </message>
     <message>
+        <source>name of a file</source>
+        <translation>nom d’un fichier</translation>
+    </message>
+    <message>
+        <source>name or number of a device</source>
+        <translation>nom ou numéro d’un appareil</translation>
+    </message>
+    <message>
+        <source>nested too deeply</source>
+        <translation>imbriqué trop profondément</translation>
+    </message>
+    <message>
         <source>no data from the device yet</source>
         <translation>pas encore de données de l’appareil</translation>
     </message>
@@ -8528,8 +8824,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>pas de balancement estimé&#xa0;: aucun virage plus grand qu’une erreur possible</translation>
     </message>
     <message>
+        <source>no force track</source>
+        <translation>pas de piste de force</translation>
+    </message>
+    <message>
         <source>no participant {code}</source>
         <translation>aucun participant {code}</translation>
+    </message>
+    <message>
+        <source>no question has a published wording</source>
+        <translation>aucune question n’a de formulation publiée</translation>
+    </message>
+    <message>
+        <source>no sensor of it was stuck</source>
+        <translation>aucun de ses capteurs n’était bloqué</translation>
+    </message>
+    <message>
+        <source>no three taps are both heard and felt</source>
+        <translation>aucune série de trois tapotements n’est à la fois entendue et sentie</translation>
     </message>
     <message>
         <source>none</source>
@@ -8540,12 +8852,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>aucune de ses images ne peut être décodée</translation>
     </message>
     <message>
+        <source>not compared with the track</source>
+        <translation>non comparé à la piste</translation>
+    </message>
+    <message>
         <source>not confirmed</source>
         <translation>non confirmé</translation>
     </message>
     <message>
+        <source>not homed</source>
+        <translation>repère perdu</translation>
+    </message>
+    <message>
+        <source>not read: the columns {names}</source>
+        <translation>non lu&#xa0;: les colonnes {names}</translation>
+    </message>
+    <message>
         <source>not yet</source>
         <translation>pas encore</translation>
+    </message>
+    <message>
+        <source>nothing was played: {cause}; {remedy}</source>
+        <translation>rien n’a été joué&#xa0;: {cause}&#xa0;; {remedy}</translation>
     </message>
     <message>
         <source>open it again</source>
@@ -8556,8 +8884,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ouvrez de nouveau l’étude et refaites la modification</translation>
     </message>
     <message>
+        <source>pairs: Wilcoxon with Holm, exact to {most} participants, then normal approximation; friedman: chi-square approximation</source>
+        <translation>pairs&#xa0;: Wilcoxon avec Holm, exact jusqu’à {most} participants, puis approximation normale&#xa0;; friedman&#xa0;: approximation du khi-deux</translation>
+    </message>
+    <message>
+        <source>play again</source>
+        <translation>relancez la lecture</translation>
+    </message>
+    <message>
+        <source>player ended</source>
+        <translation>lecteur terminé</translation>
+    </message>
+    <message>
         <source>predicting excursions</source>
         <translation>prévision des excursions</translation>
+    </message>
+    <message>
+        <source>rate-axes={axes} to keep both as they are</source>
+        <translation>rate-axes={axes} pour garder les deux tels quels</translation>
+    </message>
+    <message>
+        <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s; x right, y forward, z up{rest}; up to {largest_radps:.2f} rad/s</source>
+        <translation>lu comme télémétrie de la caméra&#xa0;: force spécifique en m/s2, vitesse angulaire en rad/s&#xa0;; x à droite, y devant, z en haut{rest}&#xa0;; jusqu’à {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
         <source>reading the answers</source>
@@ -8566,6 +8914,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>reading {name}</source>
         <translation>lecture de {name}</translation>
+    </message>
+    <message>
+        <source>record both</source>
+        <translation>enregistrez les deux</translation>
+    </message>
+    <message>
+        <source>record {number} ({kind}) was left out: {reason}</source>
+        <translation>l’entrée {number} ({kind}) a été omise&#xa0;: {reason}</translation>
+    </message>
+    <message>
+        <source>record {number}: the answer to {name!r} in {step} was left out: {reason}</source>
+        <translation>entrée {number}&#xa0;: la réponse à {name!r} dans {step} a été omise&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>redirects from {scheme} to another scheme</source>
@@ -8578,6 +8938,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>redirects too often</source>
         <translation>redirige trop souvent</translation>
+    </message>
+    <message>
+        <source>reference device {number:g} is not in the file; the first was taken</source>
+        <translation>l’appareil de référence {number:g} n’est pas dans le fichier&#xa0;; le premier a été pris</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>enlevez-le</translation>
     </message>
     <message>
         <source>remove the constraint</source>
@@ -8596,6 +8964,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>retrait de la pesanteur</translation>
     </message>
     <message>
+        <source>remux it with MKVToolNix or FFmpeg, without them</source>
+        <translation>remultiplexez-le sans eux avec MKVToolNix ou FFmpeg</translation>
+    </message>
+    <message>
         <source>rename one of them</source>
         <translation>renommez l’une d’elles</translation>
     </message>
@@ -8605,19 +8977,39 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>restore the old sequence, or stop this session</source>
-        <translation>rétablissez l’ancienne séquence, ou arrêtez cette session</translation>
+        <translation>rétablissez l’ancienne séquence, ou arrêtez cette séance</translation>
     </message>
     <message>
         <source>riding</source>
         <translation>parcours</translation>
     </message>
     <message>
+        <source>rig option id={id} has no effect: packets of {format} have no ID; leave it out</source>
+        <translation>l’option de plateforme id={id} est sans effet&#xa0;: les paquets de {format} n’ont pas d’ID&#xa0;; omettez-la</translation>
+    </message>
+    <message>
+        <source>rotations</source>
+        <translation>rotations</translation>
+    </message>
+    <message>
+        <source>samples of {bits} bits were taken from the lower end of {width} bytes</source>
+        <translation>des échantillons de {bits} bits ont été pris dans le bas de {width} octets</translation>
+    </message>
+    <message>
         <source>say it once</source>
         <translation>ne le donnez qu’une fois</translation>
     </message>
     <message>
+        <source>say what it is with --other-is force or --other-is vibration</source>
+        <translation>dites ce que c’est avec --other-is force ou --other-is vibration</translation>
+    </message>
+    <message>
         <source>session {code}: {key} was left out; it is not in the definition</source>
-        <translation>session {code}&#xa0;: {key} a été omis&#xa0;; absent de la définition</translation>
+        <translation>séance {code}&#xa0;: {key} a été omis&#xa0;; absent de la définition</translation>
+    </message>
+    <message>
+        <source>set the device up first</source>
+        <translation>configurez d’abord l’appareil</translation>
     </message>
     <message>
         <source>simulated {begin} of {studies} studies</source>
@@ -8648,8 +9040,40 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>démarrage</translation>
     </message>
     <message>
+        <source>stopped: {cause}; {remedy}</source>
+        <translation>arrêté&#xa0;: {cause}&#xa0;; {remedy}</translation>
+    </message>
+    <message>
+        <source>strengths</source>
+        <translation>intensités</translation>
+    </message>
+    <message>
+        <source>stuck must be no-force</source>
+        <translation>stuck doit être no-force</translation>
+    </message>
+    <message>
+        <source>stuck=no-force to have no force there, or record it again</source>
+        <translation>stuck=no-force pour n’y avoir aucune force, ou refaites l’enregistrement</translation>
+    </message>
+    <message>
+        <source>swapped must be {known}</source>
+        <translation>swapped doit être {known}</translation>
+    </message>
+    <message>
+        <source>swapped=no to keep them</source>
+        <translation>swapped=no pour les garder</translation>
+    </message>
+    <message>
+        <source>swapped={key} to swap them</source>
+        <translation>swapped={key} pour les échanger</translation>
+    </message>
+    <message>
         <source>synchronising</source>
         <translation>synchronisation</translation>
+    </message>
+    <message>
+        <source>takes column {number} for {name}, but it holds {text!r}; ignore it with -, or write it as numbers</source>
+        <translation>prend la colonne {number} pour {name}, mais elle contient {text!r}&#xa0;; ignorez-la avec -, ou écrivez-la en nombres</translation>
     </message>
     <message>
         <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
@@ -8669,15 +9093,19 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the camera&apos;s rotation in its frames against the gyro; coarse without the extra vision</source>
-        <translation>la rotation de la caméra dans ses images contre le gyroscope&#xa0;; grossière sans l&apos;extra vision</translation>
+        <translation>la rotation de la caméra dans ses images contre le gyroscope&#xa0;; grossière sans l’extra vision</translation>
     </message>
     <message>
         <source>the camera&apos;s rotation in the frames fits the log nowhere (is it the log of this clip, and the video not stabilised?)</source>
-        <translation>la rotation de la caméra dans les images ne correspond nulle part au journal (est-ce celui de cette vidéo, et la vidéo n&apos;est-elle pas stabilisée&#xa0;?)</translation>
+        <translation>la rotation de la caméra dans les images ne correspond nulle part au journal (est-ce celui de cette vidéo, et la vidéo n’est-elle pas stabilisée&#xa0;?)</translation>
     </message>
     <message>
         <source>the causal filter of Laidig and Seel 2023</source>
         <translation>le filtre causal de Laidig et Seel 2023</translation>
+    </message>
+    <message>
+        <source>the clip has no sound, which taps need</source>
+        <translation>il n’y a pas de son où des tapotements pourraient s’entendre</translation>
     </message>
     <message>
         <source>the clip has {rate_hz:.0f} frames per second, too few to suggest motion; it needs {least_hz:.0f}</source>
@@ -8692,8 +9120,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le clip est trop court pour suggérer un mouvement&#xa0;; il faut {least_s:g} s</translation>
     </message>
     <message>
+        <source>the clip needs {needed_mb} MB and only {free_mb} MB are free</source>
+        <translation>le clip demande {needed_mb} Mo, et seulement {free_mb} Mo sont libres</translation>
+    </message>
+    <message>
+        <source>the clip was cut and joined, or its times were changed</source>
+        <translation>le clip a été coupé et recollé, ou ses temps ont été changés</translation>
+    </message>
+    <message>
         <source>the clocks differ by {ppm:.0f} ppm or more: is the video played at the frame rate it was recorded with?</source>
-        <translation>les horloges diffèrent d&apos;au moins {ppm:.0f} ppm&#xa0;: la vidéo est-elle lue à la fréquence d&apos;images à laquelle elle a été filmée&#xa0;?</translation>
+        <translation>les horloges diffèrent d’au moins {ppm:.0f} ppm&#xa0;: la vidéo est-elle lue à la fréquence d’images à laquelle elle a été filmée&#xa0;?</translation>
     </message>
     <message>
         <source>the columns must be {columns}</source>
@@ -8704,8 +9140,36 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>c’est la page {page}, pas {expected}</translation>
     </message>
     <message>
+        <source>the device driver failed ({reason}); report this, and choose the device again</source>
+        <translation>le pilote de l’appareil a échoué ({reason})&#xa0;; signalez-le, et choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the direction of the force</source>
+        <translation>la direction de la force</translation>
+    </message>
+    <message>
+        <source>the disk at {disk} is full</source>
+        <translation>le disque sur {disk} est plein</translation>
+    </message>
+    <message>
         <source>the extension {name!r} cannot be used: {reason}; update or uninstall it</source>
         <translation>l’extension {name!r} ne peut pas être utilisée&#xa0;: {reason}&#xa0;; mettez-la à jour ou désinstallez-la</translation>
+    </message>
+    <message>
+        <source>the force after the end of the clip ({end_s:.3f} s)</source>
+        <translation>la force après la fin du clip ({end_s:.3f} s)</translation>
+    </message>
+    <message>
+        <source>the force before 0 s</source>
+        <translation>la force avant 0 s</translation>
+    </message>
+    <message>
+        <source>the force goes on until {end_s:.3f} s, the clip ends at {clip_s:.3f} s</source>
+        <translation>la force dure jusqu’à {end_s:.3f} s, le clip finit à {clip_s:.3f} s</translation>
+    </message>
+    <message>
+        <source>the force in newtons</source>
+        <translation>la force en newtons</translation>
     </message>
     <message>
         <source>the force is stopped; re-arm it first</source>
@@ -8736,6 +9200,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le dossier personnel est inconnu&#xa0;; donnez à {variable} le chemin du micrologiciel</translation>
     </message>
     <message>
+        <source>the kind is not known</source>
+        <translation>le type est inconnu</translation>
+    </message>
+    <message>
+        <source>the last {count} samples are missing</source>
+        <translation>les {count} derniers échantillons manquent</translation>
+    </message>
+    <message>
         <source>the log has no angular rate, which frames could be compared with</source>
         <translation>le journal ne contient pas de vitesse angulaire à laquelle comparer les images</translation>
     </message>
@@ -8746,18 +9218,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
         <translation>le mouvement de {name} a été enregistré, ce qui vaut mieux qu’une estimation d’après l’image&#xa0;; importez-la sans --suggest-motion</translation>
-    </message>
-    <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, else tap marks (pats) and frames, as far as there are any</source>
-        <translation>le décalage s’il est donné, l’horloge de l’enregistrement si c’est celle de la vidéo, sinon tapes (pats) et images (frames), s’il y en a</translation>
-    </message>
-    <message>
-        <source>the output {name} is there twice</source>
-        <translation>la sortie {name} figure deux fois</translation>
-    </message>
-    <message>
-        <source>the pats are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
-        <translation>les tapes ne sont pas sûres (confiance {confidence:.2f})&#xa0;: le meilleur décalage est de {offset_s:.3f} s{next_best}</translation>
     </message>
     <message>
         <source>the quaternion Kalman filter of Sabatini 2006</source>
@@ -8832,16 +9292,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cette installation n’a pas de flux du type {name!r}&#xa0;; omettez-les</translation>
     </message>
     <message>
-        <source>this is not the video that the force was made for (its checksum differs): it plays without force</source>
-        <translation>ce n’est pas la vidéo pour laquelle la force a été faite (la somme de contrôle diffère)&#xa0;: elle est lue sans force</translation>
-    </message>
-    <message>
         <source>tidy CSV with a data dictionary</source>
         <translation>tableaux CSV avec un dictionnaire des données</translation>
-    </message>
-    <message>
-        <source>timescale must be 1 or more</source>
-        <translation>timescale doit être au moins 1</translation>
     </message>
     <message>
         <source>title, mapping and provenance</source>
@@ -8852,16 +9304,64 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mouvement vrai d’une simulation</translation>
     </message>
     <message>
-        <source>holds rotations, which are not read</source>
-        <translation>est une rotation et n’est pas lu</translation>
-    </message>
-    <message>
         <source>--bind {text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
         <translation>--bind {text!r} n’est pas une adresse de cet ordinateur&#xa0;; donnez-la en entier, par exemple {loopback} ou 192.168.1.5</translation>
     </message>
     <message>
         <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
         <translation>les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s ({doubt})</translation>
+    </message>
+    <message>
+        <source>the sound card {card!r} no longer accepts sound ({reason}); connect it and choose the device again</source>
+        <translation>la carte son {card!r} n’accepte plus de son ({reason})&#xa0;; branchez-la et choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the taps are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
+        <translation>les tapotements ne sont pas sûrs (confiance {confidence:.2f})&#xa0;: le meilleur décalage est de {offset_s:.3f} s{next_best}</translation>
+    </message>
+    <message>
+        <source>the times of its packets and the camera&apos;s own place the motion {apart_s:.2f} s apart: the clip was cut</source>
+        <translation>les temps de ses paquets et ceux de la caméra placent le mouvement à {apart_s:.2f} s d’écart&#xa0;: le clip a été coupé</translation>
+    </message>
+    <message>
+        <source>the unit of its times is known, or it has no times</source>
+        <translation>l’unité de ses temps est connue, ou il n’a pas de temps</translation>
+    </message>
+    <message>
+        <source>the {sensor} is slower than the log: each reading is held for {each} rows, so that there are {rate_hz:.4g} a second</source>
+        <translation>plus lent que le journal&#xa0;: {sensor}&#xa0;; chaque mesure est tenue pendant {each} lignes, il y en a donc {rate_hz:.4g} par seconde</translation>
+    </message>
+    <message>
+        <source>the {sensor} repeats its readings as a stuck sensor does, {share:.1%} of the time ({spans} from the start of the log); they are not used</source>
+        <translation>{sensor}&#xa0;: les mesures se répètent comme celles d’un capteur bloqué, {share:.1%} du temps ({spans} depuis le début du journal)&#xa0;; elles ne sont pas utilisées</translation>
+    </message>
+    <message>
+        <source>there is no trial {step!r}</source>
+        <translation>il n’y a pas d’essai {step!r}</translation>
+    </message>
+    <message>
+        <source>this is not the video that the force was made for ({reason}): it plays without force</source>
+        <translation>ce n’est pas la vidéo pour laquelle la force a été faite ({reason})&#xa0;: elle est lue sans force</translation>
+    </message>
+    <message>
+        <source>three channels were taken as x, y and z</source>
+        <translation>trois canaux ont été pris comme x, y et z</translation>
+    </message>
+    <message>
+        <source>three taps on the camera, heard and felt</source>
+        <translation>trois tapotements sur la caméra, entendus et ressentis</translation>
+    </message>
+    <message>
+        <source>time_s runs at {rate_hz:.3g} samples a second, faster than any sensor</source>
+        <translation>time_s avance à {rate_hz:.3g} mesures par seconde, plus vite que tout capteur</translation>
+    </message>
+    <message>
+        <source>times were taken as milliseconds</source>
+        <translation>les temps ont été pris en millisecondes</translation>
+    </message>
+    <message>
+        <source>turned</source>
+        <translation>tourné</translation>
     </message>
     <message>
         <source>two outputs send {what}; keep one of them</source>
@@ -8873,11 +9373,19 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>unpack it and give the file in it</source>
-        <translation>décompressez-le et donnez le fichier qu&apos;il contient</translation>
+        <translation>décompressez-le et donnez le fichier qu’il contient</translation>
     </message>
     <message>
         <source>unpack it and give the folder</source>
         <translation>décompressez-la et donnez le dossier</translation>
+    </message>
+    <message>
+        <source>unplugged</source>
+        <translation>débranché</translation>
+    </message>
+    <message>
+        <source>use &apos;repeats&apos;</source>
+        <translation>utilisez &apos;repeats&apos;</translation>
     </message>
     <message>
         <source>use --sync pats (sync: --method pats), or give --offset S</source>
@@ -8894,6 +9402,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>use a name in /dev/input, such as event5</source>
         <translation>utilisez un nom de /dev/input, par exemple event5</translation>
+    </message>
+    <message>
+        <source>utc is not a time with its zone</source>
+        <translation>utc n’est pas un temps avec son fuseau</translation>
     </message>
     <message>
         <source>vibration: full intensity was taken as {full_n:.3g} N</source>
@@ -8944,12 +9456,52 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ondes de plus de {most_s:.0f} s</translation>
     </message>
     <message>
+        <source>what changes within a millisecond</source>
+        <translation>ce qui change en moins d’une milliseconde</translation>
+    </message>
+    <message>
+        <source>what lies before 0 s was left out</source>
+        <translation>ce qui est avant 0 s a été omis</translation>
+    </message>
+    <message>
+        <source>what was recorded lasts from {first_s:.2f} to {last_s:.2f} s, the clip from 0 to {duration_s:.2f} s: it was cut, or plays at another speed</source>
+        <translation>ce qui a été enregistré va de {first_s:.2f} à {last_s:.2f} s, le clip de 0 à {duration_s:.2f} s&#xa0;: il a été coupé, ou est lu à une autre vitesse</translation>
+    </message>
+    <message>
+        <source>which has no accelerometer samples (DJI stores orientations only)</source>
+        <translation>qui n’a pas de mesures d’accéléromètre (DJI n’enregistre que des orientations)</translation>
+    </message>
+    <message>
+        <source>which has no motion</source>
+        <translation>qui ne contient pas de mouvement</translation>
+    </message>
+    <message>
+        <source>which nothing here reads</source>
+        <translation>que rien ici ne lit</translation>
+    </message>
+    <message>
+        <source>window not responding</source>
+        <translation>fenêtre sans réponse</translation>
+    </message>
+    <message>
         <source>with hapticplayer[vision] installed, the frames are compared with the gyro exactly, and those of H.265 too</source>
         <translation>avec hapticplayer[vision] installé, les images sont comparées exactement au gyroscope, celles de H.265 aussi</translation>
     </message>
     <message>
+        <source>write numbers without units or signs, or choose another log</source>
+        <translation>écrivez des nombres sans unités ni signes, ou choisissez un autre journal</translation>
+    </message>
+    <message>
         <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>
         <translation>écrivez-en un avec `hapticplayer process LOG --save-calibration FILE`</translation>
+    </message>
+    <message>
+        <source>write the rows of each sensor to a file of its own and give both</source>
+        <translation>écrivez les lignes de chaque capteur dans un fichier à part et donnez les deux</translation>
+    </message>
+    <message>
+        <source>write the time of each sample with all its digits</source>
+        <translation>écrivez le temps de chaque mesure avec tous ses chiffres</translation>
     </message>
     <message>
         <source>writing</source>
@@ -8984,12 +9536,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>oui</translation>
     </message>
     <message>
-        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; give --mounting auto to take it, or --mounting forward to keep the axes of the log</source>
-        <translation>{clip}&#xa0;: ses images montrent le montage {axes} (rapport {ratio:.1f}), non {used}&#xa0;; donnez --mounting auto pour le prendre, ou --mounting forward pour garder les axes du journal</translation>
+        <source>your quota of the disk at {disk} is used up</source>
+        <translation>votre quota sur le disque {disk} est épuisé</translation>
     </message>
     <message>
-        <source>{clip}: the pats give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose --sync pats or --sync frames (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
-        <translation>{clip}&#xa0;: les tapes donnent un décalage de {pats_s:.3f} s, les images {frames_s:.3f} s&#xa0;; choisissez --sync pats ou --sync frames (sync&#xa0;: --method), ou donnez --offset S&#xa0;; si le son de la caméra est en retard, --skew règle la question</translation>
+        <source>your video editor</source>
+        <translation>votre logiciel de montage</translation>
+    </message>
+    <message>
+        <source>{axis} appears twice; the first was read</source>
+        <translation>{axis} figure deux fois&#xa0;; le premier a été lu</translation>
+    </message>
+    <message>
+        <source>{begin_s:.2f} to {end_s:.2f} s</source>
+        <translation>{begin_s:.2f} à {end_s:.2f} s</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, {rate:.3g} kbit/s ({packed:.3g} compressed; the track: {own:.3g})</source>
+        <translation>{bytes} octets, {rate:.3g} kbit/s ({packed:.3g} compressé&#xa0;; la piste&#xa0;: {own:.3g})</translation>
+    </message>
+    <message>
+        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; give --mounting auto to take it, or --mounting forward to keep the axes of the log</source>
+        <translation>{clip}&#xa0;: ses images montrent le montage {axes} (rapport {ratio:.1f}), non {used}&#xa0;; donnez --mounting auto pour le prendre, ou --mounting forward pour garder les axes du journal</translation>
     </message>
     <message>
         <source>{clip}: {why}; {look}</source>
@@ -9021,27 +9589,51 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{early} of {count} sessions have answers but were not completed</source>
-        <translation>{early} sessions sur {count} ont des réponses mais n’ont pas été terminées</translation>
+        <translation>{early} séances sur {count} ont des réponses mais n’ont pas été terminées</translation>
     </message>
     <message>
         <source>{empty} of {count} sessions have no answers</source>
-        <translation>{empty} sessions sur {count} n’ont aucune réponse</translation>
+        <translation>{empty} séances sur {count} n’ont aucune réponse</translation>
     </message>
     <message>
         <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
     </message>
     <message>
-        <source>{file}: {what}; give --mounting {name}, or another of {known}, or auto for what the frames tell, or --mounting forward to keep its axes</source>
-        <translation>{file}&#xa0;: {what}&#xa0;; donnez --mounting {name}, ou une autre de {known}, ou auto pour celle que montrent les images, ou --mounting forward pour la prendre telle quelle</translation>
-    </message>
-    <message>
         <source>{free_gb:.1f} GB free</source>
         <translation>{free_gb:.1f} Go libres</translation>
     </message>
     <message>
+        <source>{how}; or {others}</source>
+        <translation>{how}&#xa0;; ou {others}</translation>
+    </message>
+    <message>
+        <source>{key!r} is the name of another condition</source>
+        <translation>{key!r} est le nom d’une autre condition</translation>
+    </message>
+    <message>
+        <source>{key} is not the condition of {step}</source>
+        <translation>{key} n’est pas la condition de {step}</translation>
+    </message>
+    <message>
+        <source>{key}={axes} are not three axes; give the sensor&apos;s x, y, z in its columns, such as y,x,z or x,-y,z</source>
+        <translation>{key}={axes} ne sont pas trois axes&#xa0;; donnez les x, y, z du capteur dans ses colonnes, par exemple y,x,z ou x,-y,z</translation>
+    </message>
+    <message>
+        <source>{key}={axes} if the {sensor} is {how}</source>
+        <translation>{key}={axes} si&#xa0;: {sensor} {how}</translation>
+    </message>
+    <message>
         <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number between {least:g} and {largest:g}</source>
         <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre entre {least:g} et {largest:g}</translation>
+    </message>
+    <message>
+        <source>{kind!r}</source>
+        <translation>{kind!r}</translation>
+    </message>
+    <message>
+        <source>{kind!r} was read as a sine</source>
+        <translation>{kind!r} a été lu comme un sinus</translation>
     </message>
     <message>
         <source>{kind} was read as lines</source>
@@ -9052,6 +9644,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{modality}&#xa0;: l’amplitude 1 a été prise comme {full_n:.3g} N</translation>
     </message>
     <message>
+        <source>{more} more</source>
+        <translation>{more} autres</translation>
+    </message>
+    <message>
         <source>{name!r} has no parameters</source>
         <translation>{name!r} n’a pas de paramètres</translation>
     </message>
@@ -9060,8 +9656,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name!r} n’est pas un simple nom de fichier</translation>
     </message>
     <message>
+        <source>{name!r} is the name of a condition; choose another name</source>
+        <translation>{name!r} est le nom d’une condition&#xa0;; choisissez un autre nom</translation>
+    </message>
+    <message>
         <source>{name!r} must end with .mkv (one file) or .mp4 (with a side-car)</source>
         <translation>{name!r} doit finir par .mkv (un seul fichier) ou .mp4 (avec un fichier à côté)</translation>
+    </message>
+    <message>
+        <source>{name} beside it was read, too</source>
+        <translation>{name} à côté a été lu aussi</translation>
     </message>
     <message>
         <source>{name} does not hold numbers only ({reason})</source>
@@ -9140,8 +9744,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name} doit être positif et fini, et vaut {value}</translation>
     </message>
     <message>
+        <source>{name} must be true or false</source>
+        <translation>{name} doit être true ou false</translation>
+    </message>
+    <message>
+        <source>{name} must hold real numbers</source>
+        <translation>{name} doit contenir des nombres réels</translation>
+    </message>
+    <message>
         <source>{name} must increase strictly, but row {row} has {time_s:.6f} s after {last_s:.6f} s</source>
         <translation>{name} doit croître strictement, mais la ligne {row} a {time_s:.6f} s après {last_s:.6f} s</translation>
+    </message>
+    <message>
+        <source>{name} was taken as {modality}</source>
+        <translation>{name} a été pris comme {modality}</translation>
     </message>
     <message>
         <source>{name}: {kind} has no such parameter; it has {known}</source>
@@ -9150,6 +9766,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{norm:.2f} m/s2 at rest</source>
         <translation>{norm:.2f} m/s2 au repos</translation>
+    </message>
+    <message>
+        <source>{notes}</source>
+        <translation>{notes}</translation>
     </message>
     <message>
         <source>{note} (first in line {line})</source>
@@ -9212,6 +9832,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{text!r} n’est pas un paramètre&#xa0;; écrivez NOM=VALEUR</translation>
     </message>
     <message>
+        <source>{time_s:.3g} s is later than any clip</source>
+        <translation>{time_s:.3g} s est plus tard que tout clip</translation>
+    </message>
+    <message>
         <source>{title} at {where}</source>
         <translation>{title} à {where}</translation>
     </message>
@@ -9220,12 +9844,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{title} n’a pas de retour réaliste dont faire {name!r}&#xa0;; importez d’abord la vidéo</translation>
     </message>
     <message>
+        <source>{title} refuses the effect ({reason}); close other programs that use it, and choose the device again</source>
+        <translation>{title} refuse l’effet ({reason})&#xa0;; fermez les autres programmes qui l’utilisent, et choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
         <source>{title} was unplugged; plug it in and choose the device again</source>
-        <translation>{title} a été débranché&#xa0;; branchez-le et choisissez l&apos;appareil à nouveau</translation>
+        <translation>{title} a été débranché&#xa0;; branchez-le et choisissez l’appareil à nouveau</translation>
     </message>
     <message>
         <source>{title}: permission denied for {path}; add yourself to the group input and log in again</source>
         <translation>{title}&#xa0;: accès refusé à {path}&#xa0;; ajoutez-vous au groupe input et reconnectez-vous</translation>
+    </message>
+    <message>
+        <source>{toy} has left Intiface; connect it there and choose the device again</source>
+        <translation>{toy} a quitté Intiface&#xa0;; connectez-le là et choisissez de nouveau l’appareil</translation>
     </message>
     <message>
         <source>{unseen_s:.0f} s without estimate: cuts, dark, blurred or empty frames</source>
@@ -9238,6 +9870,30 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{value!r} is not allowed</source>
         <translation>est {value!r}</translation>
+    </message>
+    <message>
+        <source>{value} is not allowed</source>
+        <translation>{value} n’est pas permis</translation>
+    </message>
+    <message>
+        <source>{what}, with the axes that were given</source>
+        <translation>{what}, avec les axes donnés</translation>
+    </message>
+    <message>
+        <source>{what}, {why}</source>
+        <translation>{what}, {why}</translation>
+    </message>
+    <message>
+        <source>{where} does not answer {name}; restart it</source>
+        <translation>{where} ne répond pas à {name}&#xa0;; redémarrez-le</translation>
+    </message>
+    <message>
+        <source>{where} refuses: {reason}; update it</source>
+        <translation>{where} refuse&#xa0;: {reason}&#xa0;; mettez-le à jour</translation>
+    </message>
+    <message>
+        <source>{where} reports an error ({reason}); see whether the toy is connected and charged, and choose the device again</source>
+        <translation>{where} signale une erreur ({reason})&#xa0;; voyez si le jouet est connecté et chargé, et choisissez de nouveau l’appareil</translation>
     </message>
     <message>
         <source>{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}</source>
@@ -9256,8 +9912,68 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la sortie audio a été perdue&#xa0;; la vidéo et la force continuent</translation>
     </message>
     <message>
+        <source>{clip}: motion is estimated as the video plays; give --slow-motion 1</source>
+        <translation>{clip}&#xa0;: le mouvement est estimé à la vitesse de lecture de la vidéo&#xa0;; donnez --slow-motion 1</translation>
+    </message>
+    <message>
+        <source>{clip}: taps and frames cannot be compared at another speed; give --offset S with --slow-motion</source>
+        <translation>{clip}&#xa0;: tapotements et images ne peuvent pas être comparés à une autre vitesse&#xa0;; donnez --offset S avec --slow-motion</translation>
+    </message>
+    <message>
+        <source>{clip}: the skew of the sound would have no effect, because the offset comes from elsewhere (method {method}); leave out --skew and --camera</source>
+        <translation>{clip}&#xa0;: le retard du son serait sans effet, car le décalage vient d’ailleurs (méthode {method})&#xa0;; omettez --skew et --camera</translation>
+    </message>
+    <message>
+        <source>{clip}: the taps give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose --sync pats or --sync frames (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
+        <translation>{clip}&#xa0;: les tapotements donnent un décalage de {pats_s:.3f} s, les images {frames_s:.3f} s&#xa0;; choisissez --sync pats ou --sync frames (sync&#xa0;: --method), ou donnez --offset S&#xa0;; si le son de la caméra est en retard, --skew règle la question</translation>
+    </message>
+    <message>
+        <source>{clip}: {what}, and neither frames nor taps tell which is right ({why}); give {places}, or another --offset S</source>
+        <translation>{clip}&#xa0;: {what}, et ni les images ni les tapotements ne disent ce qui est juste ({why})&#xa0;; donnez {places}, ou un autre --offset S</translation>
+    </message>
+    <message>
+        <source>{clip}: {why}; make a copy at its real speed ({copy}), or give --slow-motion 1 to take it as it plays, or --slow-motion {slowed} with --offset S to stretch the motion</source>
+        <translation>{clip}&#xa0;: {why}&#xa0;; faites une copie à sa vitesse réelle ({copy}), ou donnez --slow-motion 1 pour le prendre tel qu’il est lu, ou --slow-motion {slowed} avec --offset S pour étirer le mouvement</translation>
+    </message>
+    <message>
+        <source>{count} places are damaged: {first}</source>
+        <translation>{count} endroits sont endommagés&#xa0;: {first}</translation>
+    </message>
+    <message>
+        <source>{count} positions of {axis} beyond 0 to 100 were limited</source>
+        <translation>{count} positions de {axis} hors de 0 à 100 ont été limitées</translation>
+    </message>
+    <message>
+        <source>{example} (a name for each column, - to ignore one, / between tables)</source>
+        <translation>{example} (un nom par colonne, - pour en ignorer une, / entre les tableaux)</translation>
+    </message>
+    <message>
+        <source>{file} is not used: order.method is {method}</source>
+        <translation>{file} n’est pas utilisé&#xa0;: order.method est {method}</translation>
+    </message>
+    <message>
+        <source>{file}: holds another plan</source>
+        <translation>{file}&#xa0;: contient un autre plan</translation>
+    </message>
+    <message>
+        <source>{file}: its times are clock times, not {unit}; leave out time-unit={unit}</source>
+        <translation>{file}&#xa0;: ses temps sont des heures, pas {unit}&#xa0;; omettez time-unit={unit}</translation>
+    </message>
+    <message>
+        <source>{file}: {option} has no effect: {form} does not use it, or this file says it itself; leave it out</source>
+        <translation>{file}&#xa0;: {option} est sans effet&#xa0;: {form} ne l’utilise pas, ou ce fichier le dit lui-même&#xa0;; omettez-le</translation>
+    </message>
+    <message>
+        <source>{file}: {option} {key}={value} has no effect on a log of {form}: {why}; leave it out</source>
+        <translation>{file}&#xa0;: {option} {key}={value} est sans effet sur un journal de {form}&#xa0;: {why}&#xa0;; omettez-le</translation>
+    </message>
+    <message>
+        <source>{file}: {what}; give {sign}--mounting {name}, or another of {known}, or auto for what the frames tell, or --mounting forward to keep its axes</source>
+        <translation>{file}&#xa0;: {what}&#xa0;; donnez {sign}--mounting {name}, ou une autre de {known}, ou auto pour celle que montrent les images, ou --mounting forward pour garder ses axes</translation>
+    </message>
+    <message>
         <source>{name} does not know the clip&apos;s clock; use --sync pats (sync: --method pats) or give --offset S</source>
-        <translation>{name} ne connaît pas l&apos;horloge de la vidéo&#xa0;; utilisez --sync pats (sync&#xa0;: --method pats) ou donnez --offset S</translation>
+        <translation>{name} ne connaît pas l’horloge de la vidéo&#xa0;; utilisez --sync pats (sync&#xa0;: --method pats) ou donnez --offset S</translation>
     </message>
     <message>
         <source>{reason}, or set {variable} to another path</source>
@@ -9316,10 +10032,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{what} et sont marquées comme non valables</translation>
     </message>
     <message>
-        <source>{what}, but the numbers would fit another unit</source>
-        <translation>{what}, mais les nombres iraient avec une autre unité</translation>
-    </message>
-    <message>
         <source>{what}; see --mounting</source>
         <translation>{what}&#xa0;; voir --mounting</translation>
     </message>
@@ -9350,10 +10062,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>decreases</source>
         <translation>diminue</translation>
-    </message>
-    <message>
-        <source>three pats on the camera, heard and felt</source>
-        <translation>trois tapes sur la caméra, entendues et ressenties</translation>
     </message>
     <message>
         <source>the first sudden rise of sound and motion, as in the paper</source>

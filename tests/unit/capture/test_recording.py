@@ -136,9 +136,9 @@ def test_units_and_axes_of_a_camera_are_noted(tmp_path):
 
     real = read_recording(recorded("gopro/hero9_rotation.gpmd"))
     assert "9.83 m/s2 at rest" in real.notes[0]
-    assert "x to its right, y to where it looks, z to its top" in real.notes[0]
+    assert "x right, y forward, z up" in real.notes[0]
     largest = float(np.abs(real.imu.angular_rate_radps).max())
-    assert f"at most {largest:.2f} rad/s" in real.notes[0]
+    assert f"up to {largest:.2f} rad/s" in real.notes[0]
     rng = np.random.default_rng(3)
     force = np.array([0.0, 0.0, 1.3 * 9.81]) + 0.02 * rng.standard_normal((2000, 3))
     still = ImuLog(np.arange(2000) / 200.0, force, np.full((2000, 3), 0.001))

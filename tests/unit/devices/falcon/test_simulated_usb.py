@@ -17,7 +17,7 @@ BYTE_S = 10 / 1.5e6
 
 
 def ready(bench, latency_ms=1, event=0):
-    """Set the run-timeline, and let the latency timer begin now."""
+    """Set the run-time line, and let the latency timer begin now."""
     chip = bench.chip
     chip.control(9, latency_ms, 0)
     chip.control(3, RUN_BAUD.request_value, 0)
