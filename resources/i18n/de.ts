@@ -3589,6 +3589,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Lesen</translation>
     </message>
     <message>
+        <source>A video file to send: every player shows it, hapticplayer also plays the force.</source>
+        <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie, hapticplayer spielt auch die Kraft.</translation>
+    </message>
+    <message>
         <source>Others can then render another force from it</source>
         <translation>Andere können daraus dann eine andere Kraft berechnen</translation>
     </message>
@@ -3607,10 +3611,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Include &amp;names, dates and places</source>
         <translation>&amp;Namen, Zeiten und Orte mitgeben</translation>
-    </message>
-    <message>
-        <source>A video file you can send: any player shows it; hapticplayer also plays the force.</source>
-        <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie; hapticplayer spielt auch die Kraft.</translation>
     </message>
     <message>
         <source>Cancel; nothing is kept</source>
@@ -5160,10 +5160,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>accel-unit={fitting:.6g} um auf die Schwerkraft zu skalieren</translation>
     </message>
     <message>
-        <source>accel-unit={accel_unit} to keep it</source>
-        <translation>accel-unit={accel_unit} um es so zu nehmen, wie es ist</translation>
-    </message>
-    <message>
         <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
         <translation>format=csv und columns=time,ax,ay,az,gx,gy,gz (- für andere)</translation>
     </message>
@@ -6508,6 +6504,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>columns={columns} (wie der Kopf es nahelegt; - übergeht eine Spalte)</translation>
     </message>
     <message>
+        <source>comes after another value</source>
+        <translation>folgt auf einen anderen Wert</translation>
+    </message>
+    <message>
         <source>computer stalled</source>
         <translation>Rechner stockte</translation>
     </message>
@@ -6732,6 +6732,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie die Zeiten in Sekunden an, oder mitteln Sie auf {most_hz:g} Werte je Sekunde</translation>
     </message>
     <message>
+        <source>give the unit of its numbers, or a recording of a sensor that worked</source>
+        <translation>geben Sie die Einheit seiner Zahlen an, oder eine Aufnahme eines Sensors, der funktioniert hat</translation>
+    </message>
+    <message>
         <source>grip at the edge of the workspace</source>
         <translation>Griff am Rand des Arbeitsraums</translation>
     </message>
@@ -6770,6 +6774,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>hat mehr als {most_mb} MB an Kraft und Bewegung, zu viel für eine Datei</translation>
+    </message>
+    <message>
+        <source>has no value</source>
+        <translation>hat keinen Wert</translation>
     </message>
     <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
@@ -6996,6 +7004,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>muss {limit} Einträge haben</translation>
     </message>
     <message>
+        <source>name of a track, from a file</source>
+        <translation>Name einer Spur, aus einer Datei</translation>
+    </message>
+    <message>
         <source>names a part of {axes}</source>
         <translation>nennt nur einen Teil von {axes}</translation>
     </message>
@@ -7126,10 +7138,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>preset</source>
         <translation>Voreinstellung</translation>
-    </message>
-    <message>
-        <source>rate-unit={rate_unit} to take it as it is</source>
-        <translation>rate-unit={rate_unit} um es so zu nehmen, wie es ist</translation>
     </message>
     <message>
         <source>read as {name}: specific force in {unit}</source>
@@ -9300,6 +9308,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Titel, Zuordnung und Herkunft</translation>
     </message>
     <message>
+        <source>to keep it</source>
+        <translation>um es zu behalten</translation>
+    </message>
+    <message>
+        <source>to take it as it is</source>
+        <translation>um es zu nehmen, wie es ist</translation>
+    </message>
+    <message>
         <source>true motion of a simulation</source>
         <translation>wahre Bewegung einer Simulation</translation>
     </message>
@@ -9624,6 +9640,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{key}={axes} im Fall: {sensor} {how}</translation>
     </message>
     <message>
+        <source>{key}={factor:.9g} {words}</source>
+        <translation>{key}={factor:.9g} {words}</translation>
+    </message>
+    <message>
         <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number between {least:g} and {largest:g}</source>
         <translation>{key}={unit} ist keine Einheit; wählen Sie {known}, oder geben Sie den Faktor zu SI als Zahl zwischen {least:g} und {largest:g} an</translation>
     </message>
@@ -9778,6 +9798,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{one}; {other}</source>
         <translation>{one}; {other}</translation>
+    </message>
+    <message>
+        <source>{option} {key}={value} {fault}; give one value</source>
+        <translation>{option} {key}={value} {fault}; geben Sie einen Wert an</translation>
     </message>
     <message>
         <source>{option} {word!r} is not understood; give KEY=VALUE with one of {known}</source>

@@ -3589,6 +3589,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Lecture</translation>
     </message>
     <message>
+        <source>A video file to send: every player shows it, hapticplayer also plays the force.</source>
+        <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs l’affichent, hapticplayer joue aussi la force.</translation>
+    </message>
+    <message>
         <source>Others can then render another force from it</source>
         <translation>D’autres peuvent alors en calculer une autre force</translation>
     </message>
@@ -3607,10 +3611,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Include &amp;names, dates and places</source>
         <translation>Inclure les &amp;noms, dates et lieux</translation>
-    </message>
-    <message>
-        <source>A video file you can send: any player shows it; hapticplayer also plays the force.</source>
-        <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs l’affichent&#xa0;; hapticplayer joue aussi la force.</translation>
     </message>
     <message>
         <source>Cancel; nothing is kept</source>
@@ -5160,10 +5160,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>accel-unit={fitting:.6g} pour l’ajuster à la pesanteur</translation>
     </message>
     <message>
-        <source>accel-unit={accel_unit} to keep it</source>
-        <translation>accel-unit={accel_unit} pour la prendre telle quelle</translation>
-    </message>
-    <message>
         <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
         <translation>format=csv et columns=time,ax,ay,az,gx,gy,gz (- pour les autres)</translation>
     </message>
@@ -6508,6 +6504,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>columns={columns} (comme le suggère l’en-tête&#xa0;; - ignore une colonne)</translation>
     </message>
     <message>
+        <source>comes after another value</source>
+        <translation>suit une autre valeur</translation>
+    </message>
+    <message>
         <source>computer stalled</source>
         <translation>ordinateur bloqué</translation>
     </message>
@@ -6732,6 +6732,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez les temps en secondes, ou moyennez à {most_hz:g} mesures par seconde</translation>
     </message>
     <message>
+        <source>give the unit of its numbers, or a recording of a sensor that worked</source>
+        <translation>donnez l’unité de ses nombres, ou un enregistrement d’un capteur qui fonctionnait</translation>
+    </message>
+    <message>
         <source>grip at the edge of the workspace</source>
         <translation>poignée au bord de l’espace de travail</translation>
     </message>
@@ -6770,6 +6774,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has more than {most_mb} MB of force and motion, which is too much for one file</source>
         <translation>a plus de {most_mb} Mo de force et de mouvement, trop pour un seul fichier</translation>
+    </message>
+    <message>
+        <source>has no value</source>
+        <translation>n’a pas de valeur</translation>
     </message>
     <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
@@ -6996,6 +7004,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>doit avoir {limit} entrées</translation>
     </message>
     <message>
+        <source>name of a track, from a file</source>
+        <translation>nom d’une piste, tiré d’un fichier</translation>
+    </message>
+    <message>
         <source>names a part of {axes}</source>
         <translation>ne nomme qu’une partie de {axes}</translation>
     </message>
@@ -7126,10 +7138,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>preset</source>
         <translation>le préréglage</translation>
-    </message>
-    <message>
-        <source>rate-unit={rate_unit} to take it as it is</source>
-        <translation>rate-unit={rate_unit} pour la prendre telle quelle</translation>
     </message>
     <message>
         <source>read as {name}: specific force in {unit}</source>
@@ -9300,6 +9308,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>titre, correspondance et provenance</translation>
     </message>
     <message>
+        <source>to keep it</source>
+        <translation>pour le garder</translation>
+    </message>
+    <message>
+        <source>to take it as it is</source>
+        <translation>pour le prendre tel quel</translation>
+    </message>
+    <message>
         <source>true motion of a simulation</source>
         <translation>mouvement vrai d’une simulation</translation>
     </message>
@@ -9624,6 +9640,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{key}={axes} si&#xa0;: {sensor} {how}</translation>
     </message>
     <message>
+        <source>{key}={factor:.9g} {words}</source>
+        <translation>{key}={factor:.9g} {words}</translation>
+    </message>
+    <message>
         <source>{key}={unit} is not a unit; choose {known}, or give the factor to SI as a number between {least:g} and {largest:g}</source>
         <translation>{key}={unit} n’est pas une unité&#xa0;; choisissez {known}, ou donnez le facteur vers le SI, un nombre entre {least:g} et {largest:g}</translation>
     </message>
@@ -9778,6 +9798,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{one}; {other}</source>
         <translation>{one}&#xa0;; {other}</translation>
+    </message>
+    <message>
+        <source>{option} {key}={value} {fault}; give one value</source>
+        <translation>{option} {key}={value} {fault}&#xa0;; donnez une seule valeur</translation>
     </message>
     <message>
         <source>{option} {word!r} is not understood; give KEY=VALUE with one of {known}</source>
