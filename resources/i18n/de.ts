@@ -6728,10 +6728,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie die Zeiten in Sekunden der Medienzeit an</translation>
     </message>
     <message>
-        <source>give the times in seconds, or average to {most_hz:g} samples a second</source>
-        <translation>geben Sie die Zeiten in Sekunden an, oder mitteln Sie auf {most_hz:g} Werte je Sekunde</translation>
-    </message>
-    <message>
         <source>give the unit of its numbers, or a recording of a sensor that worked</source>
         <translation>geben Sie die Einheit seiner Zahlen an, oder eine Aufnahme eines Sensors, der funktioniert hat</translation>
     </message>
@@ -8404,6 +8400,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Alpha und Teststärke müssen zwischen 0 und 1 liegen</translation>
     </message>
     <message>
+        <source>amplitudes beyond 1 were limited</source>
+        <translation>Amplituden über 1 wurden begrenzt</translation>
+    </message>
+    <message>
         <source>analysing {measure}</source>
         <translation>{measure} wird ausgewertet</translation>
     </message>
@@ -8564,6 +8564,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine lesbare Bewegung</translation>
     </message>
     <message>
+        <source>if it is not in seconds, multiply time_s by {per_s:.0f}; else average to {most_hz:g} samples a second</source>
+        <translation>ist es nicht in Sekunden, multiplizieren Sie time_s mit {per_s:.0f}; sonst mitteln Sie auf {most_hz:g} Werte je Sekunde</translation>
+    </message>
+    <message>
+        <source>intensities beyond their range were limited</source>
+        <translation>Intensitäten außerhalb ihres Bereichs wurden begrenzt</translation>
+    </message>
+    <message>
         <source>is being changed by another program</source>
         <translation>wird gerade von einem anderen Programm geändert</translation>
     </message>
@@ -8680,6 +8688,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>seine Schnittliste dehnt die Zeit</translation>
     </message>
     <message>
+        <source>its force is 0 N from beginning to end</source>
+        <translation>seine Kraft ist von Anfang bis Ende 0 N</translation>
+    </message>
+    <message>
         <source>its format tells its sensors apart, or it does not have both</source>
         <translation>sein Format unterscheidet die Sensoren, oder es hat nicht beide</translation>
     </message>
@@ -8754,6 +8766,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>make an MP4 of it with: {command}</source>
         <translation>machen Sie ein MP4 daraus mit: {command}</translation>
+    </message>
+    <message>
+        <source>make another of it, of up to 8 channels, with: {command}</source>
+        <translation>machen Sie ein anderes daraus, mit bis zu 8 Kanälen, mit: {command}</translation>
     </message>
     <message>
         <source>make the force again</source>
@@ -8876,12 +8892,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nicht gelesen: die Spalten {names}</translation>
     </message>
     <message>
+        <source>not read: {what} beside it</source>
+        <translation>nicht gelesen: {what} daneben</translation>
+    </message>
+    <message>
         <source>not yet</source>
         <translation>noch nicht</translation>
     </message>
     <message>
         <source>nothing was played: {cause}; {remedy}</source>
         <translation>es wurde nichts gespielt: {cause}; {remedy}</translation>
+    </message>
+    <message>
+        <source>of {count} reference devices the first was taken</source>
+        <translation>von {count} Bezugsgeräten gilt das erste</translation>
     </message>
     <message>
         <source>open it again</source>
@@ -9018,6 +9042,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>set the device up first</source>
         <translation>richten Sie das Gerät zuerst ein</translation>
+    </message>
+    <message>
+        <source>shorten it</source>
+        <translation>kürzen Sie ihn</translation>
     </message>
     <message>
         <source>simulated {begin} of {studies} studies</source>
@@ -9246,6 +9274,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the slow part of the specific force is gravity</source>
         <translation>der langsame Anteil der spezifischen Kraft ist die Schwerkraft</translation>
+    </message>
+    <message>
+        <source>the text is too long to be saved ({found_kb} KB, at most {most_kb} KB)</source>
+        <translation>der Text ist zu lang zum Speichern ({found_kb} KB, höchstens {most_kb} KB)</translation>
     </message>
     <message>
         <source>there are no frames to write</source>
@@ -9496,6 +9528,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die hier nichts liest</translation>
     </message>
     <message>
+        <source>whose track another program has renamed; the camera&apos;s file is read</source>
+        <translation>deren Spur ein anderes Programm umbenannt hat; die Datei der Kamera wird gelesen</translation>
+    </message>
+    <message>
         <source>window not responding</source>
         <translation>Fenster reagierte nicht</translation>
     </message>
@@ -9590,6 +9626,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{count} text answers were left out: they have not been reviewed</source>
         <translation>{count} Textantworten wurden weggelassen: Sie wurden nicht durchgesehen</translation>
+    </message>
+    <message>
+        <source>{count} ticks have times or values that no device has; they are left out</source>
+        <translation>{count} Takte haben Zeiten oder Werte, die kein Gerät hat; sie werden weggelassen</translation>
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
@@ -9734,6 +9774,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} must be a number</source>
         <translation>{name} muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>{name} must be a number, not {text!r}</source>
+        <translation>{name} muss eine Zahl sein, nicht {text!r}</translation>
     </message>
     <message>
         <source>{name} must be a positive number, got {value}</source>

@@ -6728,10 +6728,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez les temps en secondes du temps du média</translation>
     </message>
     <message>
-        <source>give the times in seconds, or average to {most_hz:g} samples a second</source>
-        <translation>donnez les temps en secondes, ou moyennez à {most_hz:g} mesures par seconde</translation>
-    </message>
-    <message>
         <source>give the unit of its numbers, or a recording of a sensor that worked</source>
         <translation>donnez l’unité de ses nombres, ou un enregistrement d’un capteur qui fonctionnait</translation>
     </message>
@@ -8404,6 +8400,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>alpha et la puissance doivent être entre 0 et 1</translation>
     </message>
     <message>
+        <source>amplitudes beyond 1 were limited</source>
+        <translation>les amplitudes au-delà de 1 ont été limitées</translation>
+    </message>
+    <message>
         <source>analysing {measure}</source>
         <translation>analyse de {measure}</translation>
     </message>
@@ -8564,6 +8564,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas de mouvement lisible</translation>
     </message>
     <message>
+        <source>if it is not in seconds, multiply time_s by {per_s:.0f}; else average to {most_hz:g} samples a second</source>
+        <translation>s’il n’est pas en secondes, multipliez time_s par {per_s:.0f}&#xa0;; sinon moyennez à {most_hz:g} mesures par seconde</translation>
+    </message>
+    <message>
+        <source>intensities beyond their range were limited</source>
+        <translation>les intensités hors de leur plage ont été limitées</translation>
+    </message>
+    <message>
         <source>is being changed by another program</source>
         <translation>est en cours de modification par un autre programme</translation>
     </message>
@@ -8680,6 +8688,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>sa liste de montage étire le temps</translation>
     </message>
     <message>
+        <source>its force is 0 N from beginning to end</source>
+        <translation>sa force est de 0 N du début à la fin</translation>
+    </message>
+    <message>
         <source>its format tells its sensors apart, or it does not have both</source>
         <translation>son format distingue ses capteurs, ou il n’a pas les deux</translation>
     </message>
@@ -8754,6 +8766,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>make an MP4 of it with: {command}</source>
         <translation>faites-en un MP4 avec&#xa0;: {command}</translation>
+    </message>
+    <message>
+        <source>make another of it, of up to 8 channels, with: {command}</source>
+        <translation>faites-en un autre, de 8 canaux au plus, avec&#xa0;: {command}</translation>
     </message>
     <message>
         <source>make the force again</source>
@@ -8876,12 +8892,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>non lu&#xa0;: les colonnes {names}</translation>
     </message>
     <message>
+        <source>not read: {what} beside it</source>
+        <translation>non lu&#xa0;: {what} à côté</translation>
+    </message>
+    <message>
         <source>not yet</source>
         <translation>pas encore</translation>
     </message>
     <message>
         <source>nothing was played: {cause}; {remedy}</source>
         <translation>rien n’a été joué&#xa0;: {cause}&#xa0;; {remedy}</translation>
+    </message>
+    <message>
+        <source>of {count} reference devices the first was taken</source>
+        <translation>sur {count} appareils de référence, le premier a été pris</translation>
     </message>
     <message>
         <source>open it again</source>
@@ -9018,6 +9042,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>set the device up first</source>
         <translation>configurez d’abord l’appareil</translation>
+    </message>
+    <message>
+        <source>shorten it</source>
+        <translation>raccourcissez-le</translation>
     </message>
     <message>
         <source>simulated {begin} of {studies} studies</source>
@@ -9246,6 +9274,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the slow part of the specific force is gravity</source>
         <translation>la partie lente de la force spécifique est la pesanteur</translation>
+    </message>
+    <message>
+        <source>the text is too long to be saved ({found_kb} KB, at most {most_kb} KB)</source>
+        <translation>le texte est trop long pour être enregistré ({found_kb} Ko, au plus {most_kb} Ko)</translation>
     </message>
     <message>
         <source>there are no frames to write</source>
@@ -9496,6 +9528,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>que rien ici ne lit</translation>
     </message>
     <message>
+        <source>whose track another program has renamed; the camera&apos;s file is read</source>
+        <translation>dont un autre programme a renommé la piste&#xa0;; le fichier de la caméra, lui, est lu</translation>
+    </message>
+    <message>
         <source>window not responding</source>
         <translation>fenêtre sans réponse</translation>
     </message>
@@ -9590,6 +9626,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{count} text answers were left out: they have not been reviewed</source>
         <translation>{count} réponses en texte ont été omises&#xa0;: elles n’ont pas été relues</translation>
+    </message>
+    <message>
+        <source>{count} ticks have times or values that no device has; they are left out</source>
+        <translation>{count} pas ont des temps ou des valeurs qu’aucun appareil n’a&#xa0;; ils sont omis</translation>
     </message>
     <message>
         <source>{device} is a real device and does not accept injected faults</source>
@@ -9734,6 +9774,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} must be a number</source>
         <translation>{name} doit être un nombre</translation>
+    </message>
+    <message>
+        <source>{name} must be a number, not {text!r}</source>
+        <translation>{name} doit être un nombre, pas {text!r}</translation>
     </message>
     <message>
         <source>{name} must be a positive number, got {value}</source>
