@@ -162,16 +162,16 @@ def test_a_question_about_a_log_is_asked_in_german(german, qtbot, tmp_path):
     qtbot.addWidget(wizard)
     question = LogQuestion(
         Message("its units are not known"),
-        (Message("accel-unit={accel_unit} to keep it", accel_unit="g"),),
+        (Message("accel-unit={fitting:.6g} to scale it to gravity", fitting=9.5),),
         "/x/log.csv",
     )
     wizard.files.show_problem(question)
     asked = wizard.files.question
     assert asked.text.text() == "log.csv: die Einheiten sind nicht bekannt"
     (answer,) = asked.answers.buttons()
-    assert answer.text() == "accel-unit=g um es so zu nehmen, wie es ist"
+    assert answer.text() == "accel-unit=9.5 um auf die Schwerkraft zu skalieren"
     answer.click()
-    assert asked.other.text() == "accel-unit=g"
+    assert asked.other.text() == "accel-unit=9.5"
     wizard.close_jobs()
 
 

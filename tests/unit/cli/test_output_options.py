@@ -32,7 +32,7 @@ def test_outputs_keep_their_order_and_the_first_leads(words, expected):
     [
         (("chair",), "not a device"),
         (("simulated:3",), "nothing but gain= can follow"),
-        (("falcon", "falcon"), "there twice"),
+        (("falcon", "falcon"), "appears twice"),
         (("falcon", "none"), "means no device at all"),
         (("none", "falcon"), "means no device at all"),
     ],
