@@ -124,12 +124,21 @@ class FittedPage(QScrollArea):
     def _shrink(self) -> None:
         """Take smaller letters while something is out of sight."""
         width, height = self._fitted_for.width(), self._fitted_for.height()
-        while self.needed_px(width) > height and self._size_step < STEPS - 1:
+        while not self._has_room() and self._size_step < STEPS - 1:
             self._size_step += 1
             self._take_step()
+        if not self._is_wide_enough():
+            return
         if self.needed_px(width) > height:
             self._size_step = SCROLLED
             self._take_step()
+
+    def _is_wide_enough(self) -> bool:
+        return self.column.totalMinimumSize().width() <= self._fitted_for.width()
+
+    def _has_room(self) -> bool:
+        room = self._fitted_for
+        return self._is_wide_enough() and self.needed_px(room.width()) <= room.height()
 
     def set_font_size(self, font_px: int) -> None:
         """Use letters of this size."""
@@ -144,7 +153,10 @@ class FittedPage(QScrollArea):
                 # the sheet's em is that of small letters
                 widest = _widest_text(child)
                 wide_px = metrics.horizontalAdvance(widest)
-                child.setMinimumWidth(wide_px + round(_SIDES * font_px))
+                wide_px += round(_SIDES * font_px)
+                if isinstance(child, QAbstractButton):
+                    wide_px = max(wide_px, child.sizeHint().width())
+                child.setMinimumWidth(wide_px)
         self.column.setSpacing(font_px // 2)
         self.column.activate()
 

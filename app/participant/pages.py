@@ -25,12 +25,18 @@ _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 class TextPage(FittedPage):
-    """A text, and up to a few buttons (name, text) under it; the last one continues."""
+    """A text, and up to a few buttons (name, text) under it.
+
+    The last one continues; it has the keyboard unless a person is to decide.
+    """
 
     pressed = Signal(str)
 
-    def __init__(self, page: Page, buttons: list[tuple[str, str]]) -> None:
+    def __init__(
+        self, page: Page, buttons: list[tuple[str, str]], *, decides: bool = False
+    ) -> None:
         super().__init__()
+        self._decides = decides
         self.column.addStretch(1)
         if page.position:
             where = f"{page.position} / {page.count}"
@@ -49,11 +55,13 @@ class TextPage(FittedPage):
         row = row_of(STRETCH, *made, STRETCH, margins=(0, _APART_PX, 0, 0))
         self.column.addLayout(row)
         self.column.addStretch(1)
-        if buttons:
+        if buttons and not decides:
             set_role(self.buttons[buttons[-1][0]], "primary")
 
     def focus(self) -> None:
-        if self.buttons:
+        if self._decides:
+            self.setFocus(Qt.FocusReason.OtherFocusReason)
+        elif self.buttons:
             list(self.buttons.values())[-1].setFocus(Qt.FocusReason.TabFocusReason)
 
     def show_problem(self, text: str) -> None:

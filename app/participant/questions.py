@@ -40,12 +40,9 @@ class QuestionRow(QFrame):
         self.setProperty("role", "question")
         column = self.column = QVBoxLayout(self)
         column.setContentsMargins(12, 6, 12, 8)
-        text = f"{asked.heading} \u2013 {asked.text}" if asked.heading else asked.text
-        self.title = paragraph(text)
+        self.title = paragraph("")
         column.addWidget(self.title)
-        self.missing = paragraph("")
-        self.missing.setStyleSheet(f"color: {theme.WARN};")
-        self.missing.hide()
+        self.show_missing("")
 
     @abstractmethod
     def value(self) -> Any:
@@ -78,9 +75,10 @@ class QuestionRow(QFrame):
             self.style().polish(self)
 
     def show_missing(self, text: str) -> None:
-        """Say what is wrong with the answer; nothing where all is well."""
-        self.missing.setText(text)
-        self.missing.setVisible(bool(text))
+        """Say what is wrong with the answer behind the question: nothing moves."""
+        asked = (self.asked.heading, self.asked.text, text)
+        self.title.setText(" \u2013 ".join(filter(None, asked)))
+        self.title.setStyleSheet(f"color: {theme.WARN};" if text else "")
 
 
 class ButtonsRow(QuestionRow):
@@ -105,7 +103,6 @@ class ButtonsRow(QuestionRow):
         first = (QLabel(ends[0]), _BESIDE_PX) if ends[0] else ()
         last = (_BESIDE_PX, QLabel(ends[1])) if ends[1] else ()
         self.column.addLayout(row_of(*first, *buttons, *last))
-        self.column.addWidget(self.missing)
 
     def _on_clicked(self) -> None:
         self.show_missing("")
@@ -176,7 +173,6 @@ class NumberRow(QuestionRow):
             button.clicked.connect(step)
             steps.append(button)
         self.column.addLayout(row_of(self.box, *steps, STRETCH))
-        self.column.addWidget(self.missing)
 
     def value(self) -> int | None:
         value = self.box.value()
@@ -203,7 +199,6 @@ class TextRow(QuestionRow):
         self.box.textChanged.connect(self._on_changed)
         self.box.installEventFilter(self)
         self.column.addWidget(self.box)
-        self.column.addWidget(self.missing)
 
     def _on_changed(self) -> None:
         """Keep what is too long from being typed: nothing is cut off later."""

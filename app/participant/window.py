@@ -39,6 +39,7 @@ class ParticipantWindow(QWidget):
         self.shown_number = -1
         self._kind = PageKind.READY
         self._drafts: dict[str, dict[str, Any]] = {}
+        self._has_felt = False
         self._may_close = False
         self.pages = QStackedWidget()
         self.pages.addWidget(surface)
@@ -56,6 +57,7 @@ class ParticipantWindow(QWidget):
         """Show this session from now on."""
         self._runner, self.shown_number = runner, -1
         self._drafts = {}
+        self._has_felt = False
         self.refresh()
 
     def refresh(self) -> None:
@@ -68,6 +70,7 @@ class ParticipantWindow(QWidget):
         self._keep_draft()
         self.shown_number, self._kind = page.number, page.kind
         if page.kind is PageKind.PLAYING:
+            self._has_felt = True
             self._show_clip()
         else:
             self.show_page(page)
@@ -115,8 +118,11 @@ class ParticipantWindow(QWidget):
             questions.finished.connect(self._answer)
             questions.replay_wanted.connect(self._replay)
             return questions
-        buttons = [(name, maker.word(name)) for name in _BUTTONS.get(page.kind, ())]
-        text = TextPage(page, buttons)
+        names = _BUTTONS.get(page.kind, ())
+        if page.kind is PageKind.DEMONSTRATION and not self._has_felt:
+            names = names[::-1]  # nothing is skipped by Enter
+        buttons = [(name, maker.word(name)) for name in names]
+        text = TextPage(page, buttons, decides=page.kind is PageKind.CONSENT)
         text.pressed.connect(self._press)
         return text
 

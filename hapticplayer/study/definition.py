@@ -1,6 +1,7 @@
 """The definition of a study: the structure of `study.json` and its allowed values."""
 
 import enum
+from collections.abc import Mapping
 from itertools import product
 from pathlib import Path
 from typing import Annotated, Literal, NoReturn, TypeVar
@@ -21,6 +22,8 @@ VERSION = 1
 LIKERT = (1, 2, 3, 4, 5)
 MAX_CONDITIONS = 400
 MAX_ANSWER = 4000
+ANSWER_S = 10.0  # usual time for a question, with the pages around it
+DEMONSTRATION_S = 300.0  # and consent, and getting to know the device
 MAX_ITEMS = 2_000
 _MAX_NUMBER = 1_000_000
 
@@ -255,7 +258,7 @@ class Scale(JsonObject, frozen=True):
 
 
 class PageTexts(JsonObject, frozen=True):
-    """Texts of the pages, and how long data are kept."""
+    """Texts of the pages, and how long data are kept; `PageMaker` fills {blanks}."""
 
     consent: Text
     demonstration: Text
@@ -278,6 +281,7 @@ class ButtonWords(JsonObject, frozen=True):
     no: Text
     feedback: Text
     clip: Text
+    optional: Text
     missing: Text
     centre: Text
     paused: Text
@@ -369,6 +373,15 @@ class Definition(JsonObject, frozen=True):
         if self.trial is TrialKind.RATING:
             return self.factors
         return (self.consistency,) if self.consistency else ()
+
+    def expected_min(self, clip_s: Mapping[str, float]) -> int:
+        """About how long a session takes, in steps of 5 minutes."""
+        trials = self.conditions
+        asked = len(self.sheet) + len(self.post_test)
+        asked += len(trials) * len(self.trial_questions)
+        played_s = sum(clip_s[trial.sequence] for trial in trials)
+        all_s = played_s + asked * ANSWER_S + DEMONSTRATION_S
+        return 5 * max(1, round(all_s / 300.0))
 
     def wording(self, question: Question, language: str) -> str:
         if self.use_published and question.published:

@@ -90,10 +90,18 @@ class PageMaker:
     Args:
         definition: of the session.
         plan: of the session.
+        minutes: about how long it takes; 0 where no page is shown.
     """
 
-    def __init__(self, definition: Definition, plan: Plan) -> None:
+    def __init__(self, definition: Definition, plan: Plan, minutes: int = 0) -> None:
         self._definition, self._plan = definition, plan
+        self._blanks = {
+            "{code}": plan.code,
+            "{minutes}": str(minutes),
+            "{trials}": str(len(plan.order)),
+            "{feedbacks}": str(len(plan.labels)),
+            "{feel}": definition.words.feel[plan.language],
+        }
 
     def page(self, kind: PageKind, step: str, number: int) -> Page:
         """Return a page."""
@@ -111,12 +119,19 @@ class PageMaker:
 
     def text(self, name: str) -> str:
         text: Text = getattr(self._definition.texts, name)
-        return text[self._plan.language]
+        return self._filled(text)
+
+    def _filled(self, text: Text) -> str:
+        """A text in the participant's language with what this session has."""
+        filled = text[self._plan.language]
+        for blank, value in self._blanks.items():
+            filled = filled.replace(blank, value)
+        return filled
 
     def word(self, name: str) -> str:
         """Return the label of a button in the participant's language."""
         word: Text = getattr(self._definition.words, name)
-        return word[self._plan.language]
+        return self._filled(word)
 
     def scale(self) -> tuple[str, str]:
         """Return the labels of the ends of the five-point scale."""
@@ -146,10 +161,13 @@ class PageMaker:
 
     def _ask(self, question: Question, name: str, heading: str = "") -> AskedQuestion:
         language = self._plan.language
+        text = self._definition.wording(question, language)
+        if not question.required:
+            text += f" ({self.word('optional')})"
         return AskedQuestion(
             name=name,
             kind=question.kind,
-            text=self._definition.wording(question, language),
+            text=text,
             heading=heading,
             least=question.lowest,
             most=question.highest,

@@ -101,7 +101,8 @@ class SessionRunner:
         self.last_trial: PlaybackResult | None = None
         self._clock, self._observer = clock, observer
         self._conditions = session.plan.order
-        self.maker = PageMaker(self.definition, self.plan)
+        self.minutes = self.definition.expected_min(stage.clip_s)
+        self.maker = PageMaker(self.definition, self.plan, self.minutes)
         self._steps = steps_of(self.definition, len(self._conditions))
         self._journal = Journal(session.folder / ANSWERS, clock)
         records = study.session(code).records  # as they are now that it is locked

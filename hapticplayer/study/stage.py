@@ -61,6 +61,11 @@ class TrialStage(Protocol):
         ...
 
     @property
+    def clip_s(self) -> Mapping[str, float]:
+        """Durations of the sequences, by key."""
+        ...
+
+    @property
     def first_frame_s(self) -> float | None:
         """When media time 0 was on the screen, monotonic; None before that."""
         ...
@@ -109,6 +114,7 @@ class PlayerStage:
     ) -> None:
         self.player = player
         self._sources, self._demonstration = sources, demonstration
+        self.clip_s = {key: one.clip.duration_s for key, one in sources.items()}
         self._limits, self._checks = rules
         self._clock, self._record = clock, record
         self.opening: Callable[[Source], None] = lambda _source: None

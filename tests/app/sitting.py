@@ -110,10 +110,12 @@ class Person:
         self.key(Qt.Key.Key_Enter)
 
     def to_trials(self):
-        self.key(Qt.Key.Key_Space)  # the button that has the keyboard: I agree
+        self.page.buttons["agree"].setFocus()  # nothing has the keyboard before
+        self.key(Qt.Key.Key_Space)
         self.wait_page(PageKind.QUESTIONS, "sheet")
         self.answer_sheet()
         self.wait_page(PageKind.DEMONSTRATION)
+        self.page.buttons["next"].setFocus()
         self.key(Qt.Key.Key_Enter)
         self.wait_page(PageKind.READY, "trial-01")
 

@@ -174,7 +174,7 @@ def test_the_question_that_is_not_answered_comes_into_sight(make_study, sit, qtb
     page = window.content
     page.show_problem(page.rows[-1].asked.name, "Please answer this question.")
     qtbot.wait(20)
-    said = page.rows[-1].missing
+    said = page.rows[-1].title
     at = said.mapTo(page.viewport(), said.rect().bottomLeft())
     assert page.verticalScrollBar().maximum() > 0
     assert page.viewport().rect().contains(at)

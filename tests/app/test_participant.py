@@ -18,6 +18,14 @@ from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.study_folder import open_study
 
 CLIP_S = 2.0
+EVERY_PAGE = (
+    (PageKind.CONSENT, "consent"),
+    (PageKind.QUESTIONS, "sheet"),
+    (PageKind.DEMONSTRATION, "demonstration"),
+    (PageKind.QUESTIONS, "post-test"),
+    (PageKind.STOPPED, "end"),
+    (PageKind.THANKS, "end"),
+)
 
 
 def test_twelve_conditions_by_keys_alone(make_study, sit, wait_for):
@@ -105,6 +113,49 @@ def test_by_mouse_or_touch_alone(make_study, sit, wait_for, request, pointer):
     assert [r.value for r in ratings if r.value is not None] == [1, 2, 4, 5]
 
 
+def test_enter_neither_consents_nor_skips_the_demonstration(make_study, sit, wait_for):
+    person = Person(sit(make_study()), wait_for)
+    for key in (Qt.Key.Key_Enter, Qt.Key.Key_Space):
+        person.key(key)
+    assert person.runner.page.kind is PageKind.CONSENT
+    person.page.buttons["agree"].click()
+    person.wait_page(PageKind.QUESTIONS, "sheet")
+    person.answer_sheet()
+    person.wait_page(PageKind.DEMONSTRATION)
+    person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.PLAYING)
+    person.session.player.set_end(0.2)
+    person.wait_page(PageKind.DEMONSTRATION)
+    person.key(Qt.Key.Key_Enter)  # who has felt it goes on
+    person.wait_page(PageKind.READY, "trial-01")
+
+
+def test_a_participant_reads_what_this_session_has(make_study, sit):
+    session = sit(make_study())
+    maker, plan = session.runner.maker, session.runner.plan
+    pages = [maker.page(kind, step, 99) for kind, step in EVERY_PAGE]
+    said = {page.kind: page.text for page in pages}
+    assert f"about {session.runner.minutes} minutes" in said[PageKind.CONSENT]
+    assert maker.word("feel") in said[PageKind.DEMONSTRATION]
+    for last in (PageKind.THANKS, PageKind.STOPPED):
+        assert plan.code in said[last]
+    assert not any("{" in text for text in said.values())
+    asked = pages[1].questions
+    assert ["optional" in one.text for one in asked] == [not q.required for q in asked]
+
+
+def test_letters_stay_as_large_when_an_answer_is_missing(make_study, sit, qtbot):
+    session = sit(make_study(), size=(1280, 720))
+    window, maker = session.participant, session.runner.maker
+    window.show_page(maker.page(PageKind.QUESTIONS, "sheet", 99))
+    qtbot.wait(50)
+    page = window.content
+    before_px = page.body.font().pixelSize()
+    page.show_problem(page.rows[0].asked.name, maker.word("missing"))
+    qtbot.wait(50)
+    assert page.body.font().pixelSize() == before_px
+
+
 def test_an_unanswered_question_is_named_and_nothing_goes_on(make_study, sit, wait_for):
     person = Person(sit(make_study()), wait_for)
     person.begin_trial()
@@ -113,7 +164,8 @@ def test_an_unanswered_question_is_named_and_nothing_goes_on(make_study, sit, wa
     person.key(Qt.Key.Key_4)
     person.key(Qt.Key.Key_Enter)
     assert person.runner.page.kind is PageKind.QUESTIONS
-    shown = [row.missing.isVisible() for row in person.page.rows]
+    said = person.runner.maker.word("missing")
+    shown = [said in row.title.text() for row in person.page.rows]
     assert shown == [False, True, False, False]
     assert person.page.rows[0].value() == 4
 

@@ -97,7 +97,7 @@ def _begin(stage: Stage, session: StudySession) -> Pictures:
 def _pages(stage: Stage, session: StudySession, pages, more: str) -> Pictures:
     runner, window = session.runner, session.participant
     plan = replace(runner.plan, language=stage.language)
-    runner.maker = maker = PageMaker(runner.definition, plan)
+    runner.maker = maker = PageMaker(runner.definition, plan, runner.minutes)
     for step, kind in pages:
         window.show_page(maker.page(PageKind(kind), step, 99))
         yield f"study-{step}-{kind}{more}", stage.picture(window, 150)

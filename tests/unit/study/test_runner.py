@@ -2,6 +2,7 @@
 
 import errno
 import os
+from collections import defaultdict
 
 import pytest
 
@@ -30,6 +31,7 @@ class FakeStage:
         self.is_stopped = False
         self.reasons = ()
         self.clock, self.first_frame_s = None, None
+        self.clip_s = defaultdict(lambda: 10.0)
 
     def prepare(self, condition: Condition):
         self.prepared.append(condition)
