@@ -46,7 +46,8 @@ class _ArgumentParser(argparse.ArgumentParser):
         given = {
             option
             for action in self._actions
-            if getattr(found, action.dest, action.default) != action.default
+            # as texts: a mapping may hold arrays
+            if repr(getattr(found, action.dest, action.default)) != repr(action.default)
             for option in action.option_strings
         }
         found.given = getattr(found, "given", frozenset()) | given

@@ -79,7 +79,7 @@ class Player:
         self._outputs.use(outputs)
         self._follow_outputs()
         self._logged_audio_s = float("-inf")
-        self.first_frame_s: float | None = None
+        self._first_frame_s: float | None = None
         self._was_stalled = False
         self._verdict: Verdict | None = None
 
@@ -300,13 +300,18 @@ class Player:
         self._reporter.log = log
         self._reporter.event("latency", **asdict(self._clip.latency))
 
+    @property
+    def first_frame_s(self) -> float | None:
+        """When media time 0 was on the screen, monotonic; None before a frame."""
+        return self._first_frame_s
+
     def restart_meters(self) -> None:
         """Measure the force against frames and sound from here on.
 
         `first_frame_s` becomes the monotonic time at which media time 0 was on the
         screen, by the next frame that is shown.
         """
-        self.first_frame_s = None
+        self._first_frame_s = None
         for one in self._outputs:
             one.restart_meters()
 
@@ -444,8 +449,8 @@ class Player:
 
     def _note_frame(self, shown_s: float, frame_s: float) -> None:
         seen_s = shown_s + self._clip.latency.display_s
-        if self.first_frame_s is None:
-            self.first_frame_s = seen_s - frame_s
+        if self._first_frame_s is None:
+            self._first_frame_s = seen_s - frame_s
         self._outputs.note_frame(seen_s, frame_s)
         self._reporter.line("frame", monotonic_s=seen_s, media_s=frame_s)
 

@@ -58,15 +58,15 @@ def test_an_output_with_channels_has_a_meter(make_window, wait_for, qtbot):
         return {one.name: one for one in window.player.snapshot().outputs}
 
     wait_for(lambda: states()["simulated"].health is Health.READY)
-    assert not page.meters["simulated"].isVisible()
+    assert not page.rows["simulated"].meter.isVisible()
     block = window.player._outputs["simulated"].processes.block
     block.write_levels(LEVELS)
     page.look()
     qtbot.wait(20)
-    meter = page.meters["simulated"]
+    meter = page.rows["simulated"].meter
     assert meter.isVisible()
     assert meter.accessibleName().startswith("Simulated: channel 3 \u221212 dB")
-    assert not page.meters["rig:outsim"].isVisible()
+    assert not page.rows["rig:outsim"].meter.isVisible()
     assert list(faces.cut_off(page)) == []
     block.write_levels(())
     page.look()

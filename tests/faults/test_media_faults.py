@@ -116,4 +116,4 @@ def test_on_a_full_disk_the_clip_plays_on_and_the_log_says_so(tmp_path, fill_dis
         log.line("frame", monotonic_s=float(number), media_s=0.04 * number)
     log.close({})
     assert "incomplete" in log.problem
-    assert "too large" in log.problem
+    assert "larger than a file" in log.problem

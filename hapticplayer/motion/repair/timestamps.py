@@ -126,7 +126,9 @@ def repair_times(
         sensors: (N, 3) each; only compared.
         source: for error messages.
     """
-    if len(time_s) > 2 and np.nanmedian(np.diff(time_s)) < 0.0:
+    steps_s = np.diff(time_s)
+    steps_s = steps_s[np.isfinite(steps_s)]
+    if len(steps_s) > 1 and np.median(steps_s) < 0.0:
         return _reversed(time_s, sensors, source)
     repairs: list[Repair] = []
     rows = _in_order(time_s, repairs, source)

@@ -1,6 +1,5 @@
 """A simulated ride, and the wizard that imports it."""
 
-import dataclasses
 import functools
 import threading
 
@@ -13,6 +12,7 @@ from app.experimenter.import_wizard import ImportWizard
 from hapticplayer.capture.si_csv import write_imu_csv
 from hapticplayer.media.encode import write_clip
 from hapticplayer.media.telemetry import TelemetryPacket, add_telemetry
+from hapticplayer.model import ImuLog
 from hapticplayer.sequence import import_preview
 from hapticplayer.sequence.import_preview import preview_import
 
@@ -33,7 +33,13 @@ def ride(tmp_path_factory):
     write_clip(folder / "ride.mp4", grey, frame_rate_hz=30, audio=sound)
     write_imu_csv(folder / "log.csv", made.imu)
     write_imu_csv(folder / "other.csv", other.imu)
-    own = dataclasses.replace(made.imu, time_s=made.imu.time_s - made.imu.time_s[0])
+    media_s = made.clock_map.rate * made.imu.time_s + made.clock_map.offset_s
+    inside = (media_s >= 0.0) & (media_s < SECONDS)
+    own = ImuLog(
+        media_s[inside] - media_s[inside][0],
+        made.imu.specific_force_mps2[inside],
+        made.imu.angular_rate_radps[inside],
+    )
     packets = [TelemetryPacket(t, 1.0, p) for t, p in write_payloads(own)]
     add_telemetry(folder / "ride.mp4", folder / "gopro.mp4", packets)
     return folder, made

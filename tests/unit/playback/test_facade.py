@@ -24,7 +24,12 @@ def test_the_player_has_commands_and_no_public_parts(player):
     assert [name for name in vars(player) if not name.startswith("_")] == []
     public = {name for name in dir(player) if not name.startswith("_")}
     values = {name for name in public if not callable(getattr(player, name))}
-    assert values == {"latch", "output_names", "are_outputs_free"}
+    assert values == {
+        "latch",
+        "output_names",
+        "are_outputs_free",
+        "first_frame_s",
+    }
 
 
 def test_snapshots_are_frozen(player):

@@ -70,6 +70,7 @@ def test_a_trial_is_streamed_without_answers_and_codes(
     assert [t for t in reported if t.startswith("trial-01")] == [
         "trial-01 page",
         f"trial-01 begin {condition}",
+        f"trial-01 first frame {condition}",
         f"trial-01 end {condition}",
         "trial-01 questions",
     ]

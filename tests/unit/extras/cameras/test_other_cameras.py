@@ -18,6 +18,7 @@ from hapticplayer.extras.cameras.other_cameras import read_other_camera
 AXES = LogChoices(axes="x,y,z")
 LIBRARY = """
     import os
+    def shake(k, n): return 0.001 * (k * k * (n + 1) % 7907 % 50)
     class Parser:
         camera, model = "Sony", "FX3"
         def __init__(self, path):
@@ -37,9 +38,9 @@ LIBRARY = """
                 while True: pass
             accl = None if self.kind == "gimbal" else (0.1, 0.2, 9.8)
             return [
-                dict(timestamp_ms=2500.0 + 5.0 * k, gyro=(0.9, 0.0, 0.01 * (k % 7)),
+                dict(timestamp_ms=2500.0 + 5.0 * k, gyro=tuple(a + shake(k, n) for n, a in enumerate((0.9, 0.0, 0.0))),
                      accl=None if self.kind == "half" and k % 2 else
-                     accl and (*accl[:2], accl[2] + 0.01 * (k % 5)))
+                     accl and tuple(a + shake(k, n) for n, a in enumerate(accl)))
                 for k in range(2000)
             ]
 """
