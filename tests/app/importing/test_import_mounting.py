@@ -22,7 +22,7 @@ def test_a_log_that_is_mounted_otherwise_gets_a_proposal(
     write_imu_csv(log, mounted(made.imu, "-x,y,-z"))
     wizard.take([folder / "ride.mp4", log])
     wait_for(lambda: wizard.files.question.isVisibleTo(wizard))
-    assert "accel-sign" in wizard.files.question.text.text()
+    assert "gravity shows" in wizard.files.question.text.text()
     wizard.files.question.answered.emit(["accel-sign=+"])
     wait_for(wizard.next.isEnabled)
     assert "-z pointed up" in wizard.files.facts.text()
