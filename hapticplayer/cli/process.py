@@ -45,10 +45,10 @@ from hapticplayer.sequence.calibration import (
     refuse_existing_calibration,
     write_calibration,
 )
+from hapticplayer.sequence.compared_methods import compare_methods
 from hapticplayer.sequence.processing import (
     Processed,
     Processing,
-    compare_methods,
     describe_quality,
     process_motion,
 )

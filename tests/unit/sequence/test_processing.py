@@ -13,9 +13,9 @@ from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.motion import DEFAULT_METHOD, conditioning
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
+from hapticplayer.sequence.compared_methods import compare_methods
 from hapticplayer.sequence.processing import (
     Processing,
-    compare_methods,
     describe_motion,
     describe_quality,
     process_motion,
