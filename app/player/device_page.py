@@ -6,14 +6,14 @@ from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
 from app.bridge.languages import translated
 from app.player.device_test_words import state_text, verdict_text
 from app.player.health import device_name
-from app.player.transport import offer_stop
+from app.player.transport import offer_stop, rearm_problem
 from app.plots.device_picture import DevicePicture
 from app.widgets.buttons import text_button
 from app.widgets.layout import STRETCH, fill_page, paragraph, row_of
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
 from hapticplayer.devices.guides import guide_of, hold_text
-from hapticplayer.errors import HapticPlayerError, UsageError, message_of
+from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.playback.device_test import DeviceTest
 from hapticplayer.playback.latch import STOPPED, StopLatch
@@ -100,14 +100,7 @@ class DevicePage(QDialog):
         if self.is_running:
             self.stop()
         else:
-            self._rearm()
-
-    def _rearm(self) -> None:
-        try:
-            self._latch.rearm(self._clock.now_s())
-            self._show_end(self._how)
-        except UsageError as problem:
-            self._show_end(translated(message_of(problem)))
+            self._show_end(rearm_problem(self._latch, self._clock) or self._how)
 
     def stop(self) -> None:
         """Take the force away until a person re-arms, and let go of the device."""

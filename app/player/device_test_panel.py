@@ -8,14 +8,14 @@ from PySide6.QtWidgets import QProgressBar, QWidget
 from app.bridge.languages import translated
 from app.player.device_test_words import question_text, state_text, verdict_text
 from app.player.question import Question, ask
-from app.player.transport import offer_stop
+from app.player.transport import offer_stop, rearm_problem
 from app.plots.device_picture import DevicePicture
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import column_of, paragraph, row_of
 from hapticplayer.clock import Clock
 from hapticplayer.devices import find_device
-from hapticplayer.errors import HapticPlayerError, UsageError, message_of
+from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.playback.device_test import DeviceTest
 from hapticplayer.playback.latch import StopLatch
 
@@ -124,15 +124,8 @@ class DeviceTestPanel(QWidget):
         if self.is_acting:
             self.stop()
         else:
-            self._rearm()
-
-    def _rearm(self) -> None:
-        try:
-            self._latch.rearm(self._clock.now_s())
-            self.state.setText("")
-        except UsageError as problem:
-            self.state.setText(translated(message_of(problem)))
-        self._show_buttons()
+            self.state.setText(rearm_problem(self._latch, self._clock))
+            self._show_buttons()
 
     def stop(self) -> None:
         """Take the force away at once; the device is let go of."""

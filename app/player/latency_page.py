@@ -29,7 +29,7 @@ from app.bridge.settings import (
     screen_name,
 )
 from app.player.health import device_name, stop_reason
-from app.player.transport import offer_stop
+from app.player.transport import offer_stop, rearm_problem
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -44,7 +44,7 @@ from app.widgets.layout import (
 )
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
-from hapticplayer.errors import HapticPlayerError, Progress, UsageError, message_of
+from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.model import Feedback
 from hapticplayer.playback.beats import (
     COUNT,
@@ -138,15 +138,11 @@ class LatencyPage(QDialog):
         if self.player is not None:
             self.stop()
         else:
-            self._rearm()
-
-    def _rearm(self) -> None:
-        try:
-            self._latch.rearm(self._clock.now_s())
-            self._show_instructions()
-        except UsageError as problem:
-            self.status.setText(translated(message_of(problem)))
-        self._offer_stop()
+            if problem := rearm_problem(self._latch, self._clock):
+                self.status.setText(problem)
+            else:
+                self._show_instructions()
+            self._offer_stop()
 
     def stop(self) -> None:
         """Take the force away until a person re-arms; let go of device and sound."""

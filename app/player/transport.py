@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QSlider,
 )
 
+from app.bridge.languages import translated
 from app.player.choices import Choice
 from app.widgets import theme
 from app.widgets.buttons import ICON_PX, set_role, text_button, tool_button
@@ -21,6 +22,9 @@ from app.widgets.layout import STRETCH, ElidedLabel, column_of, row_of
 from app.widgets.seek_slider import SeekSlider
 from app.widgets.texts import local, position_text
 from app.widgets.theme import control_icon
+from hapticplayer.clock import Clock
+from hapticplayer.errors import UsageError, message_of
+from hapticplayer.playback.latch import StopLatch
 
 translate = QCoreApplication.translate
 
@@ -259,6 +263,15 @@ def offer_stop(button: QPushButton, *, is_stopped: bool) -> None:
         if is_stopped
         else translate("Transport", "Stop the force")
     )
+
+
+def rearm_problem(latch: StopLatch, clock: Clock) -> str:
+    """Re-arm a stop as a person asks; return why that is not possible, "" if it is."""
+    try:
+        latch.rearm(clock.now_s())
+    except UsageError as problem:
+        return translated(message_of(problem))
+    return ""
 
 
 def fix_stop_width(button: QPushButton) -> None:

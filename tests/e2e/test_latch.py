@@ -1,13 +1,20 @@
 """At the command line nothing re-arms: a force that was stopped stays away."""
 
+import os
 import signal
+import socket
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.media.encode import write_clip
-from tests.e2e.command import forces_of, read_log, started
+from hapticplayer.simulation.falcon.remote import Controls
+from tests.e2e.command import ROOT, forces_of, read_log, started
+from tests.material.plant_record import read_record
+from tests.needed_extras import needs
 
 CLIP_S, SUSPENDED_S = 5, 1.5
 LATER_S = 0.3  # a loop notices a silent player, then nothing more may come
@@ -48,3 +55,41 @@ def test_a_player_that_was_suspended_plays_on_without_force(felt_clip, tmp_path)
     after = force_n[time_s > trips[0] + LATER_S]
     assert len(after)
     assert not after.any()
+
+
+@needs("faults")
+@pytest.mark.realtime
+def test_a_grip_button_ends_the_forces_of_a_measurement():
+    record, clock = os.memfd_create("record"), SystemClock()
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    passed = (record, theirs.fileno())
+    process = subprocess.Popen(
+        [sys.executable, "-m", "tests.e2e.measuring_owner", *map(str, passed)],
+        pass_fds=passed,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=ROOT,
+    )
+    controls = Controls(ours.detach())
+    try:
+        while process.poll() is None:
+            size = os.fstat(record).st_size
+            if size and read_record(record)["commanded_n"][-1:].any():
+                break
+            clock.sleep_until(clock.now_s() + 0.01)
+        pressed_s = clock.now_s()
+        controls.press(1)
+        _, said = process.communicate(timeout=60)
+    finally:
+        process.kill()
+        theirs.close()
+        controls.close()
+    assert process.returncode == 1, said
+    assert "stopped by a button on the grip" in said
+    ticks = read_record(record)
+    os.close(record)
+    pushes = ticks["commanded_n"].any(axis=1)
+    assert pushes.any()
+    assert not pushes[-1]
+    begins = np.diff(pushes[ticks["monotonic_s"] > pressed_s].astype(int)) > 0
+    assert begins.sum() <= 1  # what was on its way when the button went down

@@ -51,10 +51,10 @@ def study(clip, tmp_path):
     return change_definition(made, content)
 
 
-def run_session(study, tmp_path):
+def run_session(study, tmp_path, **more):
     """Run a participant to the end; return what was on the screens, page by page."""
     answers = tmp_path / "answers.json"
-    answers.write_text(json.dumps({"sheet": SHEET, **TRIALS}))
+    answers.write_text(json.dumps({"sheet": SHEET, **TRIALS, **more}))
     script = [sys.executable, "-m", "tests.e2e.scripted_participant", str(answers)]
     command = ["study", "run", str(study.folder), "--device", "simulated"]
     done = subprocess.run(
@@ -184,3 +184,27 @@ def test_a_session_on_two_screens_becomes_valid_data(study, tmp_path):
     check_bids(tmp_path / "bids", record.ticks, code)
     marked_s = check_xdf(tmp_path / "xdf", record.ticks)
     check_playback(record.ticks, marked_s, session)
+
+
+@pytest.mark.realtime
+def test_a_stopped_session_has_no_force_until_it_is_resumed(study, tmp_path):
+    content = json.loads(study.content)
+    content["sequences"] = content["sequences"][:1]
+    study = change_definition(study, content)
+    said = run_session(study, tmp_path, stop={})
+    (stopped_s,) = [one["stopped"] for one in said if "stopped" in one]
+    resumed_s = min(
+        one["resumed"] for one in said if one.get("resumed", 0.0) > stopped_s
+    )
+    (code,) = open_study(study.folder).codes()
+    ticks = read_record(study.session(code).folder / "ticks-01.hprec").ticks
+    time_s, is_felt = ticks["monotonic_s"], ticks["force_n"].any(axis=1)
+    assert is_felt[time_s < stopped_s].any()
+    is_tripped = (time_s > stopped_s) & (ticks["mode"] == Mode.TRIPPED)
+    tripped_s = time_s[is_tripped][0]
+    held = (time_s >= tripped_s) & (time_s < resumed_s)
+    assert resumed_s - tripped_s > 0.5
+    assert is_tripped[held].all()
+    assert not is_felt[held].any()
+    assert is_felt[time_s > resumed_s].any()
+    assert said[-1]["step"] == "end"

@@ -203,6 +203,7 @@ def _first_answer(driver: FalconDriver, clock: Clock) -> Vector:
     for _ in range(100):
         clock.sleep_until(clock.now_s() + _PERIOD_S)
         reading = driver.exchange(_ZERO, clock.now_s())
+        _refuse_button(reading)
         if reading.replied_s > last_s:
             return reading.position_m
     raise DeviceError("the Falcon did not answer after the silence; try again")
