@@ -7,17 +7,17 @@ import sys
 
 from hapticplayer import cli
 from hapticplayer.cli import device_measure
-from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.guarded_clock import GuardedClock
 
 
-def watched_falcon(device):
-    record, control = map(int, sys.argv[1:])
-    options = ["--unhomed", "--record", str(record), "--control", str(control)]
-    return GuardedClock(SystemClock(), device, options, [record, control])
+def watched_falcon(clock, device, options):
+    passed = [int(number) for number in sys.argv[1:]]
+    names = ("--record", "--control")
+    more = [text for pair in zip(names, sys.argv[1:], strict=True) for text in pair]
+    return GuardedClock(clock, device, [*options, *more], passed)
 
 
 if __name__ == "__main__":
-    device_measure._guarded_clock = watched_falcon
+    device_measure.GuardedClock = watched_falcon
     device_measure.STOPS_S = 2.0  # until the hand is back from homing
     sys.exit(cli.main(["device", "measure", "--device", "falcon-simulated", "--yes"]))

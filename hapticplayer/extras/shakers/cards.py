@@ -11,6 +11,7 @@ import sys
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices.checks import Check
+from hapticplayer.devices.options import divided
 from hapticplayer.errors import DeviceError, Message, from_json, message_of, to_json
 from hapticplayer.extras.shakers.driver import CardStream
 from hapticplayer.extras.shakers.settings import ShakerSettings, shaker_settings
@@ -22,7 +23,8 @@ def main(text: str) -> int:
     """Look for the card of some settings."""
     said: Message | str = ""
     try:
-        CardStream(shaker_settings(text), lambda *_: None, SystemClock())
+        own, _ = divided(f"shaker:{text}")  # without the gain
+        CardStream(shaker_settings(own), lambda *_: None, SystemClock())
     except DeviceError as problem:
         said = message_of(problem)
     sys.stdout.write(json.dumps(to_json(said)))
