@@ -45,11 +45,10 @@ from hapticplayer.sequence.calibration import (
     refuse_existing_calibration,
     write_calibration,
 )
-from hapticplayer.sequence.compared_methods import compare_methods
+from hapticplayer.sequence.process_report import compare_methods, describe_quality
 from hapticplayer.sequence.processing import (
     Processed,
     Processing,
-    describe_quality,
     process_motion,
 )
 from hapticplayer.sequence.report import notes_on_motion
@@ -268,7 +267,7 @@ _COLUMNS = (
 
 
 def quality_text(report: dict[str, Any]) -> str:
-    """Return a quality report (`sequence.processing.describe_quality`) as lines."""
+    """Return a quality report (`sequence.process_report.describe_quality`) as lines."""
     read, found = report["recording"], report["gravity_removal"]
     lines = [
         f"{read['source']} - {read['camera']}",

@@ -1,4 +1,4 @@
-"""Processes a recording's motion: conditioning, gravity removal, low-pass; its quality.
+"""Processes a recording's motion: conditioning, gravity removal, low-pass.
 
 The order that loses least is spikes, clipping, averaging, gravity removal, low-pass.
 `motion` is imported where it is needed, because it brings scipy.
@@ -8,20 +8,15 @@ import dataclasses
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hapticplayer import rendering
-from hapticplayer.capture.recording import Recording, find_gaps
-from hapticplayer.errors import Message, Progress, UsageError, no_progress
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.model.motion import DEFAULT_METHOD
-from hapticplayer.sequence.description import ExcursionEntry, unstructured
-from hapticplayer.sequence.excursion import predict
 
 if TYPE_CHECKING:
     from hapticplayer.motion import SmootherParameters
@@ -196,51 +191,6 @@ def _conditioned(imu: ImuLog, processing: Processing) -> tuple[ImuLog, list[str]
             )
         )
     return imu, steps
-
-
-def describe_quality(
-    recording: Recording,
-    processed: Processed,
-    progress: Progress = no_progress,
-) -> dict[str, Any]:
-    """Return the quality report of a recording: plain numbers, lists and texts.
-
-    Args:
-        recording: as read.
-        processed: its motion.
-        progress: called while excursions are predicted.
-    """
-    imu = recording.imu
-    steps_s, gaps = np.diff(imu.time_s), find_gaps(imu)
-    return plain(
-        {
-            "recording": {
-                "source": Path(imu.source).name,
-                "camera": recording.camera,
-                "samples": len(imu),
-                "duration_s": float(imu.time_s[-1] - imu.time_s[0]),
-                "rate_hz": imu.rate_hz,
-                "gaps": len(gaps),
-                "longest_gap_s": float(steps_s[gaps].max()) if len(gaps) else 0.0,
-                "notes": recording.notes,
-            },
-            "conditioning": processed.conditioning,
-            "gravity_removal": processed.summary,
-            "motion": describe_motion(processed.track),
-            "excursion": unstructured(_predicted(processed.track, progress)),
-        }
-    )
-
-
-def _predicted(track: MotionTrack, progress: Progress) -> ExcursionEntry:
-    """Return the predicted excursion with the default mapping."""
-    from_start = dataclasses.replace(track, time_s=track.time_s - track.time_s[0])
-    force = rendering.render_force(from_start)
-    return predict(
-        force,
-        force.end_s,
-        lambda done: progress(done, Message("predicting excursions")),
-    )
 
 
 def describe_motion(track: MotionTrack) -> dict[str, Any]:

@@ -23,9 +23,9 @@ from hapticplayer.sequence.excursion import (
     predict,
     stored_texts,
 )
+from hapticplayer.sequence.process_report import describe_quality
 from hapticplayer.sequence.processing import (
     Processing,
-    describe_quality,
     process_motion,
 )
 

@@ -13,11 +13,10 @@ from hapticplayer.model import ClockMap, ImuLog, Sampling
 from hapticplayer.motion import DEFAULT_METHOD, conditioning
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
-from hapticplayer.sequence.compared_methods import compare_methods
+from hapticplayer.sequence.process_report import compare_methods, describe_quality
 from hapticplayer.sequence.processing import (
     Processing,
     describe_motion,
-    describe_quality,
     process_motion,
 )
 from hapticplayer.sequence.report import notes_on_motion

@@ -1,17 +1,24 @@
-"""The methods of gravity removal beside each other, for the command `process`."""
+"""The report of the command `process`: a recording's quality, and the methods compared."""
 
+import dataclasses
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from hapticplayer import motion
+from hapticplayer import motion, rendering
+from hapticplayer.capture.recording import Recording, find_gaps
 from hapticplayer.clock import Clock
+from hapticplayer.errors import Message, Progress, no_progress
 from hapticplayer.model import ImuLog, MotionTrack
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.model.motion import DEFAULT_METHOD
+from hapticplayer.sequence.description import ExcursionEntry, unstructured
+from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.processing import (
+    Processed,
     Processing,
     describe_motion,
     lowpassed,
@@ -41,6 +48,51 @@ class MethodRow:
     difference_mps2: float | None
     gravity_sigma_mps2: float | None
     us_per_sample: float
+
+
+def describe_quality(
+    recording: Recording,
+    processed: Processed,
+    progress: Progress = no_progress,
+) -> dict[str, Any]:
+    """Return the quality report of a recording: plain numbers, lists and texts.
+
+    Args:
+        recording: as read.
+        processed: its motion.
+        progress: called while excursions are predicted.
+    """
+    imu = recording.imu
+    steps_s, gaps = np.diff(imu.time_s), find_gaps(imu)
+    return plain(
+        {
+            "recording": {
+                "source": Path(imu.source).name,
+                "camera": recording.camera,
+                "samples": len(imu),
+                "duration_s": float(imu.time_s[-1] - imu.time_s[0]),
+                "rate_hz": imu.rate_hz,
+                "gaps": len(gaps),
+                "longest_gap_s": float(steps_s[gaps].max()) if len(gaps) else 0.0,
+                "notes": recording.notes,
+            },
+            "conditioning": processed.conditioning,
+            "gravity_removal": processed.summary,
+            "motion": describe_motion(processed.track),
+            "excursion": unstructured(_predicted(processed.track, progress)),
+        }
+    )
+
+
+def _predicted(track: MotionTrack, progress: Progress) -> ExcursionEntry:
+    """Return the predicted excursion with the default mapping."""
+    from_start = dataclasses.replace(track, time_s=track.time_s - track.time_s[0])
+    force = rendering.render_force(from_start)
+    return predict(
+        force,
+        force.end_s,
+        lambda done: progress(done, Message("predicting excursions")),
+    )
 
 
 def compare_methods(
