@@ -7,6 +7,7 @@ the force belongs to it; `playback` takes it while it prepares to play.
 
 import hashlib
 import io
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -35,6 +36,7 @@ SIDE_CAR = ".haptics.mkv"
 CLIP = "clip."
 """Begins the name of the video that is unpacked."""
 
+_OWN_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}\.(npz|json)")
 _ASK_AGAIN = Message("ask for the file again")
 _REFUSAL = SequenceError, _ASK_AGAIN
 
@@ -175,6 +177,14 @@ def _own(description: Description, small: _AttachedFiles) -> dict[str, bytes]:
     listed = description.files
     names = [name for name in listed if name != description.clip.file]
     refuse_twins([MANIFEST, store.DESCRIPTION, *names], Path(small.where))
+    for name in names:
+        if not _OWN_NAME.fullmatch(name):
+            raise SequenceError(
+                "holds a file that no sequence has, {name!r}",
+                where=small.where,
+                remedy=_ASK_AGAIN,
+                name=name[:60],
+            )
     return {name: small.content(name, listed) for name in names}
 
 

@@ -349,6 +349,8 @@ def test_two_attachments_of_one_name_are_refused(sequence_folder, tmp_path):
         ("a\0b", "not a plain file name"),
         ("a" * 300, "not a plain file name"),
         ("..", "not a plain file name"),
+        ("a.desktop", "a file that no sequence has"),
+        ("\u202egpj.exe", "a file that no sequence has"),
     ],
 )
 def test_a_file_in_place_of_another_part_is_refused(
