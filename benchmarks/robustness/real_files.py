@@ -43,7 +43,8 @@ class Ran(NamedTuple):
     def short(self) -> str:
         """Status and the last sentence, for a cell of a table."""
         lines = (self.said or self.out).strip().splitlines() or ["nothing said"]
-        return f"{self.status}: {lines[-1].removeprefix('hapticplayer: ')[:150]}"
+        last = re.sub(r"(?<!\S)/\S*/", "", lines[-1].removeprefix("hapticplayer: "))
+        return f"{self.status}: {last[:150]}"
 
 
 class Found(NamedTuple):

@@ -160,12 +160,12 @@ def test_wav_samples_are_where_their_bits_are(read, kind):
     [
         (form_of(1, 3, 24, 10), "24 bits in 10 bytes for 3 channels"),
         (form_of(1, 3, 24, 6), "24 bits in 6 bytes"),
-        (form_of(1, 3, 16, 0), "no usual format"),
-        (form_of(1, 0, 16, 2), "no usual format"),
-        (form_of(3, 3, 16, 6), "no usual format"),
-        (form_of(2, 3, 4, 12), "no usual format"),
-        (extensible(3, 16, 6, 24), "no usual format"),
-        (extensible(3, 16, 6, 16)[:-1] + b"x", "no usual format"),
+        (form_of(1, 3, 16, 0), "unusual format"),
+        (form_of(1, 0, 16, 2), "unusual format"),
+        (form_of(3, 3, 16, 6), "unusual format"),
+        (form_of(2, 3, 4, 12), "unusual format"),
+        (extensible(3, 16, 6, 24), "unusual format"),
+        (extensible(3, 16, 6, 16)[:-1] + b"x", "unusual format"),
     ],
 )
 def test_wav_that_contradicts_itself_is_refused(read, form, says):
