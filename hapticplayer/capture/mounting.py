@@ -206,6 +206,26 @@ def ask_for_mounting(imu: ImuLog, where: str, *, is_sign_known: bool) -> None:
     )
 
 
+def refuse_upside_down(imu: ImuLog, where: str, mounting: str) -> None:
+    """Ask again where the actor would have been upside down all the time.
+
+    Args:
+        imu: in frame A, by the mounting or axes that were given.
+        where: the file.
+        mounting: that was given, "" for none; one that keeps the axes is believed.
+    """
+    up = mean_up(imu)
+    if up is None or up[2] > -UPRIGHT or mounting == AS_RECORDED:
+        return
+    raise UsageError(
+        "{file}: as its axes are given, the actor was upside down: by gravity the other "
+        "side is up; give another --mounting, or --read-as {sign}, or "
+        "--mounting forward to keep the axes of the log",
+        file=where,
+        sign=WRONG_SIGN,
+    )
+
+
 def is_down(up: tuple[float, float, float]) -> bool:
     """Whether the axis that was up points down, as with the other sign of gravity."""
     return min(up) < -max(up)

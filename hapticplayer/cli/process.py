@@ -12,7 +12,7 @@ import numpy as np
 from hapticplayer import storage
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices
-from hapticplayer.capture.mounting import mounted
+from hapticplayer.capture.mounting import mounted, refuse_upside_down
 from hapticplayer.capture.recording import Recording, refuse_gravity_free
 from hapticplayer.cli.common import (
     add_number,
@@ -149,6 +149,8 @@ def _read(
         recording = read_recording(path, choices)
         refuse_gravity_free(recording)
         turned = mounted(recording.imu, mounting)
+        if mounting:
+            refuse_upside_down(turned, path.name, mounting)
         return dataclasses.replace(recording, imu=turned)
     of_a_log = ("--mounting", "--read-as", "--save-template")
     refuse_idle(options, f"on {path.name}, which is a sequence", *of_a_log)

@@ -14,6 +14,7 @@ from hapticplayer.capture.mounting import (
     BY_FRAMES,
     ask_for_mounting,
     is_fallen,
+    refuse_upside_down,
     mounted,
 )
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
@@ -146,6 +147,7 @@ def build_sequence(
             recording = _mounted(recording, found.axes, by_frames=found.described())
         else:
             recording = _mounted(recording, choices.mounting)
+        refuse_upside_down(recording.imu, name_of(source), choices.mounting)
         return write_sequence(
             clip, recording, target, choices=choices, progress=bar.rest
         )

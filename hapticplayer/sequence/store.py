@@ -20,6 +20,7 @@ from hapticplayer.errors import (
     message_of,
     no_progress,
 )
+from hapticplayer.media.clip_info import probe
 from hapticplayer.model import (
     ClockMap,
     ForceTrack,
@@ -85,7 +86,9 @@ class Sequence:
 
     @property
     def duration_s(self) -> float:
-        return self.description.clip.duration_s
+        """Of the clip itself where it is there: a description may be wrong."""
+        stated_s = self.description.clip.duration_s
+        return probe(self.clip).duration_s if self.clip.is_file() else stated_s
 
     @property
     def rendered(self) -> ForceTrack:

@@ -89,3 +89,18 @@ def test_an_unknown_mounting_is_refused(hanging, capsys, said):
 def test_a_sequence_is_not_rotated_again(sequence_folder, capsys):
     assert main(["process", str(sequence_folder), "--mounting", "backward"]) == 2
     assert "is a sequence" in capsys.readouterr().err
+
+
+def test_a_mounting_that_puts_the_actor_upside_down_is_asked_about(
+    tmp_path, tiny_clip, swing, capsys
+):
+    log = tmp_path / "upright.csv"
+    write_imu_csv(log, swing[0])
+    wrong = ("--mounting", "upside-down")
+    assert run(tiny_clip, log, tmp_path / "ride", *wrong) == 2
+    assert "the actor was upside down" in capsys.readouterr().err
+    assert not (tmp_path / "ride").exists()
+    assert main(["process", str(log), *wrong]) == 2
+    turned = ("--read-as", "axes=-x,y,-z")
+    assert run(tiny_clip, log, tmp_path / "ride", *turned) == 2
+    assert run(tiny_clip, log, tmp_path / "ride", *turned, "--mounting", "forward") == 0

@@ -220,3 +220,21 @@ def test_the_options_of_an_import_reach_its_choices():
     plain = chosen_import(cli.build_parser("import").parse_args(words[:4]))
     assert store.describe_mapping(plain.mapping) == store.describe_mapping(Mapping())
     assert not plain.fits_gain
+
+
+@pytest.mark.parametrize("claimed_s", [0.5, 60.0])
+def test_a_duration_that_a_description_claims_is_not_believed(
+    folder, tmp_path, claimed_s
+):
+    right, wrong = tmp_path / "right", tmp_path / "wrong"
+    assert cli.main(["render", str(folder), "--gain", "fit", "-o", str(right)]) == 0
+    path = folder / "sequence.json"
+    described = json.loads(path.read_text())
+    true_s = described["clip"]["duration_s"]
+    described["clip"]["duration_s"] = claimed_s
+    path.write_text(json.dumps(described))
+    assert open_sequence(folder).duration_s == pytest.approx(true_s, abs=1e-3)
+    assert cli.main(["render", str(folder), "--gain", "fit", "-o", str(wrong)]) == 0
+    made = [open_sequence(one).rendered for one in (right, wrong)]
+    np.testing.assert_array_equal(made[0].time_s, made[1].time_s)
+    np.testing.assert_allclose(made[0].force_n, made[1].force_n, atol=1e-6)
