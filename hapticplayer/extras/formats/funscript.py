@@ -199,6 +199,13 @@ class _AxisReader(NamedTuple):
             return
         if not one.actions:
             return
+        largest = max(action.pos for action in one.actions)
+        if len(one.actions) > 1 and 0.0 < largest <= 1.0:
+            raise InputError(
+                "its positions of {axis} go from 0 to 1, but a funscript's go to 100",
+                remedy="multiply its positions by 100",
+                axis=name,
+            )
         beyond = sum(not 0.0 <= action.pos <= 100.0 for action in one.actions)
         if beyond:
             said = Message(

@@ -125,7 +125,7 @@ class Inverse3Driver:
             text = link.receive(left_s)
             state = state_of(text) if text else None
             if state is not None:
-                return state
+                return _only(state)
             said = (refusal(text, TITLE) if text else None) or said
         if said:
             raise DeviceError(said)
@@ -143,9 +143,11 @@ class Inverse3Driver:
             if not text:
                 break
             self._owed = max(0, self._owed - 1)
-            state = state_of(text)
-            if state is None:
+            state = state_of(text, self._device)
+            if state is None:  # also where another device answers
                 reading = reading._replace(malformed=reading.malformed + 1)
+            elif state.error:
+                raise _reported(state)
             elif self._still.is_doubtful(state.position_m, force_n, now_s):
                 continue
             else:
@@ -156,20 +158,44 @@ class Inverse3Driver:
         return reading
 
 
+def _only(state: Inverse3State) -> Inverse3State:
+    if state.count > 1:
+        raise DeviceError(
+            "Haply's Inverse Service has {count} Inverse3; leave one connected, and "
+            "choose the device again",
+            count=state.count,
+        )
+    if state.error:
+        raise _reported(state)
+    return state
+
+
+def _reported(state: Inverse3State) -> DeviceError:
+    return DeviceError(
+        "the Inverse3 reports the error {code}; look at it in Haply's own program, and "
+        "choose the device again",
+        code=state.error,
+    )
+
+
 class _Stillness:
-    """Doubts a position that stays exactly the same while the force changes."""
+    """Doubts a position that stays exactly the same while the force changes.
+
+    The doubt lasts until the position changes: a force that comes back proves nothing.
+    """
 
     def __init__(self) -> None:
         self._position_m: Vector | None = None
-        self._since_s, self._force_n = 0.0, ZERO
+        self._since_s, self._force_n, self._is_doubted = 0.0, ZERO, False
 
     def is_doubtful(self, position_m: Vector, force_n: Vector, now_s: float) -> bool:
         if position_m != self._position_m:
             self._position_m, self._since_s = position_m, now_s
-            self._force_n = force_n
+            self._force_n, self._is_doubted = force_n, False
             return False
         is_pushed = math.dist(force_n, self._force_n) > DOUBT_N
-        return is_pushed and now_s - self._since_s > DOUBT_S
+        self._is_doubted |= is_pushed and now_s - self._since_s > DOUBT_S
+        return self._is_doubted
 
 
 def inverse3_options(text: str) -> DeviceOptions:

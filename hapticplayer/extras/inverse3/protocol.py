@@ -37,6 +37,7 @@ class _State(Struct):
 class _Status(Struct):
     calibrated: bool
     ready: bool = True
+    error: int | None = None
 
 
 class _Inverse3(Struct):
@@ -75,6 +76,8 @@ class Inverse3State(NamedTuple):
 
     Attributes:
         device: its identifier.
+        count: of devices in the message.
+        error: that the device reports, 0 for none.
         position_m: of the grip, frame D.
         is_ready: whether it is calibrated and ready.
         buttons: of the wireless grip, as a mask: a, b, c.
@@ -82,6 +85,8 @@ class Inverse3State(NamedTuple):
     """
 
     device: str
+    count: int
+    error: int
     position_m: Vector
     is_ready: bool
     buttons: int
@@ -105,18 +110,21 @@ def _message(device: str, content: dict[str, Any]) -> str:
     return json.dumps({"inverse3": [one]}, separators=(",", ":"))
 
 
-def state_of(text: str | bytes) -> Inverse3State | None:
-    """The first device's state; None for what makes no sense."""
+def state_of(text: str | bytes, name: str = "") -> Inverse3State | None:
+    """The state of the device of that name, or the first; None where there is none."""
     try:
         answer = _DECODER.decode(text)
     except (msgspec.MsgspecError, RecursionError, UnicodeError):
         return None
-    if not answer.inverse3:
+    named = (one for one in answer.inverse3 if name in {"", one.device_id})
+    device = next(named, None)
+    if device is None:
         return None
-    device = answer.inverse3[0]
     place, status = device.state.cursor_position, device.status
     return Inverse3State(
         device.device_id,
+        len(answer.inverse3),
+        status.error or 0,
         (place.x, place.z, -place.y),
         status.calibrated and status.ready,
         _pressed(answer.wireless_verse_grip),

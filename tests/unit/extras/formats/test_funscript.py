@@ -238,6 +238,13 @@ def test_positions_beyond_the_way_are_limited_and_counted(read):
     assert str(found.assumed[-1]) == "2 positions of L0 beyond 0 to 100 were limited"
 
 
+@pytest.mark.parametrize("positions", [(0, 0.5, 1), (0, 1, 0), (0.2, 0.4, 0.6)])
+def test_positions_from_0_to_1_are_refused_with_the_factor(read, positions):
+    actions = [{"at": 500 * k, "pos": pos} for k, pos in enumerate(positions)]
+    with pytest.raises(InputError, match=r"from 0 to 1.*multiply its positions by 100"):
+        read(json.dumps({"actions": actions}), ".funscript")
+
+
 def test_an_axis_that_is_there_twice_and_alike_is_one(read):
     content = {"actions": LINE, "axes": [{"id": "L0", "actions": LINE}]}
     assert read(json.dumps(content), ".funscript").unread == ()

@@ -79,6 +79,28 @@ def test_without_a_device_it_says_what_to_do():
     assert link.is_closed
 
 
+@pytest.mark.parametrize(
+    ("spoil", "says"),
+    [
+        (lambda message: message["inverse3"].append(message["inverse3"][0]), "has 2"),
+        (lambda message: message["inverse3"][0]["status"].update(error=7), "error 7"),
+    ],
+)
+def test_a_device_that_cannot_be_meant_is_refused(spoil, says):
+    message = json.loads(Service(simulation_of()).inventory(0.0))
+    spoil(message)
+
+    class Link:
+        def receive(self, _timeout_s=0.0):
+            return json.dumps(message)
+
+        def close(self):
+            pass
+
+    with pytest.raises(DeviceError, match=says):
+        Inverse3Driver(Link).open()
+
+
 def test_the_guard_never_waits_for_a_service_that_stalls():
     """A blocking connection whose other side reads nothing fills up."""
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)

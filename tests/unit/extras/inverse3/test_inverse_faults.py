@@ -1,5 +1,6 @@
 """The safety contract with the Inverse3's driver, and faults only its service has."""
 
+import json
 from functools import partial
 
 import pytest
@@ -43,6 +44,34 @@ def test_a_repeated_state_under_a_new_force_is_doubted(rig):
     service.frozen = None
     rig.tick(600)
     assert rig.mode is Mode.FOLLOWING
+
+
+def test_a_doubt_lasts_until_the_position_changes(rig):
+    """The force that was there when the service hung proves nothing."""
+    rig.following()
+    service = rig.device.service
+    service.frozen = service.answer("{}", rig.clock.now_s())
+    rig.ticks_to(Mode.RAMPING, 400)
+    rig.ticks_to(Mode.TRIPPED, 4000)
+
+
+def test_an_error_that_the_device_reports_ends_the_force(rig):
+    rig.following()
+    service = rig.device.service
+    message = json.loads(service.answer("{}", rig.clock.now_s()))
+    message["inverse3"][0]["status"]["error"] = 7
+    service.frozen = json.dumps(message)
+    rig.ticks_to(Mode.TRIPPED, 50)
+
+
+def test_the_answer_of_another_device_is_none(rig):
+    rig.following()
+    service = rig.device.service
+    message = json.loads(service.answer("{}", rig.clock.now_s()))
+    message["inverse3"][0]["device_id"] = "9999"
+    service.frozen = json.dumps(message)
+    rig.ticks_to(Mode.TRIPPED, 400)
+    assert rig.cause is Cause.MALFORMED
 
 
 def test_each_command_waits_for_its_answer_but_zero_does_not(rig):
