@@ -43,7 +43,7 @@ class Ran(NamedTuple):
     def short(self) -> str:
         """Status and the last sentence, for a cell of a table."""
         lines = (self.said or self.out).strip().splitlines() or ["nothing said"]
-        last = re.sub(r"(?<!\S)/\S*/", "", lines[-1].removeprefix("hapticplayer: "))
+        last = re.sub(r"/(?:[^\s/]+/)+", "", lines[-1].removeprefix("hapticplayer: "))
         return f"{self.status}: {last[:150]}"
 
 

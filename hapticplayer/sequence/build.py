@@ -14,8 +14,8 @@ from hapticplayer.capture.mounting import (
     BY_FRAMES,
     ask_for_mounting,
     is_fallen,
-    refuse_upside_down,
     mounted,
+    refuse_upside_down,
 )
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
 from hapticplayer.capture.source import LogPath, name_of

@@ -220,7 +220,9 @@ def test_no_page_of_a_session_tells_a_condition_or_a_file(
     assert {kind for kind, _ in person.seen} == set(PageKind) - unseen
     question = session.runner.definition.factors[0].text[language]
     assert question in person.seen[PageKind.QUESTIONS, "trial-01"]
-    secrets = (*SECRETS, str(study.folder), session.runner.plan.code)
+    code = session.runner.plan.code
+    assert any(code in text for text in person.seen.pop((PageKind.THANKS, "end")))
+    secrets = (*SECRETS, str(study.folder), code)
     for where, texts in person.seen.items():
         for secret in secrets:
             assert not [t for t in texts if secret.lower() in t.lower()], (

@@ -163,5 +163,5 @@ def test_without_opencv_it_says_what_installing_brings(monkeypatch) -> None:
         importlib.util, "find_spec", lambda name: None if name == "cv2" else find(name)
     )
 
-    with pytest.raises(InputError, match=r"hapticplayer\[vision\].*without pats"):
+    with pytest.raises(InputError, match=r"hapticplayer\[vision\].*without taps"):
         rotation("any.mp4", kind=FeatureKind.CORNERS)

@@ -82,5 +82,5 @@ def test_a_toy_that_does_not_answer_trips_and_is_said(clip, force, tmp_path):
     done, events = played(clip, force, server, tmp_path)
     server.close()
     assert done.returncode == 1
-    assert "stopped: device not responding; check its connection" in done.stderr
+    assert "stopped: device not responding; check its cable" in done.stderr
     assert ("trip", "reply_lost") in [(one["name"], one.get("cause")) for one in events]
