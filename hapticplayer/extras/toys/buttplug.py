@@ -98,7 +98,7 @@ class ButtplugPort:
     ) -> None:
         self._where, self._clock = where, clock
         self._owed_since_s: float | None = None
-        self._errors, self.notice = 0, Message("")
+        self._errors, self._nonsense, self.notice = 0, 0, Message("")
         try:
             self._socket, info = self._greeted(4)
         except _OlderServerError:
@@ -153,6 +153,12 @@ class ButtplugPort:
             return b""
         self._owed_since_s = None
         if (heard := self._heard(received)) is None:
+            self._nonsense += 1
+            if self._nonsense == MOST_ERRORS:
+                self.notice = Message(
+                    "{where} sends messages that make no sense; restart it",
+                    where=self._name,
+                )
             return _NONSENSE
         for kind, left, reason in heard:
             self._keep(left)

@@ -121,6 +121,18 @@ def test_one_error_among_answers_is_a_notice(intiface, toy):
     assert "Device 3 not available" in said[-1]
 
 
+def test_nonsense_among_answers_is_said(intiface, toy):
+    wait_until(lambda: intiface.strength, toy, HALF)
+    intiface.say("no list of messages", 30)
+    said = []
+
+    def is_said():
+        said.append(str(toy.exchange(HALF, SystemClock().now_s()).notice))
+        return "make no sense" in said[-1]
+
+    wait_until(is_said)
+
+
 HOSTILE = ["4", None, [4], 10**400, math.inf, -1, 2.5, {}, "n" * 70_000]
 
 
