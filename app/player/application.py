@@ -32,7 +32,7 @@ from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.scheduling import hasten_window, lock_memory
 from hapticplayer.media.memory import keep_freed_memory
 from hapticplayer.playback.conditions import with_feedback
-from hapticplayer.playback.output import is_hardware
+from hapticplayer.playback.outputs import is_hardware
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.sound_process import SoundProcess
 from hapticplayer.playback.source import Source

@@ -266,3 +266,12 @@ class Loudest:
             }
             for one in self._channels.values()
         ]
+
+
+def described(stats: SyncStats | None) -> dict[str, float] | None:
+    """Return the figures of a difference, ms, for logs and records."""
+    if stats is None:
+        return None
+    figures = {"p05": stats.p05_ms, "p50": stats.p50_ms, "p95": stats.p95_ms}
+    rounded = {name: round(value, 3) for name, value in figures.items()}
+    return {"count": stats.count, **rounded}

@@ -27,14 +27,19 @@ from hapticplayer.model import (
     ForceTrack,
     PlaybackClock,
     RigTrack,
-    SyncStats,
 )
 from hapticplayer.model.device import Signal
 from hapticplayer.playback.faults import OutputFaults
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
-from hapticplayer.playback.meters import Loudest, SyncAlarm, SyncMeter, TickHistory
+from hapticplayer.playback.meters import (
+    Loudest,
+    SyncAlarm,
+    SyncMeter,
+    TickHistory,
+    described,
+)
 from hapticplayer.playback.snapshot import Measurements, OutputSnapshot, SyncTraces
 from hapticplayer.rendering import adapted
 
@@ -499,20 +504,3 @@ class Output:
         if is_unheard is not self._was_unheard:
             self._was_unheard = is_unheard
             self._reporter.event("nobody_listens" if is_unheard else "listened_to")
-
-
-def is_hardware(device: str) -> bool:
-    """Whether only one process can have the device at a time."""
-    if device == NO_DEVICE:
-        return False
-    entry = find_device(device)
-    return not (entry.server or entry.takes_motion)
-
-
-def described(stats: SyncStats | None) -> dict[str, float] | None:
-    """Return the figures of a difference, ms, for logs and records."""
-    if stats is None:
-        return None
-    figures = {"p05": stats.p05_ms, "p50": stats.p50_ms, "p95": stats.p95_ms}
-    rounded = {name: round(value, 3) for name, value in figures.items()}
-    return {"count": stats.count, **rounded}

@@ -8,7 +8,7 @@ from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import HapticPlayerError, UsageError
 from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
 from hapticplayer.playback.latency import Latencies
-from hapticplayer.playback.output import Output, OutputContext, is_hardware
+from hapticplayer.playback.output import Output, OutputContext
 from hapticplayer.playback.snapshot import OutputSnapshot
 
 
@@ -217,3 +217,11 @@ def _refuse_alike(names: Sequence[str]) -> None:
         if use and use in taken:
             raise UsageError("two outputs send {what}; keep one of them", what=use)
         taken.add(use)
+
+
+def is_hardware(device: str) -> bool:
+    """Whether only one process can have the device at a time."""
+    if device == NO_DEVICE:
+        return False
+    entry = find_device(device)
+    return not (entry.server or entry.takes_motion)

@@ -11,7 +11,7 @@ from hapticplayer.clock import Clock
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.faults import HARMLESS
-from hapticplayer.playback.output import described
+from hapticplayer.playback.meters import described
 from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.snapshot import Measurements, Snapshot

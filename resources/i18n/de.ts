@@ -6092,6 +6092,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Haply Inverse3: Sein Arm drückt und zieht in drei Richtungen.</translation>
     </message>
     <message>
+        <source>Haply&apos;s Inverse Service has {count} Inverse3; leave one connected, and choose the device again</source>
+        <translation>Haplys Inverse Service hat {count} Inverse3; lassen Sie eines angeschlossen und wählen Sie das Gerät neu</translation>
+    </message>
+    <message>
         <source>High-pass</source>
         <translation>Hochpass</translation>
     </message>
@@ -6784,6 +6788,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält NUL-Bytes, wie sie ein Logger hinterlässt, dem der Strom ausgeht</translation>
     </message>
     <message>
+        <source>holds a file that no sequence has, {name!r}</source>
+        <translation>enthält eine Datei, die keine Sequenz hat, {name!r}</translation>
+    </message>
+    <message>
         <source>holds no force and has none beside it</source>
         <translation>enthält keine Kraft, und daneben liegt auch keine</translation>
     </message>
@@ -6928,6 +6936,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>seine Kopfzeilen sind zu groß</translation>
     </message>
     <message>
+        <source>its positions of {axis} go from 0 to 1, but a funscript&apos;s go to 100</source>
+        <translation>seine Positionen von {axis} gehen von 0 bis 1, die eines Funscripts aber bis 100</translation>
+    </message>
+    <message>
         <source>its streams cannot be copied into {kind}</source>
         <translation>seine Spuren können nicht nach {kind} kopiert werden</translation>
     </message>
@@ -6970,6 +6982,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>motion without gravity</source>
         <translation>Bewegung ohne Schwerkraft</translation>
+    </message>
+    <message>
+        <source>multiply its positions by 100</source>
+        <translation>multiplizieren Sie seine Positionen mit 100</translation>
     </message>
     <message>
         <source>must be at least {limit}</source>
@@ -9112,6 +9128,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nimmt Spalte {number} für {name}, aber sie enthält {text!r}; übergehen Sie sie mit -, oder schreiben Sie sie als Zahlen</translation>
     </message>
     <message>
+        <source>the Inverse3 reports the error {code}; look at it in Haply&apos;s own program, and choose the device again</source>
+        <translation>das Inverse3 meldet den Fehler {code}; sehen Sie in Haplys eigenem Programm nach und wählen Sie das Gerät neu</translation>
+    </message>
+    <message>
         <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
         <translation>die Auswertung von Konsistenzversuchen fehlt; installieren Sie die Erweiterung, die sie hat, oder exportieren Sie die Antworten</translation>
     </message>
@@ -9652,6 +9672,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{empty} von {count} Sitzungen haben keine Antworten</translation>
     </message>
     <message>
+        <source>{file}: as its axes are given, the actor was upside down: by gravity the other side is up; give another --mounting, or --read-as {sign}, or --mounting forward to keep the axes of the log</source>
+        <translation>{file}: Mit diesen Achsen stand der Akteur auf dem Kopf: Nach der Schwerkraft ist die andere Seite oben; geben Sie eine andere --mounting oder --read-as {sign} an, oder --mounting forward, um die Achsen des Protokolls zu behalten</translation>
+    </message>
+    <message>
         <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
     </message>
@@ -9962,6 +9986,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{where} reports an error ({reason}); see whether the toy is connected and charged, and choose the device again</source>
         <translation>{where} meldet einen Fehler ({reason}); sehen Sie nach, ob das Gerät verbunden und geladen ist, und wählen Sie es erneut</translation>
+    </message>
+    <message>
+        <source>{where} sends messages that make no sense; restart it</source>
+        <translation>{where} sendet Nachrichten ohne Sinn; starten Sie es neu</translation>
     </message>
     <message>
         <source>{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}</source>

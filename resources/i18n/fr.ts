@@ -6092,6 +6092,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Haply Inverse3&#xa0;: son bras pousse et tire dans trois directions.</translation>
     </message>
     <message>
+        <source>Haply&apos;s Inverse Service has {count} Inverse3; leave one connected, and choose the device again</source>
+        <translation>l’Inverse Service de Haply a {count} Inverse3&#xa0;; n’en laissez qu’un branché, puis choisissez à nouveau l’appareil</translation>
+    </message>
+    <message>
         <source>High-pass</source>
         <translation>Passe-haut</translation>
     </message>
@@ -6784,6 +6788,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>contient des octets NUL, comme en laisse un enregistreur privé de courant</translation>
     </message>
     <message>
+        <source>holds a file that no sequence has, {name!r}</source>
+        <translation>contient un fichier qu’aucune séquence n’a, {name!r}</translation>
+    </message>
+    <message>
         <source>holds no force and has none beside it</source>
         <translation>ne contient pas de force et n’en a pas à côté</translation>
     </message>
@@ -6928,6 +6936,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ses en-têtes sont trop grands</translation>
     </message>
     <message>
+        <source>its positions of {axis} go from 0 to 1, but a funscript&apos;s go to 100</source>
+        <translation>ses positions de {axis} vont de 0 à 1, mais celles d’un funscript vont jusqu’à 100</translation>
+    </message>
+    <message>
         <source>its streams cannot be copied into {kind}</source>
         <translation>ses flux ne peuvent pas être copiés en {kind}</translation>
     </message>
@@ -6970,6 +6982,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>motion without gravity</source>
         <translation>mouvement sans gravité</translation>
+    </message>
+    <message>
+        <source>multiply its positions by 100</source>
+        <translation>multipliez ses positions par 100</translation>
     </message>
     <message>
         <source>must be at least {limit}</source>
@@ -9112,6 +9128,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>prend la colonne {number} pour {name}, mais elle contient {text!r}&#xa0;; ignorez-la avec -, ou écrivez-la en nombres</translation>
     </message>
     <message>
+        <source>the Inverse3 reports the error {code}; look at it in Haply&apos;s own program, and choose the device again</source>
+        <translation>l’Inverse3 signale l’erreur {code}&#xa0;; vérifiez-le dans le programme de Haply, puis choisissez à nouveau l’appareil</translation>
+    </message>
+    <message>
         <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
         <translation>l’analyse des essais de cohérence manque&#xa0;; installez l’extension qui la contient, ou exportez les réponses</translation>
     </message>
@@ -9652,6 +9672,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{empty} séances sur {count} n’ont aucune réponse</translation>
     </message>
     <message>
+        <source>{file}: as its axes are given, the actor was upside down: by gravity the other side is up; give another --mounting, or --read-as {sign}, or --mounting forward to keep the axes of the log</source>
+        <translation>{file}&#xa0;: avec ces axes, l’acteur avait la tête en bas&#xa0;: d’après la pesanteur, l’autre côté est en haut&#xa0;; donnez un autre --mounting ou --read-as {sign}, ou --mounting forward pour garder les axes du journal</translation>
+    </message>
+    <message>
         <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
     </message>
@@ -9962,6 +9986,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{where} reports an error ({reason}); see whether the toy is connected and charged, and choose the device again</source>
         <translation>{where} signale une erreur ({reason})&#xa0;; voyez si le jouet est connecté et chargé, et choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>{where} sends messages that make no sense; restart it</source>
+        <translation>{where} envoie des messages qui n’ont pas de sens&#xa0;; redémarrez-le</translation>
     </message>
     <message>
         <source>{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}</source>

@@ -159,11 +159,11 @@ class Inverse3Driver:
 
 
 def _only(state: Inverse3State) -> Inverse3State:
-    if state.count > 1:
+    if state.devices > 1:
         raise DeviceError(
             "Haply's Inverse Service has {count} Inverse3; leave one connected, and "
             "choose the device again",
-            count=state.count,
+            count=state.devices,
         )
     if state.error:
         raise _reported(state)

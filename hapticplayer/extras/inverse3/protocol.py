@@ -76,7 +76,7 @@ class Inverse3State(NamedTuple):
 
     Attributes:
         device: its identifier.
-        count: of devices in the message.
+        devices: how many the message tells of.
         error: that the device reports, 0 for none.
         position_m: of the grip, frame D.
         is_ready: whether it is calibrated and ready.
@@ -85,7 +85,7 @@ class Inverse3State(NamedTuple):
     """
 
     device: str
-    count: int
+    devices: int
     error: int
     position_m: Vector
     is_ready: bool

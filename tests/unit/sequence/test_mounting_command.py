@@ -91,7 +91,7 @@ def test_a_sequence_is_not_rotated_again(sequence_folder, capsys):
     assert "is a sequence" in capsys.readouterr().err
 
 
-def test_a_mounting_that_puts_the_actor_upside_down_is_asked_about(
+def test_a_mounting_that_turns_the_actor_over_is_refused(
     tmp_path, tiny_clip, swing, capsys
 ):
     log = tmp_path / "upright.csv"
