@@ -496,14 +496,17 @@ def test_the_demonstration_and_replays_come_back_to_their_page(running):
     assert running.kind is PageKind.QUESTIONS
 
 
+class Heard:
+    """An observer that keeps what it is told."""
+
+    def __init__(self):
+        self.markers = []
+
+    def marker(self, text, monotonic_s):
+        self.markers.append((text, monotonic_s))
+
+
 def test_an_observer_hears_markers_but_no_answers_and_no_code(study, manual_clock):
-    class Heard:
-        def __init__(self):
-            self.markers = []
-
-        def marker(self, text, monotonic_s):
-            self.markers.append((text, monotonic_s))
-
     heard = Heard()
     running = RunningSession(study, manual_clock, observer=heard)
     running.to_trials()
@@ -519,13 +522,6 @@ def test_an_observer_hears_markers_but_no_answers_and_no_code(study, manual_cloc
 
 
 def test_live_markers_are_those_of_the_records(study, manual_clock):
-    class Heard:
-        def __init__(self):
-            self.markers = []
-
-        def marker(self, text, monotonic_s):
-            self.markers.append((text, monotonic_s))
-
     heard = Heard()
     running = RunningSession(study, manual_clock, observer=heard)
     running.to_trials()
