@@ -89,7 +89,7 @@ def test_a_part_is_estimated_on_the_whole_log(log):
 def test_a_calibration_is_kept_and_given(log, tmp_path):
     kept = tmp_path / "phone.json"
     saved = hapticplayer(
-        "process", log, "--mounting=-x,y,-z", "--save-calibration", kept
+        "process", log, "--mounting=-x,-y,z", "--save-calibration", kept
     )
     assert saved.returncode == 0, saved.stderr
     found = json.loads(kept.read_text())["gyro_bias_radps"]
