@@ -1,9 +1,10 @@
-"""Reads audio (WAV) as force: our own, and PCM or float of up to 8 channels.
+"""Reads audio (WAV) as force: our own, and PCM or float of any number of channels.
 
 Three channels are x, y, z, others act together along the chosen direction. The newton of full
 scale is in the comment of our own files (see `wav`), wherever other programs have put it,
 else it is chosen. Samples of fewer bits than their bytes have lie at the upper end of them,
 by the format, or at the lower, as some programs write them: the samples themselves tell.
+RIFX has its numbers the other way round; pad bytes that are missing are missed.
 """
 
 import math
@@ -30,14 +31,20 @@ MAX_BYTES, MAX_SAMPLES = 160 << 20, 9_000_000
 MARK = b"hapticplayer force; newton = sample * "
 _SCALE = re.compile(re.escape(MARK) + rb"([0-9.e+-]{1,24}); x, y, z")
 FLOAT, _PCM, _EXTENSIBLE = 3, 1, 0xFFFE
-_SUBFORMAT = bytes.fromhex("000000001000800000AA00389B71")
-"""What follows the code in the GUID of the extensible format."""
+_GUID_END = bytes.fromhex("800000AA00389B71")
+"""Of the extensible format."""
+_MOST_CHANNELS = 256
 
-_STREAMED = 0xFFFFFFFF
-_RIFF = (b"RIFF", b"RF64", b"BW64")
+_STREAMED, _ENDLESS = 0xFFFFFFFF, 0x7FFFF000
+"""The length of what has none, and from where programs mean that, such as SoX."""
+
+_RIFF = {b"RIFF": "<", b"RIFX": ">", b"RF64": "<", b"BW64": "<"}
+"""How a file begins, and the order of its bytes."""
+
+_CHUNKS = (b"data", b"fmt ", b"fact", b"LIST", b"bext", b"JUNK", b"cue ", b"id3 ")
 _MAX_COMMENT_BYTES = 1 << 16
 SAMPLES_AT_ONCE = 1 << 18
-"""Of each channel."""
+"""Of each of up to 8 channels."""
 
 _REACH = 10  # periods of the lower rate, to each side of the filter
 _LOOP_HZ = 1000
@@ -89,6 +96,7 @@ class _Form(NamedTuple):
     """What `fmt ` says.
 
     Attributes:
+        order: of bytes, as in `struct`.
         code: FLOAT or PCM.
         channels: of a frame.
         rate_hz: frames per second.
@@ -97,12 +105,18 @@ class _Form(NamedTuple):
         unit: what full scale is, as a number of PCM.
     """
 
+    order: str
     code: int
     channels: int
     rate_hz: int
     bits: int
     width: int
     unit: float
+
+    @property
+    def at_once(self) -> int:
+        """Frames that are in memory."""
+        return max(1, SAMPLES_AT_ONCE // -(-self.channels // 8))
 
 
 class _Data(NamedTuple):
@@ -136,11 +150,12 @@ def _data(reader: BinaryIO, where: str) -> _Data:
         )
     form, scale_n = None, None
     samples: list[tuple[int, int]] = []
-    for name, at, size, body in _chunks(reader, where):
+    order = _order(reader, where)
+    for name, at, size, body in _chunks(reader, order):
         if name == b"data":
             samples.append((at, size))
-        elif name == b"fmt " and len(body) >= 16 and not samples:
-            form = _form(body, where)
+        elif name == b"fmt " and len(body) >= 16 and form is None:
+            form = _form(body, order, where)
         elif found := _SCALE.search(body):
             scale_n = _number(found[1])
     begin, said = samples[0] if samples else (0, 0)
@@ -148,7 +163,7 @@ def _data(reader: BinaryIO, where: str) -> _Data:
     if form is None or size < form.channels * form.width:
         raise InputError("holds no samples", where=where, remedy=ANOTHER)
     frames, unread = size // (form.channels * form.width), []
-    if size < said < _STREAMED:
+    if size < said < _ENDLESS:
         lost = said // (form.channels * form.width) - frames
         unread.append(Message("the last {count} samples are missing", count=lost))
     if len(samples) > 1:
@@ -159,44 +174,72 @@ def _data(reader: BinaryIO, where: str) -> _Data:
     return data if form.bits == 8 * form.width else _justified(reader, data)
 
 
-def _chunks(reader: BinaryIO, where: str) -> Iterator[tuple[bytes, int, int, bytes]]:
-    """Yield name, place, size and the beginning of each chunk; no samples."""
+def _order(reader: BinaryIO, where: str) -> str:
+    """How the numbers of a file are written."""
     head = reader.read(12)
     if head[:4] not in _RIFF or head[8:12] != b"WAVE":
         raise InputError("is not a WAV file", where=where, remedy=_as_pcm(where))
+    return _RIFF[head[:4]]
+
+
+def _chunks(reader: BinaryIO, order: str) -> Iterator[tuple[bytes, int, int, bytes]]:
+    """Yield name, place, size and the beginning of each chunk; no samples."""
     at, long_size = 20, _STREAMED
     while len(head := reader.read(8)) == 8:
-        name, size = head[:4], struct.unpack_from("<I", head, 4)[0]
+        name, size = head[:4], struct.unpack_from(f"{order}I", head, 4)[0]
         body = b"" if name == b"data" else reader.read(min(size, _MAX_COMMENT_BYTES))
         if name == b"ds64" and len(body) >= 16:  # of a file that may exceed 4 GB
             long_size = struct.unpack_from("<Q", body, 8)[0]
         elif name == b"data" and size == _STREAMED:
             size = min(long_size, _STREAMED)
+        elif name == b"data" and not size and not _is_chunk(reader.read(4)):
+            size = _STREAMED  # left open by a program that was ended
         yield name, at, size, body
-        at += 8 + size + size % 2
+        at += 8 + size + _padding(reader, at, size)
         reader.seek(at - 8)
 
 
-def _form(body: bytes, where: str) -> _Form:
-    code, channels, rate, _, block, bits = struct.unpack_from("<HHIIHH", body)
-    if code == _EXTENSIBLE and len(body) >= 40 and body[26:40] == _SUBFORMAT:
-        valid, code = (struct.unpack_from("<H", body, place)[0] for place in (18, 24))
-        bits = valid or bits
-    is_usual = 1 <= channels <= 8 and 100 <= rate <= 192_000
-    width = block // channels if is_usual and block % channels == 0 else 0
-    is_known = (code == FLOAT and (width, bits) in ((4, 32), (8, 64))) or (
-        code == _PCM and 1 <= width <= 4 and 2 <= bits <= 8 * width
-    )
-    if not is_known:
+def _padding(reader: BinaryIO, at: int, size: int) -> int:
+    """The bytes behind a chunk of an odd size: one, where it was not forgotten."""
+    if size % 2 == 0:
+        return 0
+    reader.seek(at + size)
+    after = reader.read(5)
+    is_forgotten = _is_chunk(after[:4]) and after[1:5] not in _CHUNKS
+    return 0 if is_forgotten else 1
+
+
+def _is_chunk(name: bytes) -> bool:
+    return len(name) == 4 and all(32 <= byte < 127 for byte in name)
+
+
+def _form(body: bytes, order: str, where: str) -> _Form:
+    code, channels, rate, _, block, bits = struct.unpack_from(f"{order}HHIIHH", body)
+    if code == _EXTENSIBLE and len(body) >= 40 and body[32:40] == _GUID_END:
+        valid, real, *rest = struct.unpack_from(f"{order}H4xIHH", body, 18)
+        code, bits = (real if rest == [0, 16] else code), valid or bits
+    width = block // channels if channels and block % channels == 0 else 0
+    is_known = (
+        (code == FLOAT and (width, bits) in ((2, 16), (4, 32), (8, 64)))
+        or (code == _PCM and width in (1, 2, 3, 4, 8) and 2 <= bits <= 8 * width)
+    ) and channels <= _MOST_CHANNELS
+    if not is_known or not 100 <= rate <= 192_000:
+        again = Message(
+            "export it again as PCM of 16, 24 or 32 bits, of up to {most} channels",
+            most=_MOST_CHANNELS,
+        )
+        is_coded = is_known or code not in (FLOAT, _PCM)
         raise InputError(
-            "has an unusual format ({bits} bits in {block} bytes for {channels} channels)",
+            "has an unusual format ({bits} bits in {block} bytes for {channels} channels, "
+            "{rate_hz} Hz)",
             where=where,
-            remedy=_as_pcm(where),
+            remedy=_as_pcm(where) if is_coded else again,
             bits=bits,
             block=block,
             channels=channels,
+            rate_hz=rate,
         )
-    return _Form(code, channels, rate, bits, width, 2.0 ** (8 * width - 1))
+    return _Form(order, code, channels, rate, bits, width, 2.0 ** (8 * width - 1))
 
 
 def _as_pcm(where: str) -> Message:
@@ -204,7 +247,7 @@ def _as_pcm(where: str) -> Message:
     to = path.with_name(f"{path.stem}-pcm.wav")
     words = ("-i", where, "-c:a", "pcm_f32le", "-ar", "48000", to)
     return Message(
-        "make another of it, of up to 8 channels, with: {command}",
+        "make another of it with: {command}",
         command=shell_line("ffmpeg", *words),
     )
 
@@ -214,8 +257,8 @@ def _justified(reader: BinaryIO, data: _Data) -> _Data:
     form, below = data.form, 1 << (8 * data.form.width - data.form.bits)
     frame = form.channels * form.width
     reader.seek(data.at)
-    for first in range(0, data.frames, SAMPLES_AT_ONCE):
-        count = min(SAMPLES_AT_ONCE, data.frames - first)
+    for first in range(0, data.frames, form.at_once):
+        count = min(form.at_once, data.frames - first)
         raw = _whole(form, reader.read(count * frame))
         if (raw % below).any():
             if np.abs(raw).max() >> (form.bits - 1) > 1:
@@ -252,7 +295,7 @@ def _force_n(
         raise InputError("holds too many values", where=where, remedy=ANOTHER)
     width = data.form.channels * data.form.width
     force_n = np.zeros((count, 3), dtype=np.float32)
-    size = down * max(1, SAMPLES_AT_ONCE // down)
+    size = down * max(1, data.form.at_once // down)
     for first in range(0, data.frames, size):
         begin, end = max(0, first - margin), min(data.frames, first + size + margin)
         reader.seek(data.at + begin * width)
@@ -276,7 +319,7 @@ def _samples(form: _Form, data: bytes) -> Floats:
     """Return samples (n, channels), full scale is 1."""
     if form.code == FLOAT:
         with np.errstate(invalid="ignore"):  # what is no number is refused later
-            kind = f"<f{form.width}"
+            kind = f"{form.order}f{form.width}"
             values: Floats = np.frombuffer(data, kind).astype(np.float64)
     else:
         values = _whole(form, data) / form.unit
@@ -288,10 +331,11 @@ def _whole(form: _Form, data: bytes) -> NDArray[np.int64]:
     if form.width == 1:
         return np.frombuffer(data, "u1").astype(np.int64) - 128
     if form.width == 3:
-        low, mid, high = np.frombuffer(data, "u1").reshape(-1, 3).astype(np.int64).T
+        parts = np.frombuffer(data, "u1").reshape(-1, 3).astype(np.int64).T
+        low, mid, high = parts if form.order == "<" else parts[::-1]
         whole = low | mid << 8 | high << 16
         return np.asarray(whole - (whole >> 23 << 24))
-    return np.frombuffer(data, f"<i{form.width}").astype(np.int64)
+    return np.frombuffer(data, f"{form.order}i{form.width}").astype(np.int64)
 
 
 def _slower(samples: Floats, up: int, down: int) -> Floats:

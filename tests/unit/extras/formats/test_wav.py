@@ -1,7 +1,10 @@
 """WAV: samples, scale and what others write."""
 
 import math
+import shlex
+import shutil
 import struct
+import subprocess
 
 import numpy as np
 import pytest
@@ -114,7 +117,8 @@ def test_wav_samples_are_where_their_bits_are(read, kind):
         (form_of(1, 3, 24, 6), "24 bits in 6 bytes"),
         (form_of(1, 3, 16, 0), "unusual format"),
         (form_of(1, 0, 16, 2), "unusual format"),
-        (form_of(3, 3, 16, 6), "unusual format"),
+        (form_of(3, 3, 24, 9), "unusual format"),
+        (form_of(1, 300, 8, 300), "up to 256 channels"),
         (form_of(2, 3, 4, 12), "unusual format"),
         (extensible(3, 16, 6, 24), "unusual format"),
         (extensible(3, 16, 6, 16)[:-1] + b"x", "unusual format"),
@@ -155,14 +159,6 @@ def test_samples_that_are_missing_at_the_end_are_said(read):
     assert str(note) == "the last 10 samples are missing"
 
 
-def test_a_streamed_wav_has_no_length_and_is_whole(read):
-    content = sound(form_of(3, 3, 32, 12), WAVE.astype("<f4").tobytes())
-    size = struct.pack("<I", 12 * len(WAVE))
-    found = read(content.replace(b"data" + size, b"data\xff\xff\xff\xff"), ".wav")
-    assert len(found.track.time_s) == len(WAVE)
-    assert found.unread == ()
-
-
 def test_a_wav_for_more_than_4_gb_is_read(read, written):
     plain = written("wav").read_bytes()
     place = plain.index(b"data") + 4
@@ -174,12 +170,107 @@ def test_a_wav_for_more_than_4_gb_is_read(read, written):
     assert at(found.track, 0.5)[0] == pytest.approx([1, 2, -3], abs=1e-3)
 
 
-@pytest.mark.parametrize(("magic", "code"), [(b"RIFF", 6), (b"RIFX", 1)])
-def test_another_wav_is_refused_with_what_makes_pcm_of_it(read, magic, code):
-    form = struct.pack("<HHIIHH", code, 1, 8000, 8000, 1, 8)
-    chunks = b"WAVEfmt " + struct.pack("<I", 16) + form + b"data\4\0\0\0abcd"
-    with pytest.raises(InputError, match=r"with: ffmpeg -i \S+ -c:a pcm_f32le"):
-        read(magic + b"\0\0\0\0" + chunks, ".wav")
+def turned(content):
+    """A WAV file of 2, 4 or 8 bytes a sample with its numbers the other way round."""
+    made, at_byte = bytearray(b"RIFX" + content[7:3:-1] + content[8:12]), 12
+    width = struct.unpack_from("<H", content, content.index(b"fmt ") + 22)[0] // 8
+    while at_byte < len(content):
+        name = content[at_byte : at_byte + 4]
+        (size,) = struct.unpack_from("<I", content, at_byte + 4)
+        body = content[at_byte + 8 : at_byte + 8 + size]
+        if name == b"data":
+            body = np.frombuffer(body, "u1").reshape(-1, width)[:, ::-1].tobytes()
+        elif name == b"fmt ":
+            body = struct.pack(">HHIIHH", *struct.unpack_from("<HHIIHH", body))
+        made += name + struct.pack(">I", len(body)) + body + b"\0" * (len(body) % 2)
+        at_byte += 8 + size + size % 2
+    return bytes(made)
+
+
+@pytest.mark.parametrize("kind", ["<i2", "<i4", "<f4", "<f8", "3"])
+def test_rifx_is_read_like_the_same_riff(read, kind):
+    if kind == "3":
+        whole = np.round(WAVE * (1 << 23)).astype("<i4").tobytes()
+        data = np.frombuffer(whole, "u1").reshape(-1, 4)[:, :3].tobytes()
+        form = form_of(1, 3, 24, 9)
+    else:
+        width = int(kind[2])
+        values = WAVE if kind[1] == "f" else np.round(WAVE * (1 << (8 * width - 1)))
+        data, code = values.astype(kind).tobytes(), 3 if kind[1] == "f" else 1
+        form = form_of(code, 3, 8 * width, 3 * width)
+    found = read(turned(sound(form, data)), ".wav", full_scale_n=2.0)
+    np.testing.assert_allclose(found.track.force_n, 2.0 * WAVE, atol=2e-4)
+
+
+def test_floats_of_two_bytes_are_read(read):
+    found = read(sound(form_of(3, 3, 16, 6), WAVE.astype("<f2").tobytes()), ".wav")
+    np.testing.assert_allclose(found.track.force_n, WAVE, atol=3e-4)
+
+
+@pytest.mark.parametrize("channels", [1, 9, 24, 256])
+def test_all_channels_of_a_wav_act_together(read, channels):
+    samples = np.zeros((2000, channels), "<i2")
+    samples[1000:] = 16384 // channels
+    form = form_of(1, channels, 16, 2 * channels)
+    found = read(sound(form, samples.tobytes()), ".wav", full_scale_n=2.0)
+    assert at(found.track, 0.5, 1.5)[:, 1] == pytest.approx([0.0, 1.0], abs=0.01)
+
+
+@pytest.mark.parametrize("name", [b"data", b"LIST"])
+@pytest.mark.parametrize("is_padded", [True, False])
+def test_a_pad_byte_may_be_forgotten(read, name, is_padded):
+    """The odd chunk stands before the samples, or is the samples."""
+    pad = b"\0" * is_padded
+    comment = b"INFOICMT\x35\0\0\0hapticplayer force; newton = sample * 8.000; x, y, z"
+    comment += b" " * (len(comment) % 2 == 0)
+    form = chunk(b"fmt ", form_of(1, 3, 8, 3))
+    levels = np.array([[128, 192, 64]] * 33, "u1").tobytes()  # 99 bytes
+    listed = b"LIST" + struct.pack("<I", len(comment)) + comment + pad
+    data = b"data" + struct.pack("<I", 99) + levels + pad
+    body = b"WAVE" + form + (listed + data if name == b"LIST" else data + listed)
+    content = b"RIFF" + struct.pack("<I", len(body)) + body
+    force_n = read(content, ".wav").track.force_n
+    np.testing.assert_allclose(force_n, [[0.0, 4.0, -4.0]] * 33)
+
+
+@pytest.mark.parametrize("size", [0, 0x7FFFF000, 0xFFFFFFFF])
+def test_a_wav_from_a_pipe_is_read_to_its_end(read, size):
+    content = sound(form_of(3, 3, 32, 12), WAVE.astype("<f4").tobytes())
+    place = content.index(b"data") + 4
+    content = content[:place] + struct.pack("<I", size) + content[place + 4 :]
+    found = read(content, ".wav")
+    assert (len(found.track.time_s), found.unread) == (len(WAVE), ())
+
+
+FFMPEG = shutil.which("ffmpeg")
+CODED = {
+    "ima": ("wav", "-c:a", "adpcm_ima_wav"),
+    "alaw": ("wav", "-c:a", "pcm_alaw"),
+    "mp3": ("wav", "-c:a", "libmp3lame", "-ar", "44100"),
+    "fast": ("wav", "-ar", "384000"),
+    "aiff": ("aiff", "-c:a", "pcm_s16be"),
+    "flac": ("flac", "-c:a", "flac"),
+}
+
+
+@pytest.mark.skipif(FFMPEG is None, reason="needs ffmpeg")
+@pytest.mark.parametrize("kind", CODED)
+def test_the_printed_command_makes_a_wav_that_is_read(tmp_path, kind):
+    form, *more = CODED[kind]
+    path = tmp_path / "it's 12:30 \u00fc 100%d.wav"
+    tone = ["-f", "lavfi", "-i", "sine=frequency=20:duration=1:sample_rate=48000"]
+    made = [FFMPEG, "-v", "error", *tone, *more, "-f", form, f"file:{path}"]
+    subprocess.run(made, check=True, timeout=60)
+    with pytest.raises(InputError) as refused:
+        read_force(path)
+    command = str(refused.value).partition("with: ")[2]
+    words = shlex.split(command)
+    assert words[0] == "ffmpeg"
+    subprocess.run([*words, "-v", "error"], check=True, timeout=60)
+    (other,) = set(tmp_path.iterdir()) - {path}
+    force_n = read_force(other).track.force_n
+    assert len(force_n) == pytest.approx(1000, abs=60)
+    assert np.abs(force_n[300:700]).max() == pytest.approx(0.125, rel=0.1)
 
 
 def test_our_wav_has_what_its_format_requires(written):
