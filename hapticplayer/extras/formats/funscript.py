@@ -4,12 +4,13 @@ Written is the excursion that a normal hand would make, as lines within one step
 centre, 0 and 100 the edge of the workspace. Read is the set-point of a centring spring: the force is that of
 the spring on a hand at the centre, stiffness times set-point. A file holds no newtons.
 Axes: L0 up, L1 (surge) forward, L2 (sway) to the left; others are not read. Version 1.0 is
-a file for each axis, `ride.surge.funscript` beside `ride.funscript`.
+a file for each axis, `ride.surge.funscript` beside `ride.funscript`. A file of strengths,
+`ride.vib.funscript`, is a vibration. Names of entries count in any case, null as absent.
 """
 
 import json
 from pathlib import Path
-from typing import Annotated, BinaryIO, NamedTuple
+from typing import Annotated, Any, BinaryIO, NamedTuple
 
 import numpy as np
 from msgspec import Meta, Struct
@@ -17,8 +18,17 @@ from msgspec import Meta, Struct
 from hapticplayer import __version__
 from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import InputError, Message
+from hapticplayer.extras.formats.hjif_bands import MAX_SAMPLES
 from hapticplayer.extras.formats.hjif_file import MAX_BYTES, Number
-from hapticplayer.extras.formats.hjif_signals import BEFORE_ZERO, from_zero, stepped
+from hapticplayer.extras.formats.hjif_signals import (
+    BEFORE_ZERO,
+    STEP_S,
+    HjifEffect,
+    Keyframes,
+    from_zero,
+    stepped,
+    wave,
+)
 from hapticplayer.extras.formats.thinning import Polyline, thin
 from hapticplayer.haptics.limiter import limits_of
 from hapticplayer.model import ForceTrack
@@ -33,7 +43,7 @@ from hapticplayer.sequence.force_files import (
     origin,
 )
 from hapticplayer.sequence.milliseconds import Ticks, end_ms
-from hapticplayer.structures import read_json
+from hapticplayer.structures import convert, read_json
 from hapticplayer.untrusted import ANOTHER
 
 REACH_M = limits_of(FALCON).workspace_m
@@ -52,12 +62,17 @@ _NAMED = {
     **dict.fromkeys(("l2", "sway", "left"), "L2"),
 }
 _ROTATIONS = ("r0", "twist", "yaw", "r1", "roll", "r2", "pitch")
+_VIBRATIONS = ("v0", "vib", "vibe", "vibrate", "vibration", "vib1", "vib2")
 _STRENGTHS = (
-    *("v0", "vib", "vibe", "vibrate", "vibration", "v1", "pump", "vib1", "vib2"),
-    *("a0", "valve", "a1", "suck", "suction", "a2", "lube", "squeeze", "oscillate"),
-    *("alpha", "beta", "volume", "frequency", "pulse_frequency", "pulse_width"),
+    *("v1", "pump", "a0", "valve", "a1", "suck", "suction", "a2", "lube", "squeeze"),
+    *("oscillate", "alpha", "beta", "volume", "frequency", "pulse_frequency"),
+    "pulse_width",
 )
 """As MultiFunPlayer and its neighbours name files; 0 is off, not the lowest place."""
+
+VIBRATION_HZ = 50.0
+_SHORTEST_MS = 4.0
+"""No device takes positions as near as that: the times are seconds."""
 
 _WHOLE_RANGE, _USUAL_RANGE = 100.0, 90.0
 """The latter stands in most files, and players do not apply it."""
@@ -73,6 +88,7 @@ class _Axis(Struct):
     actions: list[_Action] = []
     inverted: bool = False
     id: str = ""
+    is_null: bool = False
 
 
 class _Script(_Axis):
@@ -130,7 +146,9 @@ def no_newtons(_track: ForceTrack, _path: Path, _choices: WriteChoices) -> Loss:
 
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
-    """Return the spring's force on a hand at the centre."""
+    """Return the spring's force on a hand at the centre, or a vibration."""
+    if _part_of(path) in _VIBRATIONS:
+        return _vibration(path, choices)
     stiffness: float = choices.take("stiffness_n_per_m")
     said = Message(
         "positions were taken as the set-point of a spring of {stiffness:.3g} N/m, "
@@ -149,22 +167,112 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
         reader.assumed.append(said)
     axes = reader.axes
     if not axes:
-        raise InputError("holds no positions", where=str(path), remedy=ANOTHER)
+        raise _nothing(path, reader.unread)
     time_s = np.unique(np.concatenate([at_s for at_s, _ in axes.values()]))
     force_n = np.zeros((len(time_s), 3))
     for name, (at_s, place) in axes.items():
         column, sign = _AXES[name]
         shift_m = sign * REACH_M * (np.interp(time_s, at_s, place) - 50.0) / 50.0
         force_n[:, column] = stiffness * shift_m
+    return _file(path, reader, time_s, force_n, "funscript set-point")
+
+
+def _vibration(path: Path, choices: ReadChoices) -> ForceFile:
+    """A vibration of the strengths of a file."""
+    full_n, way = choices.take("full_scale_n"), choices.take("direction")
+    said = Message(
+        "vibration of {hertz:g} Hz along x {x:.2f}, y {y:.2f}, z {z:.2f}: strength 100 was "
+        "taken as {full_n:.3g} N",
+        hertz=VIBRATION_HZ,
+        full_n=full_n,
+        **dict(zip("xyz", way, strict=True)),
+    )
+    reader = _AxisReader([said], [], {})
+    reader.add(path)
+    if "L0" not in reader.axes:
+        raise _nothing(path, reader.unread)
+    at_s, strength = reader.axes["L0"]
+    if at_s[-1] > MAX_SAMPLES / 1000.0:
+        raise InputError(
+            "waves of more than {most_s:.0f} s",
+            where=str(path),
+            remedy=Message("cut it into parts"),
+            most_s=MAX_SAMPLES / 1000.0,
+        )
+    is_early = at_s[0] < 0.0
+    at_s, levels = from_zero(at_s, strength[:, None] / 100.0, str(path))
+    if at_s[0] > STEP_S:  # off until its first action
+        at_s = np.concatenate([[0.0, at_s[0] - STEP_S], at_s])
+        levels = np.concatenate([np.zeros((2, 1)), levels])
+    hertz = np.full(len(at_s), VIBRATION_HZ)
+    shape = wave(
+        HjifEffect(0.0, Keyframes(at_s, levels[:, 0], hertz)), 0.0, VIBRATION_HZ
+    )
+    if is_early:
+        reader.unread.append(BEFORE_ZERO)
+    force_n = full_n * np.outer(shape.value, way)
+    return _file(path, reader, shape.time_s, force_n, "funscript vibration")
+
+
+def _file(
+    path: Path, reader: "_AxisReader", time_s: Floats, force_n: Floats, what: str
+) -> ForceFile:
     if time_s[0] < 0.0:
         reader.unread.append(BEFORE_ZERO)
     time_s, force_n = from_zero(time_s, force_n, str(path))
-    track = ForceTrack(
-        time_s,
-        force_n.astype(np.float32),
-        provenance={"source": path.name, "reader": "funscript set-point"},
-    )
+    source = {"source": path.name, "reader": what}
+    track = ForceTrack(time_s, force_n.astype(np.float32), provenance=source)
     return ForceFile(track, tuple(reader.assumed), tuple(reader.unread))
+
+
+def _nothing(path: Path, unread: list[Message]) -> InputError:
+    if not unread:
+        return InputError("holds no positions", where=str(path), remedy=ANOTHER)
+    return InputError(
+        "holds no positions that are read ({first})",
+        where=str(path),
+        remedy=ANOTHER,
+        first=unread[0],
+    )
+
+
+def _script(path: Path) -> _Script:
+    """The content of a file, its names and numbers as they should be written."""
+    given = read_json(path, dict[str, Any], InputError, ANOTHER, MAX_BYTES)
+    return convert(_tidy(given), _Script, str(path), strict=False)
+
+
+def _tidy(given: dict[str, Any]) -> dict[str, Any]:
+    """An object with names in small letters, without entries that are null."""
+    found: dict[str, Any] = {}
+    for name, value in given.items():
+        key = name.strip().lower()
+        if value is None and key == "actions":
+            found["is_null"] = True
+        elif value is None:
+            continue
+        elif key not in found or key == name:
+            found[key] = value
+    if isinstance(actions := found.get("actions"), list):
+        found["actions"] = [_tidy_action(one) for one in actions]
+    for key in ("axes", "channels"):
+        held = found.get(key)
+        if isinstance(held, list):
+            found[key] = [_tidied(one) for one in held if one is not None]
+        elif isinstance(held, dict):
+            found[key] = {k: _tidied(v) for k, v in held.items() if v is not None}
+    return found
+
+
+def _tidied(value: Any) -> Any:
+    return _tidy(value) if isinstance(value, dict) else value
+
+
+def _tidy_action(one: Any) -> Any:
+    """An action with names in small letters; what is null in it is named."""
+    if not isinstance(one, dict) or one.keys() >= {"at", "pos"}:
+        return one
+    return {name.strip().lower(): value for name, value in one.items()}
 
 
 class _AxisReader(NamedTuple):
@@ -177,7 +285,7 @@ class _AxisReader(NamedTuple):
     def add(self, path: Path) -> None:
         """Add all axes of a file."""
         main = _axis_of(path)
-        script = read_json(path, _Script, InputError, ANOTHER, MAX_BYTES)
+        script = _script(path)
         if script.range != _WHOLE_RANGE:
             said = Message(
                 "the range of {range:g} % was not applied: 0 to 100 is the whole way",
@@ -194,11 +302,15 @@ class _AxisReader(NamedTuple):
     def _add_axis(self, given: str, one: _Axis) -> None:
         name = _NAMED.get(given.lower(), given)
         if name not in _AXES:
-            said = Message("not read: {what} ({count})", what=given[:20], count=1)
+            what = given[:20] or Message("axis without an id")
+            said = Message("not read: {what} ({count})", what=what, count=1)
             self.unread.append(said)
             return
+        if one.is_null:
+            self.unread.append(Message("{axis}: its actions are null", axis=name))
         if not one.actions:
             return
+        _refuse_seconds(one.actions, name)
         largest = max(action.pos for action in one.actions)
         if len(one.actions) > 1 and 0.0 < largest <= 1.0:
             raise InputError(
@@ -221,18 +333,41 @@ class _AxisReader(NamedTuple):
             self.unread.append(said)
 
 
+def _refuse_seconds(actions: list[_Action], name: str) -> None:
+    """Raise InputError where the times can only be seconds."""
+    times = np.unique([action.at for action in actions])
+    is_whole = not np.any(times % 1.0)
+    if len(times) > 2 and not is_whole and np.median(np.diff(times)) < _SHORTEST_MS:
+        raise InputError(
+            "its times of {axis} look like seconds, but a funscript's are milliseconds",
+            remedy="multiply its times by 1000",
+            axis=name,
+        )
+
+
+def _part_of(path: Path) -> str:
+    """What stands before the suffix of a name, in small letters."""
+    name, _, part = path.name.lower().removesuffix(".funscript").rpartition(".")
+    return part if name else ""
+
+
 def _axis_of(path: Path) -> str:
     """The axis that the name of a file says; up where it says none."""
-    name, _, part = path.name.lower().removesuffix(".funscript").rpartition(".")
-    if not name:
-        return "L0"
+    part = _part_of(path)
     if part in _ROTATIONS or part in _STRENGTHS:
-        what = Message("rotations") if part in _ROTATIONS else Message("strengths")
+        is_rotation = part in _ROTATIONS
+        stem = path.stem[: -len(part) - 1]
+        other = f"{stem}.funscript" if is_rotation else f"{stem}.vib.funscript"
+        as_what = Message("up and down") if is_rotation else Message("vibration")
         raise InputError(
             "holds {what} (.{part}), which are not read",
             where=str(path),
-            remedy=ANOTHER,
-            what=what,
+            remedy=Message(
+                "rename it to {name!r} to feel it as {as_what}",
+                name=other,
+                as_what=as_what,
+            ),
+            what=Message("rotations") if is_rotation else Message("strengths"),
             part=part,
         )
     return _NAMED.get(part, "L0")
@@ -247,7 +382,7 @@ def _files_beside(path: Path) -> list[tuple[Path, str]]:
         base, _, part = one.stem.lower().rpartition(".")
         if base == stem and one.suffix.lower() == ".funscript" and one.is_file():
             axis = _NAMED.get(part, part)
-            if axis in _AXES or part in _ROTATIONS + _STRENGTHS:
+            if axis in _AXES or part in _ROTATIONS + _STRENGTHS + _VIBRATIONS:
                 found.append((one, axis))
     return found
 

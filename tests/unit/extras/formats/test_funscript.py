@@ -1,6 +1,7 @@
 """Funscript: positions of a hand, axes, and what others write."""
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -153,16 +154,58 @@ def test_the_positions_of_the_case_begin_on_the_line(scripts):
     assert at(found, 0.0)[0, 1] == pytest.approx(0.69, abs=0.005)
 
 
-@pytest.mark.parametrize("part", ["vib", "suck", "valve", "lube", "pump", "V0", "roll"])
-def test_a_script_of_another_axis_is_refused(read, part):
-    with pytest.raises(InputError, match=f"{part.lower()}.*not read"):
+@pytest.mark.parametrize("part", ["suck", "valve", "lube", "Pump", "roll", "twist"])
+def test_a_script_of_another_axis_is_refused_with_what_to_do(read, tmp_path, part):
+    with pytest.raises(
+        InputError, match=rf"{part.lower()}\), which are not"
+    ) as refused:
         read(json.dumps({"actions": LINE}), f".{part}.funscript")
+    (name,) = re.findall(r"rename it to '(.*)' to feel", str(refused.value))
+    (tmp_path / f"other.{part}.funscript").rename(tmp_path / name)
+    assert np.abs(read_force(tmp_path / name).track.force_n).max() > 0.9
 
 
-@pytest.mark.parametrize("part", ["vib", "suck", "valve", "lube"])
+@pytest.mark.parametrize("part", ["suck", "valve", "lube"])
 def test_the_strengths_of_the_case_are_not_positions(scripts, part):
     with pytest.raises(InputError, match="strengths"):
         read_force(scripts / f"clip.{part}.funscript")
+
+
+@pytest.mark.parametrize("part", ["vib", "V0", "vibrate"])
+def test_a_script_of_vibration_is_felt_as_strong_as_it_says(read, part):
+    places = [(1000, 0), (2000, 100), (3000, 100), (3000, 0), (4000, 0)]
+    actions = [{"at": at_ms, "pos": place} for at_ms, place in places]
+    script = json.dumps({"actions": actions})
+    along = {"full_scale_n": 2.0, "direction": (1.0, 0.0, 0.0)}
+    found = read(script, f".{part}.funscript", **along)
+    force_n = at(found.track, *np.arange(0.0, 4.0, 0.001))
+    assert not force_n[:, 1:].any()
+    sizes = np.abs(force_n[:, 0]).reshape(-1, 20).max(axis=1)  # of each period
+    assert sizes[:50] == pytest.approx(0.0)  # off until its first action
+    assert sizes[74] == pytest.approx(1.0, abs=0.05)
+    assert sizes[100:150] == pytest.approx(2.0, abs=0.01)
+    assert sizes[151:] == pytest.approx(0.0)
+    crossings = np.sum(np.diff(np.sign(force_n[2000:3000, 0])) > 1.0)
+    assert crossings == pytest.approx(50, abs=2)
+    assert "strength 100 was taken as 2 N" in str(found.assumed[0])
+
+
+def test_a_vibration_that_begins_before_the_clip_is_cut(read):
+    actions = [{"at": -1000, "pos": 100}, {"at": 1000, "pos": 100}]
+    found = read(json.dumps({"actions": actions}), ".vib.funscript")
+    assert np.abs(found.track.force_n).max() == pytest.approx(1.0, abs=0.01)
+    assert [str(note) for note in found.unread] == ["what lies before 0 s was left out"]
+
+
+def test_a_vibration_of_many_hours_is_refused(read):
+    actions = [{"at": 0, "pos": 0}, {"at": 9_000_000, "pos": 100}]
+    with pytest.raises(InputError, match=r"more than 3000 s.*cut it"):
+        read(json.dumps({"actions": actions}), ".vib.funscript")
+
+
+def test_a_vibration_without_actions_is_refused(read):
+    with pytest.raises(InputError, match="holds no positions"):
+        read("{}", ".vib.funscript")
 
 
 @pytest.mark.parametrize("name", ["roll", "pump", "left", "my.ride", "ride.v2"])
@@ -259,19 +302,85 @@ def test_a_range_that_is_not_applied_is_said(read, given, is_unread):
     assert len(whole.notes) == 1
 
 
+NULLS = {"axes": None, "channels": None, "metadata": None, "range": None, "id": None}
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        NULLS,
+        {"inverted": None, "version": None, "axes": [None]},
+        {"axes": [{"id": "L1", "actions": []}, {"id": "L2", "inverted": None}]},
+        {"channels": {"surge": None}},
+    ],
+)
+def test_null_in_a_script_is_as_if_it_were_absent(read, more):
+    plain = read(json.dumps({"actions": LINE}), ".funscript")
+    found = read(json.dumps({"actions": LINE, **more}), ".funscript")
+    np.testing.assert_array_equal(found.track.force_n, plain.track.force_n)
+    assert found.notes == plain.notes
+
+
+def test_actions_that_are_null_are_named(read):
+    script = {"actions": None, "axes": [{"id": "L1", "actions": LINE}]}
+    found = read(json.dumps(script), ".funscript")
+    assert at(found.track, 0.999)[0, 2] == pytest.approx(-EDGE_N, abs=0.01)
+    assert [str(note) for note in found.unread] == ["L0: its actions are null"]
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        {"Actions": [{"At": 0, "Pos": 0}, {"At": 1000, "Pos": 100}]},
+        {"ACTIONS": [{"at": "0", "pos": "0"}, {"at": "1e3", "pos": "100.0"}]},
+        {"actions": [{"at": 0.0, "pos": 0.0}, {"at": 1000.0, "pos": 100.0}]},
+        {"actions": [{"at": 0, "pos": "0"}, {" at": 1000, "POS": 100, "x": 1}]},
+        {"Inverted": "false", "Range": "100", "actions": LINE},
+        {"actions": LINE[::-1], "inverted": 0},
+        {"inverted": "True", "actions": [{"at": 0, "pos": 100}, {"at": 1e3, "pos": 0}]},
+    ],
+)
+def test_spellings_of_other_programs_are_read(read, script):
+    plain = read(json.dumps({"actions": LINE}), ".funscript")
+    found = read(json.dumps(script), ".funscript")
+    np.testing.assert_array_equal(found.track.force_n, plain.track.force_n)
+    assert found.notes == plain.notes
+
+
+def test_times_in_seconds_are_refused_with_the_factor(read):
+    def script(scale):
+        rows = [{"at": 0.4 * k * scale, "pos": k % 2 * 100} for k in range(9)]
+        return json.dumps({"actions": rows})
+
+    with pytest.raises(
+        InputError, match=r"look like seconds.*multiply its times by 1000"
+    ):
+        read(script(1.0), ".funscript")
+    assert read(script(1000.0), ".funscript").track.end_s == pytest.approx(3.2)
+
+
 @pytest.mark.parametrize(
     ("content", "says"),
     [
-        ('{"actions": [{"at": "0", "pos": 1}]}', r"actions\[0\].at: must be a number"),
+        (
+            '{"actions": [{"at": "0:01", "pos": 1}]}',
+            r"\[0\].at: must be a number.*correct",
+        ),
+        (
+            '{"actions": [{"at": 0, "pos": "5,5"}]}',
+            r"actions\[0\].pos: must be a number",
+        ),
         ('{"actions": [{"at": 0}]}', "missing entry 'pos'"),
         ('{"actions": [{"at": 0, "pos": null}]}', "pos: must be a number"),
         ('{"actions": [{"at": 1e12, "pos": 1}]}', "at: must be at most"),
         ('{"actions": {"at": 0, "pos": 1}}', "actions: must be a list"),
         ('{"actions": [[0, 1]]}', r"actions\[0\]: must be an object"),
-        ('{"inverted": "true", "actions": []}', "inverted: must be true or false"),
+        ('{"inverted": "yes", "actions": []}', "inverted: must be true or false"),
         ('{"channels": {"surge": 3}}', "channels.surge: must be an object"),
         ('{"actions": [{"at": -9, "pos": 1}]}', "ends before 0 s"),
         ('{"actions": []}', "holds no positions"),
+        ('{"actions": null}', r"no positions.*L0: its actions are null"),
+        ('{"channels": {"roll": {"actions": []}}}', r"no positions.*not read: roll"),
         ("[]", "must be an object"),
     ],
 )
