@@ -60,7 +60,7 @@ def open_regular(
 
     try:
         _refuse_special(Path(path).stat(), refusal)  # opening a device may act on it
-        descriptor = os.open(path, _FLAGS)
+        reader = open(path, "rb", opener=lambda one, _: os.open(one, _FLAGS))  # noqa: SIM115
     except FileNotFoundError:
         raise refusal(
             Message("there is no such file"), Message("check the name and the folder")
@@ -75,11 +75,11 @@ def open_regular(
             Message("check the name and the rights of its folder"),
         ) from cause
     try:
-        _refuse_special(os.fstat(descriptor), refusal)
+        _refuse_special(os.fstat(reader.fileno()), refusal)
     except InputError:
-        os.close(descriptor)
+        reader.close()
         raise
-    return os.fdopen(descriptor, "rb")
+    return reader
 
 
 def read_regular(

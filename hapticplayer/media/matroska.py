@@ -6,11 +6,12 @@ and refuses a file without any. Here sizes are compared with a limit before anyt
 Source: RFC 8794 (EBML), RFC 9559 (Matroska) 5.1.6 Attachments.
 """
 
+import itertools
 from collections.abc import Iterator
 from typing import BinaryIO, NamedTuple
 
 from hapticplayer.errors import MediaError
-from hapticplayer.media.clip_bytes import AnyClip, ClipBytes
+from hapticplayer.media.clip_bytes import AnyClip, ClipBytes, size_of
 from hapticplayer.untrusted import (
     MAX_ATTACHED_BYTES,
     MAX_ATTACHED_FILES,
@@ -113,6 +114,13 @@ def attachments_at(
                 size_mb=_length(element) >> 20,
             )
     return tuple(found)
+
+
+def segment_end(reader: BinaryIO) -> int:
+    """Where the segment ends by its size; 0 where that is left open, as live streams do."""
+    reader.seek(0)
+    first = itertools.islice(_elements(reader, 0, size_of(reader), set()), 2)
+    return next((one.end or 0 for one in first if one.number == _SEGMENT), 0)
 
 
 def _attached(

@@ -9,24 +9,35 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import BinaryIO, NamedTuple
 
+from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_bytes import AnyClip, open_clip, size_of
+from hapticplayer.model.limits import MAX_BOXES
 
 TOP = frozenset(
     b"ftyp moov mdat free skip wide pnot moof mfra sidx styp uuid udta meta".split()
 )
-_NESTED = frozenset(b"moov trak edts mdia minf stbl".split())
-_MAX_BOXES = 20_000
+_NESTED = frozenset(b"moov trak edts mdia minf stbl moof traf".split())
+_COUNT_AT = {b"stsz": 8, b"stz2": 8, b"trun": 4}
+"""Where the number of samples stands in the box's content."""
 _MAX_EDITS = 10_000
 _MAX_NAME_BYTES = 100
 
 
 class Box(NamedTuple):
-    """A box: its kind, where it begins, its content, and where it ends."""
+    """A box: its kind, where it begins, its content, where it ends, and how deep it is."""
 
     kind: bytes
     at: int
     content_at: int
     end: int
+    level: int
+
+
+class Declared(NamedTuple):
+    """What the header of a file declares; 0 where it does not."""
+
+    samples: int = 0
+    end: int = 0
 
 
 class Edit(NamedTuple):
@@ -89,38 +100,67 @@ def shown_at(edits: tuple[Edit, ...], begin_s: float, length_s: float) -> float 
     return place_s
 
 
-def boxes(stream: BinaryIO, size_bytes: int, nested: frozenset[bytes]) -> Iterator[Box]:
-    """Step over boxes and into the nested ones, whose ends are not trusted."""
-    at = 0
-    while at < size_bytes:
+def boxes(stream: BinaryIO, nested: frozenset[bytes] = _NESTED) -> Iterator[Box]:
+    """Step over the boxes of an MP4, none of another container, and into the nested ones.
+
+    As in FFmpeg no box is longer than the one that it is in.
+
+    Raises:
+        MediaError: for more than any camera writes.
+    """
+    stream.seek(0)
+    is_mp4 = stream.read(8)[4:] in TOP
+    at, ends = 0, [size_of(stream) * is_mp4]
+    for _ in range(MAX_BOXES):
+        while at >= ends[-1] and len(ends) > 1:
+            ends.pop()
         stream.seek(at)
         header = stream.read(16)
-        if len(header) < 8:
+        if at >= ends[-1] or len(header) < 8:
             return
         length, content_at = int.from_bytes(header[:4], "big"), at + 8
         if length == 1:
             length, content_at = int.from_bytes(header[8:], "big"), at + 16
-        box = Box(header[4:8], at, content_at, at + length)
+        box = Box(header[4:8], at, content_at, at + length, len(ends) - 1)
         yield box
         if box.end < content_at:
             return
-        at = content_at if box.kind in nested else box.end
+        at = end = min(box.end, ends[-1])
+        if box.kind in nested:
+            at = content_at
+            ends.append(end)
+    raise MediaError(
+        "it has more than {most} boxes",
+        where=str(getattr(stream, "name", "")),
+        remedy="remux it with FFmpeg (-c copy)",
+        most=MAX_BOXES,
+    )
+
+
+def declared_in(stream: BinaryIO) -> Declared:
+    """The samples of all tables and fragments, and where the last box ends."""
+    samples, end, is_known = 0, 0, True
+    for box in boxes(stream):
+        if box.kind in _COUNT_AT:
+            stream.seek(box.content_at + _COUNT_AT[box.kind])
+            samples += int.from_bytes(stream.read(4), "big")
+        elif box.level == 0 and is_known:
+            is_known = box.kind in TOP  # some cameras append data that is no box
+            is_ended = box.end >= box.content_at  # 0: with the file, else it is damaged
+            end = box.end * is_ended if is_known else box.at
+    return Declared(samples, end)
 
 
 def tracks_of(clip: AnyClip) -> tuple[ClipTrack, ...]:
     """The tracks of an MP4 file, in their order; none of another container."""
     found: list[ClipTrack] = []
+    movie_ticks = 0
     with open_clip(clip) as stream:
-        if stream.read(8)[4:] not in TOP:
-            return ()
-        movie_ticks = 0
-        for number, box in enumerate(boxes(stream, size_of(stream), _NESTED)):
-            if number == _MAX_BOXES:
-                break
+        for box in boxes(stream):
             if box.kind == b"trak":
                 found.append(ClipTrack())
             elif box.kind == b"mvhd":
-                movie_ticks = _ticks_of(_content(stream, box, 32))
+                movie_ticks = _ticks_of(content_of(stream, box, 32))
             elif found and (box.kind == b"elst" or box.kind in _FIELDS):
                 found[-1] = _with_field(found[-1], stream, box, movie_ticks)
     return tuple(map(_in_seconds, found))
@@ -140,7 +180,7 @@ def _with_field(
 ) -> ClipTrack:
     if box.kind == b"elst":
         return dataclasses.replace(track, edits=_edits(stream, box, movie_ticks))
-    return _FIELDS[box.kind](track, _content(stream, box, 20 + _MAX_NAME_BYTES))
+    return _FIELDS[box.kind](track, content_of(stream, box, 20 + _MAX_NAME_BYTES))
 
 
 def _with_number(track: ClipTrack, content: bytes) -> ClipTrack:
@@ -178,7 +218,8 @@ _FIELDS: dict[bytes, Callable[[ClipTrack, bytes], ClipTrack]] = {
 }
 
 
-def _content(stream: BinaryIO, box: Box, most: int) -> bytes:
+def content_of(stream: BinaryIO, box: Box, most: int) -> bytes:
+    """The content of a box, at most so many bytes."""
     stream.seek(box.content_at)
     return stream.read(max(0, min(box.end - box.content_at, most)))
 
@@ -195,7 +236,7 @@ def _ticks_of(content: bytes) -> int:
 
 def _edits(stream: BinaryIO, box: Box, movie_ticks: int) -> tuple[Edit, ...]:
     """The edits of a list whose own times are still in ticks of the track."""
-    content = _content(stream, box, 8 + 20 * _MAX_EDITS)
+    content = content_of(stream, box, 8 + 20 * _MAX_EDITS)
     wide = 8 if content[:1] == b"\1" else 4
     size, found = 2 * wide + 4, []
     count = int.from_bytes(content[4:8], "big")

@@ -12,11 +12,10 @@ import contextlib
 import ctypes
 import functools
 import io
-import math
 import os
 from collections.abc import Iterator
 from pathlib import Path
-from typing import BinaryIO, cast
+from typing import cast
 
 import av
 import av.error
@@ -31,11 +30,11 @@ from hapticplayer.media.clip_bytes import (
     ClipBytes,
     HeaderReader,
     open_clip,
-    size_of,
+    path_of,
 )
 from hapticplayer.media.containers import CONTAINERS, refuse_others
-from hapticplayer.media.matroska import attachments_at
-from hapticplayer.media.mp4 import TOP, boxes
+from hapticplayer.media.matroska import EBML, attachments_at, segment_end
+from hapticplayer.media.mp4 import Declared, declared_in
 from hapticplayer.model.limits import (
     INDEX_TAIL,
     MAX_BLOCK_BYTES,
@@ -67,12 +66,16 @@ def open_media(path: AnyClip, *, has_edits: bool = True) -> InputContainer:
         file, Message("it is not a video or sound file that can be read"), CONVERT
     ):
         refuse_others(file)
-        _check_tables(file)
+        is_remote = isinstance(file, ClipBytes)
+        found = (
+            declared(file) if is_remote else _declared_by(FileState.of(path_of(file)))
+        )
+        _check_tables(file, found.samples)
         container = _opened(file, {} if has_edits else {"ignore_editlist": "1"})
     try:
         with media_errors(file, Message("its headers are damaged")):
             _check_streams(container, file)
-            _check_length(container, file)
+            _check_length(container, file, found.end)
     except BaseException:
         container.close()
         raise
@@ -154,9 +157,8 @@ def media_errors(path: AnyClip, what: str, remedy: str = COPY_AGAIN) -> Iterator
         ) from error
 
 
-def _check_tables(file: Path | ClipBytes) -> None:
+def _check_tables(file: Path | ClipBytes, samples: int) -> None:
     """Refuse an index that FFmpeg would fill the memory with."""
-    samples = declared_samples(file)
     if samples > _size_bytes(file):
         raise MediaError(
             "its index lists more samples than it has bytes",
@@ -205,7 +207,9 @@ def _check_streams(container: InputContainer, file: Path | ClipBytes) -> None:
             )
 
 
-def _check_length(container: InputContainer, file: Path | ClipBytes) -> None:
+def _check_length(
+    container: InputContainer, file: Path | ClipBytes, promised_bytes: int
+) -> None:
     """Refuse a file that ends before the last sample of its index.
 
     FFmpeg plays such a file to where it ends and reports nothing.
@@ -227,7 +231,6 @@ def _check_length(container: InputContainer, file: Path | ClipBytes) -> None:
             size_bytes=size_bytes,
             indexed_bytes=indexed_bytes,
         )
-    promised_bytes = declared_bytes(file)
     if promised_bytes > size_bytes:
         raise MediaError(
             "the file ends at byte {size_bytes} but its header promises "
@@ -280,76 +283,20 @@ def read_only(container: InputContainer, *wanted: Stream) -> None:
 
 
 _RIFF_UNKNOWN = (0, 0xFFFFFFFF)
-_EBML, _SEGMENT = b"\x1a\x45\xdf\xa3", b"\x18\x53\x80\x67"
-_HEAD_BYTES = 64
-_NESTED = frozenset(b"moov trak mdia minf stbl moof traf".split())
-_COUNT_AT = {b"stsz": 8, b"stz2": 8, b"trun": 4}
-"""Where the number of samples stands behind the box's header."""
-
-MAX_BOXES = 1_000_000  # 48 h in fragments of 2 s
 
 
-def declared_bytes(clip: AnyClip) -> int:
-    """Return the length that a file declares, 0 where it does not."""
+def declared(clip: AnyClip) -> Declared:
+    """What the header of a clip declares."""
     with open_clip(clip) as stream:
-        head = stream.read(_HEAD_BYTES)
-        if head[4:8] in TOP:
-            return _end_of_boxes(stream, size_of(stream))
-    if head.startswith(b"RIFF") and len(head) >= 8:
-        size = int.from_bytes(head[4:8], "little")
-        return 0 if size in _RIFF_UNKNOWN else size + 8
-    if head.startswith(_EBML):
-        return _segment_end(head)
-    return 0
+        head = stream.read(8)
+        if head.startswith(b"RIFF") and len(head) == 8:
+            size = int.from_bytes(head[4:], "little")
+            return Declared(end=0 if size in _RIFF_UNKNOWN else size + 8)
+        if head.startswith(EBML):
+            return Declared(end=segment_end(stream))
+        return declared_in(stream)
 
 
-def declared_samples(clip: AnyClip) -> float:
-    """Return how many samples the tables and fragments of an MP4 declare together.
-
-    0 for other containers, infinite where there are more boxes than any camera writes.
-    """
-    total = 0
-    with open_clip(clip) as stream:
-        if stream.read(8)[4:] not in TOP:
-            return 0
-        found = boxes(stream, size_of(stream), _NESTED)
-        for number, box in enumerate(found):
-            if number == MAX_BOXES:
-                return math.inf
-            if box.kind in _COUNT_AT:
-                stream.seek(box.content_at + _COUNT_AT[box.kind])
-                total += int.from_bytes(stream.read(4), "big")
-    return total
-
-
-def _end_of_boxes(stream: BinaryIO, size_bytes: int) -> int:
-    """Return where the last box of an MP4 file ends, 0 for one without an end."""
-    end = 0
-    for box in boxes(stream, size_bytes, frozenset()):
-        if box.kind not in TOP:
-            return box.at  # some cameras append data that is no box
-        if box.end < box.content_at:  # 0: to the end of the file, else it is damaged
-            return 0
-        end = box.end
-    return end
-
-
-def _segment_end(head: bytes) -> int:
-    """Return where a Matroska segment ends; live streams leave that open."""
-    size, at = _ebml_size(head, len(_EBML))
-    at += size
-    if head[at : at + 4] != _SEGMENT:
-        return 0
-    size, at = _ebml_size(head, at + 4)
-    return at + size if size else 0
-
-
-def _ebml_size(head: bytes, at: int) -> tuple[int, int]:
-    """Return a size of variable length and where it ends; 0 when it is unknown."""
-    if at >= len(head) or head[at] == 0:
-        return 0, at
-    width = 9 - head[at].bit_length()
-    bits = 7 * width
-    value = int.from_bytes(head[at : at + width], "big") & ((1 << bits) - 1)
-    is_unknown = value == (1 << bits) - 1
-    return (0 if is_unknown else value), at + width
+@functools.lru_cache(maxsize=16)
+def _declared_by(state: FileState) -> Declared:
+    return declared(state.path)

@@ -5,9 +5,9 @@ import re
 from typing import NamedTuple
 
 from hapticplayer.errors import Message
-from hapticplayer.media.clip_bytes import open_clip, size_of
+from hapticplayer.media.clip_bytes import open_clip
 from hapticplayer.media.clip_info import frame_rate_hz, require_video
-from hapticplayer.media.mp4 import TOP, boxes, tracks_of
+from hapticplayer.media.mp4 import boxes, content_of, tracks_of
 from hapticplayer.media.opening import open_media
 
 _ANDROID, _PHOTOS = "com.android.capture.fps", "com.apple.photos.capturemode"
@@ -79,20 +79,12 @@ def _by_sony(path: str | os.PathLike[str]) -> Pace | None:
 
 
 def _meta_boxes(path: str | os.PathLike[str]) -> list[bytes]:
-    found = []
     with open_clip(path) as stream:
-        if stream.read(8)[4:] not in TOP:
-            return []
-        for number, box in enumerate(
-            boxes(stream, size_of(stream), frozenset([b"moov"]))
-        ):
-            if number > 1000:
-                break
-            if box.kind in {b"meta", b"uuid"}:
-                stream.seek(box.content_at)
-                length = min(box.end - box.content_at, _MAX_META_BYTES)
-                found.append(stream.read(max(0, length)))
-    return found
+        return [
+            content_of(stream, box, _MAX_META_BYTES)
+            for box in boxes(stream, frozenset([b"moov"]))
+            if box.kind in {b"meta", b"uuid"}
+        ]
 
 
 def _by_edits(path: str | os.PathLike[str]) -> Pace | None:

@@ -224,6 +224,9 @@ MAX_TELEMETRY_BYTES = 1024**3
 MAX_SAMPLES = 3_000_000
 """In all tables of an MP4: ten hours of 60 fps with sound; FFmpeg keeps 60 bytes of each."""
 
+MAX_BOXES = 400_000
+"""Of an MP4: ten hours in fragments of 1 s have 11 each."""
+
 MAX_HEADER_BYTES = 48 * 1024**2
 """Read at opening: the tables of so many samples, and what is no frame."""
 

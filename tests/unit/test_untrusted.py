@@ -145,6 +145,7 @@ def test_a_pipe_in_place_of_answers_locks_nobody(tmp_path):
 
 OWN = {
     ("hapticplayer/untrusted.py", "os.open"): "the one place",
+    ("hapticplayer/untrusted.py", "open"): "the same, with the name of the file",
     ("hapticplayer/doctor.py", "read_text"): "files of the program and the system",
     ("hapticplayer/study/creation.py", "read_text"): "templates of the program",
     ("hapticplayer/study/analysis/report.py", "read_bytes"): "written just before",

@@ -9,7 +9,7 @@ import pytest
 
 from hapticplayer.errors import MediaError
 from hapticplayer.media.clip_info import probe
-from hapticplayer.media.opening import declared_bytes, open_media
+from hapticplayer.media.opening import declared, open_media
 from hapticplayer.model.limits import MAX_PIXELS, MAX_SIDE_PX
 
 
@@ -224,16 +224,16 @@ def test_other_containers_open(tmp_path: Path, suffix: str) -> None:
 def test_header_without_a_length_promises_nothing(tmp_path: Path, head: bytes) -> None:
     path = tmp_path / "head"
     path.write_bytes(head)
-    assert declared_bytes(path) == 0
+    assert declared(path).end == 0
 
 
 def test_length_in_the_header_is_read(tmp_path: Path) -> None:
     path = tmp_path / "head"
     path.write_bytes(b"RIFF\x10\x27\0\0WAVE")
-    assert declared_bytes(path) == 10_008
+    assert declared(path).end == 10_008
     segment = b"\x1a\x45\xdf\xa3\x82\0\0\x18\x53\x80\x67\x41\x00"
     path.write_bytes(segment)
-    assert declared_bytes(path) == len(segment) + 256
+    assert declared(path).end == len(segment) + 256
 
 
 def test_data_behind_the_boxes_is_no_damage(tmp_path: Path, clip: Path) -> None:

@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 from hapticplayer.errors import MediaError
+from hapticplayer.media import opening
 from hapticplayer.media import telemetry as module
-from hapticplayer.media.opening import declared_samples, open_media
+from hapticplayer.media.opening import declared, open_media
 from hapticplayer.media.telemetry import (
     TelemetryPacket,
     add_telemetry,
@@ -39,13 +40,13 @@ def bomb(tmp_path: Path, clip: Path) -> Path:
 def test_a_clip_declares_the_samples_that_it_has(clip: Path) -> None:
     with open_media(clip) as container:
         samples = sum(len(stream.index_entries) for stream in container.streams)
-    assert declared_samples(clip) == samples > 0
+    assert declared(clip).samples == samples > 0
 
 
 def test_a_bomb_is_refused_before_it_is_opened(
     bomb: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert declared_samples(bomb) >= 40_000_000
+    assert declared(bomb).samples >= 40_000_000
     monkeypatch.setattr("hapticplayer.media.opening.av.open", None)
     with pytest.raises(MediaError, match="lists more samples than it has bytes"):
         open_media(bomb)
@@ -67,18 +68,45 @@ def test_tables_are_found_and_damage_ends_the_search(
 ) -> None:
     path = tmp_path / "boxes.mp4"
     path.write_bytes(box(b"ftyp", b"isom") + content)
-    assert declared_samples(path) == samples
+    assert declared(path).samples == samples
 
 
-def test_boxes_without_end_are_too_many(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_more_boxes_than_any_camera_writes_are_refused(
+    tmp_path: Path, clip: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("hapticplayer.media.opening.MAX_BOXES", 50)
+    monkeypatch.setattr("hapticplayer.media.mp4.MAX_BOXES", 1000)
     path = tmp_path / "boxes.mp4"
-    path.write_bytes(box(b"free", b"") * 50)
-    assert declared_samples(path) == 0
-    path.write_bytes(box(b"free", b"") * 51)
-    assert declared_samples(path) > path.stat().st_size
+    path.write_bytes(box(b"free", b"") * 999)
+    assert declared(path).samples == 0
+    path.write_bytes(clip.read_bytes() + box(b"free", b"") * 1000)
+    with pytest.raises(MediaError, match=r"boxes\.mp4: it has more than 1000 boxes"):
+        open_media(path)
+
+
+def test_boxes_of_a_file_are_stepped_over_once(
+    tmp_path: Path, clip: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "boxes.mp4"
+    path.write_bytes(clip.read_bytes() + box(b"free", b"") * 100)
+    seen: list[object] = []
+    real = opening.declared
+    monkeypatch.setattr(opening, "declared", lambda one: seen.append(one) or real(one))
+    for _ in range(3):
+        open_media(path).close()
+    assert len(seen) == 1
+    path.write_bytes(bytes(8) + clip.read_bytes())
+    with pytest.raises(MediaError):
+        open_media(path)
+    assert len(seen) == 2
+
+
+def test_a_box_is_no_longer_than_the_one_it_is_in(tmp_path: Path) -> None:
+    """Its length hid what follows, of which FFmpeg would read the table."""
+    too_long = struct.pack(">I4s", 10_000, b"free")
+    table = nested(b"moov", b"trak", content=box(b"stsz", struct.pack(">III", 0, 1, 7)))
+    path = tmp_path / "boxes.mp4"
+    path.write_bytes(box(b"ftyp", b"isom") + box(b"moov", too_long) + table)
+    assert declared(path) == (7, path.stat().st_size)
 
 
 def test_an_index_beyond_the_limit_is_not_listed(

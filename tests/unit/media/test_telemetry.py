@@ -125,6 +125,12 @@ def test_karma_holds_13_payloads_of_a_second() -> None:
 @needs_karma
 def test_no_other_file_is_opened(monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[Any] = []
-    monkeypatch.setattr(builtins, "open", lambda *args: opened.append(args))
-    read_telemetry_packets(KARMA)
-    assert opened == []
+    real = builtins.open
+
+    def noted(path: Any, *args: Any, **more: Any) -> Any:
+        opened.append(path)
+        return real(path, *args, **more)
+
+    monkeypatch.setattr(builtins, "open", noted)
+    assert read_telemetry_packets(KARMA)
+    assert {path.resolve() for path in opened} == {KARMA.resolve()}
