@@ -1,6 +1,15 @@
-"""Sensors that repeat readings: a stuck one has none there, a slow one has fewer."""
+"""Sensors that repeat readings: a stuck one has none there, a slow one has fewer.
 
-from collections.abc import Sequence
+A logger that lost its sensor writes the last readings again: all axes, one of them, or
+a few rows in turn; or its last bit goes on changing while the other sensor moves. A
+coarse sensor at rest repeats itself, too: there its noise does not reach from one step
+of its values to the next. Noise and step come from the rest of the log, so that units
+do not matter.
+"""
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +20,7 @@ from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.streams import SensorStream
 from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.model.arrays import Floats, all_of_rows
-from hapticplayer.model.limits import MAX_MISSING
+from hapticplayer.model.limits import LEAST_REPEATS, MAX_MISSING
 
 Flags = NDArray[np.bool_]
 Rows = NDArray[np.intp]
@@ -22,6 +31,21 @@ ASKED_SHARE = 0.1
 _STUCK = "stuck"  # in the provenance of a recording
 _NAMES = Message("accelerometer"), Message("gyroscope"), Message("magnetometer")
 _SHOWN_SPANS = 3
+
+_RESOLVED_STEPS = 0.5
+_MAX_PERIOD_ROWS = 16
+# Noise is that of the calmest tenth of the windows of so many readings.
+_WINDOW_READINGS, _CALM_PERCENT = 16, 10.0
+_SHOWN_VALUES = 20_000  # for the step of the values
+# What comes to rest and leaves it does so within this many steps at one end.
+_GENTLE_STEPS = 2.5
+# A log begins at rest; a sensor that shows fewer levels in it may repeat itself there.
+_COARSE_LEVELS = 256
+_MIN_SHARE_OF_HELD = 0.9
+# Where only the last bit of a sensor changes and its noise, even if two thirds are
+# motion, does not explain that, the other sensor has to show motion of this usual size.
+_MAX_OF_MOTION, _MOVES = 3.0, 0.5
+_LEAST_OF_GRAVITY = 0.02
 
 
 class Repeats(NamedTuple):
@@ -69,10 +93,13 @@ def working(
     Raises:
         InputError: for a sensor that was stuck most of the time.
     """
-    from hapticplayer.motion.repair.frozen import frozen_rows, readings_each
-
     given = [accel, rate] if field is None else [accel, rate, field]
-    stuck = [frozen_rows(stream.values) for stream in given]
+    stuck = [stuck_rows(stream.values) for stream in given]
+    for one, other in ((0, 1), (1, 0)):
+        time_s = given[one].time_s
+        for begin, end in flickers(given[one].values):
+            if _moves(other == 1, given[other], (time_s[begin], time_s[end])):
+                stuck[one][begin + 1 : end + 1] = True
     _exempt_rest(given, stuck)
     each = [readings_each(stream.values) for stream in given[:2]]
     rows = [_rows_of_readings(*pair) for pair in zip(given[:2], each, strict=True)]
@@ -160,6 +187,18 @@ def _nearest(flags: Flags, time_s: Floats, at_s: Floats) -> Flags:
     return np.asarray(flags[np.searchsorted(time_s, at_s).clip(0, len(flags) - 1)])
 
 
+def _moves(is_rate: bool, other: SensorStream, span_s: tuple[float, float]) -> bool:
+    """Whether a sensor moves in a span as it does elsewhere, about its rest or its mean."""
+    values = other.values
+    inside = values[(other.time_s > span_s[0]) & (other.time_s < span_s[1])]
+    if not np.isfinite(inside).any():
+        return False
+    rest = np.nanmedian(values if is_rate else inside, axis=0)
+    size, usual = (np.sqrt(np.nanmean((one - rest) ** 2)) for one in (inside, values))
+    least = 0.0 if is_rate else _LEAST_OF_GRAVITY * np.linalg.norm(rest)
+    return bool(size > max(_MOVES * usual, least))
+
+
 def _stuck_text(name: str, time_s: Floats, flags: Flags) -> Message:
     edges = np.flatnonzero(np.diff(flags, prepend=False, append=False))
     spans = [
@@ -190,3 +229,168 @@ def _held_text(name: str, time_s: Floats, each: int) -> Message:
         each=each,
         rate_hz=1.0 / (each * float(np.nanmedian(np.diff(time_s)))),
     )
+
+
+class _Axes(NamedTuple):
+    """What an axis of a sensor is like where it works, (3,) each."""
+
+    step: Floats
+    noise_steps: Floats
+    levels: Floats
+
+    @property
+    def is_resolved(self) -> Flags:
+        return np.asarray(self.noise_steps >= _RESOLVED_STEPS)
+
+
+def readings_each(values: Floats) -> int:
+    """Return how many rows hold each reading: 1, or more of a slow sensor's (N, 3)."""
+    changes = np.flatnonzero(~all_of_rows(values[1:] == values[:-1]))
+    lengths = np.diff(changes)
+    if len(lengths) < _WINDOW_READINGS:
+        return 1
+    usual = int(np.median(lengths))
+    near = np.abs(lengths - usual) <= (1 if usual > 1 else 0)
+    return usual if np.mean(near) >= _MIN_SHARE_OF_HELD else 1
+
+
+def stuck_rows(values: Floats) -> Flags:
+    """Return the rows (N,) that repeat others of one sensor (N, 3), NaN where missing."""
+    count, each = len(values), readings_each(values)
+    stuck, least = np.zeros(count, np.bool_), LEAST_REPEATS * each
+    if count < 2 * least:
+        return stuck
+    if _has_stuck_axis(values, each):
+        stuck[:] = True
+        return stuck
+    found = list(_repeats(values, each, least))
+    if not found:
+        return stuck
+    works = np.ones(values.shape, np.bool_)
+    for one in found:
+        works[one.begin : one.end + 1, one.axes] = False
+    axes = _axes(values, works, each)
+    for one in found:
+        if one.is_stuck(values, axes, least):
+            stuck[one.begin + one.period : one.end + one.period] = True
+    return stuck
+
+
+def flickers(values: Floats) -> list[tuple[int, int]]:
+    """First and last rows between which only the last bit of a sensor (N, 3) changes."""
+    each = readings_each(values)
+    everywhere = np.ones(values.shape, np.bool_)
+    # two neighbouring levels are a pair of one or of the other kind
+    same = [
+        [pair[1:] == pair[:-1] for pair in (levels // 2, (levels + 1) // 2)]
+        for levels in _levels(values, _axes(values, everywhere, each).step)
+    ]
+    found: set[tuple[int, int]] = set()
+    for x, y, z in itertools.product(*same):
+        found.update(_long_runs(x & y & z, LEAST_REPEATS * each))
+    if not found:
+        return []
+    works = everywhere
+    for begin, end in found:
+        works[begin : end + 1] = False
+    noises = _axes(values, works, each).noise_steps / _MAX_OF_MOTION
+    stays = [math.erf(math.sqrt(0.5) / max(noise, 1e-9)) for noise in noises]
+    bits = -sum(map(math.log2, stays)) / each
+    return [(a, b) for a, b in sorted(found) if bits * (b - a) >= LEAST_REPEATS]
+
+
+def _levels(values: Floats, steps: Floats) -> Iterator[Floats]:
+    for axis, step in zip(values.T, steps, strict=True):
+        with np.errstate(invalid="ignore"):  # NaN differs from all
+            yield np.rint(axis / step)
+
+
+def _has_stuck_axis(values: Floats, each: int) -> bool:
+    """Whether an axis has one value, not zero, throughout, and another has noise."""
+    held = values[all_of_rows(np.isfinite(values))]
+    if len(held) < LEAST_REPEATS:
+        return False
+    is_stuck = (held == held[0]).all(axis=0) & (held[0] != 0.0)
+    if not is_stuck.any():
+        return False
+    return bool(_axes(held, np.ones(held.shape, np.bool_), each).is_resolved.any())
+
+
+class _Repeats(NamedTuple):
+    """Rows that are those of a period before.
+
+    Attributes:
+        begin: row that is repeated first.
+        end: so many rows in all are, less the begin.
+        period: in rows; 1 where one row is repeated.
+        axes: of the sensor, in which they are.
+    """
+
+    begin: int
+    end: int
+    period: int
+    axes: slice = slice(None)
+
+    def is_stuck(self, values: Floats, axes: _Axes, least: int) -> bool:
+        step, resolved = axes.step[self.axes], axes.is_resolved[self.axes]
+        length = self.end - self.begin
+        if length * np.count_nonzero(resolved) < least:
+            return False
+        used = values[:, self.axes]
+        if self.period > 1:
+            reach = np.ptp(used[self.begin : self.begin + self.period], axis=0)
+            return bool((reach > _GENTLE_STEPS * step)[resolved].any())
+        if self.begin == 0 and (axes.levels[self.axes] < _COARSE_LEVELS).all():
+            return False
+        # what comes to rest, or leaves it, does so gently at one end
+        changes = [
+            np.abs(used[after] - used[after - 1]) / step
+            for after in (self.begin, self.end + 1)
+            if 0 < after < len(values)
+        ]
+        return not any((change <= _GENTLE_STEPS).all() for change in changes)
+
+
+def _repeats(values: Floats, each: int, least: int) -> Iterator[_Repeats]:
+    same = values[1:] == values[:-1]
+    for begin, end in _long_runs(all_of_rows(same), least // 3):
+        yield _Repeats(begin, end, 1)
+    for axis in range(3):
+        for begin, end in _long_runs(same[:, axis], 3 * least // 2):
+            yield _Repeats(begin, end, 1, slice(axis, axis + 1))
+    for period in range(2, _MAX_PERIOD_ROWS * each + 1):
+        first = values[period:, 0] == values[:-period, 0]
+        if np.count_nonzero(first) < least:
+            continue
+        again = first & all_of_rows(values[period:] == values[:-period])
+        for begin, end in _long_runs(again, max(least, 2 * period)):
+            if np.ptp(values[begin : begin + period], axis=0).any():
+                yield _Repeats(begin, end, period)
+
+
+def _long_runs(flags: Flags, least: int) -> list[tuple[int, int]]:
+    """Return begin and end of runs of at least so many."""
+    edges = np.flatnonzero(np.diff(flags, prepend=False, append=False))
+    begins, ends = edges[::2], edges[1::2]
+    is_long = ends - begins >= least
+    return list(zip(begins[is_long].tolist(), ends[is_long].tolist(), strict=True))
+
+
+def _axes(values: Floats, works: Flags, each: int) -> _Axes:
+    steps, noises, reach = np.full(3, np.inf), np.zeros(3), np.zeros(3)
+    for axis in range(3):
+        held = values[works[:, axis], axis]
+        held = held[np.isfinite(held)][::each]
+        levels = np.unique(held[:_SHOWN_VALUES])
+        apart = np.diff(levels)
+        apart = apart[apart > 1e-9 * np.abs(levels).max(initial=0.0)]
+        if not len(apart):
+            continue
+        steps[axis], reach[axis] = apart.min(), levels[-1] - levels[0]
+        windows = len(held) // _WINDOW_READINGS
+        if not windows:
+            continue
+        rows = held[: windows * _WINDOW_READINGS].reshape(windows, _WINDOW_READINGS)
+        rms = np.sqrt(np.square(np.diff(rows, axis=1)).mean(axis=1) / 2.0)
+        noises[axis] = np.percentile(rms, _CALM_PERCENT)
+    return _Axes(steps, noises / steps, reach / steps)

@@ -49,6 +49,10 @@ MAX_SAMPLES = 100_000_000
 MAX_MISSING = 0.5
 """Larger shares of a sensor's samples cannot be filled in."""
 
+LEAST_REPEATS = 40
+"""Equal readings in a row that are no chance: one whose noise is half a step repeats every
+other time, 2^-40."""
+
 MIN_UNPAIRED = 0.1
 """Share of rows with one sensor only, of each kind, that means two streams."""
 

@@ -14,6 +14,7 @@ from hapticplayer.errors import InputError, Message
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, Sampling
 from hapticplayer.model.arrays import Floats, all_of_rows
 from hapticplayer.model.limits import (
+    LEAST_REPEATS,
     MAX_ANY_FIELD,
     MAX_ANY_FORCE,
     MAX_ANY_RATE,
@@ -21,7 +22,6 @@ from hapticplayer.model.limits import (
     MAX_SAMPLES,
     are_unpaired,
 )
-from hapticplayer.motion.repair.frozen import LEAST_REPEATS
 from hapticplayer.motion.repair.timestamps import (
     Repair,
     RepairKind,

@@ -67,6 +67,38 @@ def test_a_short_span_is_noted_and_has_no_force(tmp_path):
     assert any("6.01 to 6.90 s" in note for note in found.notes)
 
 
+def flickering(which, span):
+    """Own CSV whose sensors keep a reading in a span, but for a last bit of noise."""
+    made, rng = sample(12.0), np.random.default_rng(4)
+    parts = {}
+    for name, step in (("force", 0.0024), ("rate", 0.0005)):
+        time_s, values = getattr(made, f"{name}_s"), getattr(made, name)
+        values = step * np.round(values / step)
+        rows = (time_s > span[0]) & (time_s <= span[1])
+        if name in which:
+            kept = values[np.argmax(rows) - 1]
+            values[rows] = kept + step * rng.integers(0, 2, (rows.sum(), 3))
+        parts[name] = values
+    return FORMATS["own CSV"].write(replace(made, **parts))
+
+
+@pytest.mark.parametrize("which", [("force",), ("rate",), ("force", "rate")])
+def test_a_last_bit_of_noise_does_not_make_readings(tmp_path, which):
+    path = put(flickering(which, (6.0, 8.0)), tmp_path / "log")
+    with pytest.raises(LogQuestion, match=ANSWER):
+        read_recording(path)
+    found = read_recording(path, parse_choices([ANSWER]))
+    time_s, valid = found.imu.time_s, found.imu.valid
+    assert not valid[(time_s > 6.05) & (time_s < 7.95)].any()
+    assert valid[(time_s < 5.95) | (time_s > 8.05)].all()
+
+
+@pytest.mark.parametrize("which", [("force",), ("rate",), ("force", "rate")])
+def test_a_last_bit_of_noise_at_rest_is_no_fault(tmp_path, which):
+    path = put(flickering(which, (0.5, 2.8)), tmp_path / "log")
+    assert read_recording(path).imu.valid is None
+
+
 def test_a_sensor_that_was_stuck_most_of_the_time_is_refused(tmp_path):
     path = put(
         FORMATS["own CSV"].write(stuck(("rate",), (4.0, 11.0))), tmp_path / "log"
