@@ -1,7 +1,8 @@
 """When the effects of MPEG-V act: groups, references, activation, seconds.
 
 An effect has the attributes of its group where it has none of its own. A reference is the
-declared effect with the reference's own attributes. An effect without a duration lasts until
+declared effect with the reference's own attributes. Times in a declared group, and those
+that all lie before the time of their group, count from its begin. An effect without a duration lasts until
 the next one of its kind and place, `activate="false"` among them, as PlaySEM writes them;
 PlaySEM also counts durations in seconds whatever the time scale is.
 """
@@ -24,7 +25,11 @@ _INHERITED = (
     *("intensity", "intensity-value", "intensity-range"),
 )
 _KINESTHETIC = ("PassiveKinestheticForce", "ActiveKinesthetic", "RigidBodyMotion")
-_OTHER_TIMES = ("ptsDelta", "absTime", "absTimeDelta", "relTime")
+_TIMES = ("pts", "timestamp")
+_OTHER_TIMES = (
+    *("ptsDelta", "absTime", "absTimeDelta", "relTime"),
+    *("start", "startTime", "begin", "time"),
+)
 _MAX_DEPTH = 8
 
 SHORT_S = 0.02
@@ -63,6 +68,24 @@ class Attributes(NamedTuple):
 
     def refusal(self, what: Message) -> InputError:
         return InputError(what, where=self.where, remedy=ANOTHER)
+
+
+class _SemPlace(NamedTuple):
+    """Where an element stands.
+
+    Attributes:
+        given: what it has from its groups.
+        scale: ticks in a second.
+        begin_s: of its group, if that has a time.
+        base_s: what its own time counts from.
+        depth: of nesting.
+    """
+
+    given: dict[str, str]
+    scale: float = 1000.0
+    begin_s: float | None = None
+    base_s: float = 0.0
+    depth: int = 0
 
 
 @dataclass(slots=True)
@@ -147,7 +170,8 @@ class EffectTimes:
         for element in root.iter():
             if name_of(element.tag) == "Declarations":
                 self._declare(element)
-        found = list(self._inside(root, {}, 1000.0, None, 0))
+        self._is_other(root, "SEM")
+        found = list(self._inside(root, _SemPlace({})))
         if found and not any("timeScale" in _attributes_of(x) for x in root.iter()):
             self.assumed[Message("times were taken as milliseconds")] = None
         if self._counts_seconds(found):
@@ -167,63 +191,101 @@ class EffectTimes:
             if name:
                 self._declared[name] = element
 
-    def _inside(
-        self,
-        parent: Element,
-        given: dict[str, str],
-        scale: float,
-        begin_s: float | None,
-        depth: int,
-    ) -> Iterator[SemEffect]:
+    def _inside(self, parent: Element, place: _SemPlace) -> Iterator[SemEffect]:
         """Yield the effects of an element; lengths are still in ticks."""
-        own = _attributes_of(parent)
-        if "timeScale" in own:
-            scale = Attributes(own, self._where).number("timeScale", 1000.0, 1.0, 1e9)
+        own = Attributes(_attributes_of(parent), self._where)
+        scale = own.number("timeScale", place.scale, 1.0, 1e9)
         for element in parent:
-            yield from self._one(element, given, scale, begin_s, depth)
+            yield from self._one(element, place._replace(scale=scale))
 
     def _one(
-        self,
-        element: Element,
-        given: dict[str, str],
-        scale: float,
-        begin_s: float | None,
-        depth: int,
+        self, element: Element, place: _SemPlace, declared_s: float | None = None
     ) -> Iterator[SemEffect]:
         name = name_of(element.tag)
         self._left -= 1
-        if self._left < 0 or depth > _MAX_DEPTH:
+        if self._left < 0 or place.depth > _MAX_DEPTH:
             what = Message("holds too many values")
             raise InputError(what, where=self._where, remedy=ANOTHER)
-        if name in ("Declarations", "Parameter"):
+        if name in ("Declarations", "Parameter") or self._is_other(element, name):
             return
         own = _attributes_of(element)
-        merged = Attributes({**given, **own}, self._where)
-        scale = merged.number("timeScale", scale, 1.0, 1e9)
-        if not {"pts", "timestamp"} & own.keys() and set(_OTHER_TIMES) & own.keys():
-            self.unread[f"{name} with a time that is relative"] += 1
+        merged = Attributes({**place.given, **own}, self._where)
+        place = place._replace(scale=merged.number("timeScale", place.scale, 1.0, 1e9))
+        begin_s = self._begin_s(own, place)
+        if begin_s is not None and begin_s < (place.begin_s or 0.0):
+            self.unread["a time before that of its group"] += 1
             return
-        for time in ("pts", "timestamp"):
-            if time in own:
-                own_s = merged.number(time, 0.0, 0.0, 1e15) / scale
-                if own_s < (begin_s or 0.0):
-                    self.unread["a time before that of its group"] += 1
-                begin_s = own_s
-                self._has_other_clock |= time == "timestamp"
+        place = place._replace(begin_s=begin_s)
         if name == "ReferenceEffect":
-            meant = self._declared.get(own.get("uri", "").rpartition("#")[2])
-            if meant is None:
-                self.unread["ReferenceEffect"] += 1
-                return
-            kept = {k: v for k, v in own.items() if k not in ("id", "uri", "type")}
-            made = Element(meant.tag, {**_attributes_of(meant), **kept})
-            made.extend(meant)
-            yield from self._one(made, given, scale, begin_s, depth + 1)
+            yield from self._referred(own, place)
         elif name == "Effect":
-            yield self._effect(element, merged, scale, begin_s or 0.0)
+            if place.begin_s is None:
+                self.assumed[Message("effects without a time begin at 0 s")] = None
+            yield self._effect(element, merged, place.scale, place.begin_s or 0.0)
         else:
             passed = {k: v for k, v in merged.values.items() if k in _INHERITED}
-            yield from self._inside(element, passed, scale, begin_s, depth + 1)
+            place = place._replace(given=passed, depth=place.depth + 1)
+            place = place._replace(base_s=self._base_s(element, place, declared_s))
+            yield from self._inside(element, place)
+
+    def _is_other(self, element: Element, name: str) -> bool:
+        """Whether an element has times that are not understood, which are listed."""
+        own = _attributes_of(element).keys()
+        is_other = not own & set(_TIMES) and bool(own & set(_OTHER_TIMES))
+        if is_other:
+            self.unread[f"{name} with another time"] += 1
+        return is_other
+
+    def _begin_s(self, own: dict[str, str], place: _SemPlace) -> float | None:
+        """The time of an element itself, else that of its group."""
+        begin_s = place.begin_s
+        for time in _TIMES:
+            if time in own:
+                given = Attributes(own, self._where).number(time, 0.0, 0.0, 1e15)
+                begin_s = place.base_s + given / place.scale
+                self._has_other_clock |= time == "timestamp"
+        return begin_s
+
+    def _base_s(
+        self, group: Element, place: _SemPlace, declared_s: float | None
+    ) -> float:
+        """What the times in a group count from."""
+        begin_s = place.begin_s
+        times_s = [
+            Attributes(own, self._where).number(time, 0.0, 0.0, 1e15) / place.scale
+            for own in map(_attributes_of, group)
+            for time in _TIMES
+            if time in own
+        ]
+        if begin_s is None or not times_s:
+            return place.base_s
+        if declared_s is not None:
+            said = Message("times in a declared group count from its reference")
+            self.assumed[said] = None
+            return begin_s - (declared_s if min(times_s) >= declared_s else 0.0)
+        if max(times_s) + place.base_s >= begin_s:
+            return place.base_s
+        said = Message("times before that of their group count from it")
+        self.assumed[said] = None
+        return begin_s
+
+    def _referred(self, own: dict[str, str], place: _SemPlace) -> Iterator[SemEffect]:
+        """The effects that a reference plays."""
+        meant = self._declared.get(own.get("uri", "").rpartition("#")[2])
+        if meant is None:
+            self.unread["ReferenceEffect"] += 1
+            return
+        its_own = Attributes(_attributes_of(meant), self._where)
+        kept = {k: v for k, v in own.items() if k not in ("id", "uri", "type")}
+        attributes, declared_s = {**its_own.values, **kept}, None
+        if place.begin_s is not None:
+            scale = its_own.number("timeScale", place.scale, 1.0, 1e9)
+            declared_s = max(its_own.number(time, 0.0, 0.0, 1e15) for time in _TIMES)
+            declared_s /= scale
+            attributes = {k: v for k, v in attributes.items() if k not in _TIMES}
+        made = Element(meant.tag, attributes)
+        made.extend(meant)
+        yield from self._one(made, place._replace(depth=place.depth + 1), declared_s)
 
     def _effect(
         self, element: Element, attributes: Attributes, scale: float, begin_s: float

@@ -275,10 +275,68 @@ def test_a_group_gives_its_time_to_its_effects(read):
     assert found.unread == ()
 
 
-def test_a_time_before_that_of_the_group_is_said(read):
-    group = f'<GroupOfEffects si:pts="5000">{shake(begin=10)}</GroupOfEffects>'
-    (note,) = read(SEM.format(group), ".sem").unread
+@pytest.mark.parametrize(("first", "second"), [(0, 1000), (10, 1010), (0, 4000)])
+def test_times_before_that_of_the_group_count_from_it(read, first, second):
+    both = shake(begin=first, length=500) + shake(begin=second, length=500)
+    group = f'<GroupOfEffects si:pts="5000">{both}</GroupOfEffects>'
+    found = read(SEM.format(group), ".sem")
+    begins_s = [5.0 + first / 1000.0, 5.0 + second / 1000.0]
+    spans = [(0, 5), *((one + 0.02, one + 0.5) for one in begins_s), (9.5, 12)]
+    np.testing.assert_allclose(felt(found.track, *spans), [0, 0.5, 0.5, 0], atol=1e-3)
+    assert "times before that of their group" in " ".join(map(str, found.assumed))
+
+
+def test_one_time_before_that_of_the_group_is_not_read(read):
+    both = shake(begin=10) + shake(begin=6000)
+    group = f'<GroupOfEffects si:pts="5000">{both}</GroupOfEffects>'
+    found = read(SEM.format(group), ".sem")
+    np.testing.assert_allclose(felt(found.track, (0, 6), (6, 7)), [0, 0.5], atol=1e-3)
+    (note,) = found.unread
     assert "a time before that of its group (1)" in str(note)
+
+
+@pytest.mark.parametrize(
+    ("declared", "first", "second"),
+    [("", 0, 1000), ('si:pts="0"', 0, 1000), ('si:pts="3000"', 3000, 4000)],
+)
+@pytest.mark.parametrize("scale", [1000, 90_000])
+def test_a_declared_group_is_played_at_its_reference(
+    read, declared, first, second, scale
+):
+    both = shake(begin=first, length=500) + shake(begin=second, length=500)
+    text = SEM.format(
+        f'<Declarations><GroupOfEffects id="g" {declared}>{both}</GroupOfEffects>'
+        '</Declarations><ReferenceEffect uri="#g" si:pts="5000"/>'
+        '<GroupOfEffects si:pts="8000"><ReferenceEffect uri="#g"/></GroupOfEffects>'
+    )
+    factor = scale // 1000
+    text = re.sub(
+        '(pts|duration|timeScale)="([0-9]+)"',
+        lambda m: f'{m[1]}="{int(m[2]) * factor}"',
+        text,
+    )
+    found = read(text, ".sem")
+    spans = [(0, 5), (5, 5.5), (5.501, 6), (6, 6.5), (6.501, 8), (8, 8.5), (9, 9.5)]
+    wanted = [0, 0.5, 0, 0.5, 0, 0.5, 0.5]
+    np.testing.assert_allclose(felt(found.track, *spans), wanted, atol=1e-3)
+    assert found.unread == ()
+
+
+def test_a_declared_effect_in_a_group_has_its_time(read):
+    one = shake('id="buzz"', 700, 400)
+    text = SEM.format(
+        f"<Declarations>{one}</Declarations>"
+        '<GroupOfEffects si:pts="3000"><ReferenceEffect uri="#buzz"/></GroupOfEffects>'
+    )
+    found = read(text, ".sem")
+    spans = [(0, 3), (3, 3.4), (3.401, 9)]
+    np.testing.assert_allclose(felt(found.track, *spans), [0, 0.5, 0], atol=1e-3)
+
+
+def test_an_effect_without_any_time_is_said_to_begin_at_0(read):
+    found = read(SEM.format(shake(begin=None)), ".sem")
+    assert "effects without a time begin at 0 s" in map(str, found.assumed)
+    assert felt(found.track, (0, 1))[0] == pytest.approx(0.5, abs=1e-3)
 
 
 def test_a_reference_plays_what_was_declared_at_its_own_time(read):
@@ -314,10 +372,28 @@ def test_a_time_without_its_prefix_counts(read, old):
     assert felt(found.track, (2, 2.5))[0] == pytest.approx(0.5, abs=1e-3)
 
 
-def test_a_relative_time_is_listed(read):
-    later = shake().replace("si:pts", "si:ptsDelta")
-    found = read(SEM.format(shake() + later), ".sem")
-    assert "Effect with a time that is relative (1)" in str(found.unread[0])
+OTHER_TIMES = ("ptsDelta", "absTime", "absTimeDelta", "relTime", "start", "begin")
+
+
+@pytest.mark.parametrize("name", OTHER_TIMES)
+@pytest.mark.parametrize("of", ["Effect", "GroupOfEffects", "ReferenceEffect", "SEM"])
+def test_another_time_base_is_listed_and_not_felt(read, name, of):
+    prefix = "si:" if "ime" in name or name == "ptsDelta" else ""
+    timed = f'{prefix}{name}="3000"'
+    later = {
+        "Effect": shake(timed, begin=None),
+        "GroupOfEffects": f"<GroupOfEffects {timed}>{shake()}</GroupOfEffects>",
+        "ReferenceEffect": f'<ReferenceEffect uri="#buzz" {timed}/>',
+        "SEM": "",
+    }[of]
+    buzz = shake('id="buzz"')
+    text = f"<Declarations>{buzz}</Declarations>"
+    text = SEM.format(text + shake(begin=6000) + later)
+    if of == "SEM":
+        text = text.replace("si:timeScale", f"{timed} si:timeScale")
+    found = read(text, ".sem")
+    assert felt(found.track, (0, 6), (6, 7)) == pytest.approx([0.0, 0.5], abs=1e-3)
+    assert f"{of} with another time (1)" in str(found.unread[0])
 
 
 @pytest.mark.parametrize("words", ["1 2 3 4", "1 2 x", "1 2 1_0", "1 2 3j", "1 2 nan"])
