@@ -2,17 +2,24 @@
 
 import os
 import re
+from collections.abc import Iterator
+from pathlib import Path
 from typing import NamedTuple
 
-from hapticplayer.errors import Message
-from hapticplayer.media.clip_bytes import open_clip
+from hapticplayer.errors import Message, shell_line
+from hapticplayer.media.clip_bytes import open_clip, size_of
 from hapticplayer.media.clip_info import frame_rate_hz, require_video
 from hapticplayer.media.mp4 import boxes, content_of, tracks_of
 from hapticplayer.media.opening import open_media
 
 _ANDROID, _PHOTOS = "com.android.capture.fps", "com.apple.photos.capturemode"
 _SONY = re.compile(rb'captureFps="(\d+(?:\.\d+)?)p?"\s+formatFps="(\d+(?:\.\d+)?)p?"')
-_MAX_META_BYTES = 1 << 20
+_GOPRO_LAPSE = b"MTYPB\x01\x00\x01\x01"
+_GOPRO_RATE = re.compile(rb"RATEc(.)(..)", re.DOTALL)
+_GOPRO_INTERVAL = re.compile(r"(\d+)(?:_(\d+))?SEC")
+_SAMSUNG_END, _SAMSUNG_PART = b"SEFT", b"Super_SlowMotion_Data"
+_MAX_META_BYTES, _TAIL_BYTES = 1 << 20, 1 << 16
+_LAPSE = Message("its metadata say that it is a time lapse")
 _SAME = 1.45  # a phone in low light gives fewer frames than it says, but not by this
 
 
@@ -27,25 +34,47 @@ class Pace(NamedTuple):
     slowed: float | None
     why: Message
 
+    def question(self, path: Path) -> Message:
+        """What a person has to decide, and how."""
+        slowed = self.slowed or 1.0
+        real = path.with_name(f"{path.stem}-real{path.suffix}")
+        scale = f"{1.0 / slowed:.6g}"
+        words = ("-itsscale", scale, "-i", path, "-map", "0:v", "-c", "copy", real)
+        copy = shell_line("ffmpeg", *words)
+        if self.slowed is None:
+            copy = Message("your video editor")
+        return Message(
+            "{clip}: {why}; make a copy at its real speed ({copy}), or give --slow-motion 1 to "
+            "take it as it plays, or --slow-motion {slowed} with --offset S to stretch the motion",
+            clip=path.name,
+            why=self.why,
+            copy=copy,
+            slowed=f"{slowed:.4g}" if self.slowed else "N",
+        )
+
 
 def pace_of(path: str | os.PathLike[str]) -> Pace | None:
     """The pace of a clip where its metadata say that it is another, else None.
 
-    Android writes the rate of capture, Apple the mode, Sony both rates (S&Q); an edit list
-    may stretch the video, which FFmpeg does not do.
+    Android writes the rate of capture, Apple the mode, Sony both rates (S&Q), GoPro the
+    kind of recording and its rate, Samsung that a part is Super Slow-mo; an edit list may
+    stretch the video, which FFmpeg does not do. Slow motion of iPhones plays at its real
+    speed; DJI and Insta360 write nothing of the kind.
     """
     with open_media(path) as container:
-        said = {key.lower(): value for key, value in container.metadata.items()}
         video = require_video(container, path)
+        both = {**container.metadata, **video.metadata}
         rates_hz = (frame_rate_hz(video), float(video.guessed_rate or 0.0))
+    said = {key.lower(): value for key, value in both.items()}
     captured_hz = _number(said.get(_ANDROID, ""))
     if captured_hz and rates_hz[0] and (found := _by_rates(captured_hz, rates_hz)):
         return found
-    if found := _by_sony(path):
-        return found
+    for content in _meta_boxes(path):
+        if found := _by_sony(content) or _by_gopro(content, rates_hz):
+            return found
     if "lapse" in said.get(_PHOTOS, "").lower():
-        return Pace(None, Message("its metadata say that it is a time lapse"))
-    return _by_edits(path)
+        return Pace(None, _LAPSE)
+    return _by_samsung(path) or _by_edits(path)
 
 
 def _number(text: str) -> float:
@@ -69,22 +98,47 @@ def _by_rates(captured_hz: float, shown_hz: tuple[float, ...]) -> Pace | None:
     return Pace(captured_hz / known[0], why)
 
 
-def _by_sony(path: str | os.PathLike[str]) -> Pace | None:
-    for content in _meta_boxes(path):
-        if match := _SONY.search(content):
-            captured_hz, shown_hz = (_number(part.decode()) for part in match.groups())
-            if captured_hz and shown_hz:
-                return _by_rates(captured_hz, (shown_hz,))
-    return None
+def _by_sony(content: bytes) -> Pace | None:
+    match = _SONY.search(content)
+    if match is None:
+        return None
+    captured_hz, shown_hz = (_number(part.decode()) for part in match.groups())
+    return _by_rates(captured_hz, (shown_hz,)) if captured_hz and shown_hz else None
 
 
-def _meta_boxes(path: str | os.PathLike[str]) -> list[bytes]:
+def _by_gopro(content: bytes, shown_hz: tuple[float, ...]) -> Pace | None:
+    """By its settings in GPMF: the rate is empty but in time lapse and TimeWarp."""
+    match = _GOPRO_RATE.search(content)
+    rate = ""
+    if match is not None:
+        length = match[1][0] * int.from_bytes(match[2], "big")
+        rate = content[match.end() :][:length].decode("latin-1").strip(" \0")
+    interval = _GOPRO_INTERVAL.fullmatch(rate)
+    if interval is not None:
+        step_s = _number(f"{interval[1]}.{interval[2] or 0}")
+        return _by_rates(1.0 / step_s, shown_hz) if step_s and shown_hz[0] else None
+    if rate:
+        return Pace(
+            None,
+            Message("it is a time lapse or TimeWarp (GoPro's rate: {rate})", rate=rate),
+        )
+    return Pace(None, _LAPSE) if _GOPRO_LAPSE in content else None
+
+
+def _by_samsung(path: str | os.PathLike[str]) -> Pace | None:
     with open_clip(path) as stream:
-        return [
-            content_of(stream, box, _MAX_META_BYTES)
-            for box in boxes(stream, frozenset([b"moov"]))
-            if box.kind in {b"meta", b"uuid"}
-        ]
+        stream.seek(max(0, size_of(stream) - _TAIL_BYTES))
+        tail = stream.read(_TAIL_BYTES)
+    if not tail.endswith(_SAMSUNG_END) or _SAMSUNG_PART not in tail:
+        return None
+    return Pace(None, Message("a part of it was recorded faster (Super Slow-mo)"))
+
+
+def _meta_boxes(path: str | os.PathLike[str]) -> Iterator[bytes]:
+    with open_clip(path) as stream:
+        for box in boxes(stream, frozenset([b"moov", b"udta"])):
+            if box.kind in {b"meta", b"uuid", b"GPMF"}:
+                yield content_of(stream, box, _MAX_META_BYTES)
 
 
 def _by_edits(path: str | os.PathLike[str]) -> Pace | None:

@@ -26,10 +26,8 @@ from hapticplayer.errors import (
     UsageError,
     joined,
     no_progress,
-    shell_line,
 )
 from hapticplayer.media.clip_info import ClipInfo
-from hapticplayer.media.pace import Pace, pace_of
 from hapticplayer.model import ClockMap
 from hapticplayer.model.ranges import SKEW_S
 from hapticplayer.structures import read_json
@@ -214,27 +212,10 @@ def ask_for_pace(clip: ClipInfo, choices: SyncChoices) -> None:
     """
     if choices.slowed is not None or choices.accepted is not None:
         return
+    from hapticplayer.media.pace import pace_of
+
     if (pace := pace_of(clip.path)) is not None:
-        raise UsageError(_pace_question(clip, pace))
-
-
-def _pace_question(clip: ClipInfo, pace: Pace) -> Message:
-    path = clip.path
-    slowed = pace.slowed or 1.0
-    real = path.with_name(f"{path.stem}-real{path.suffix}")
-    scale = f"{1.0 / slowed:.6g}"
-    words = ("-itsscale", scale, "-i", path, "-map", "0:v", "-c", "copy", real)
-    copy = shell_line("ffmpeg", *words)
-    if pace.slowed is None:
-        copy = Message("your video editor")
-    return Message(
-        "{clip}: {why}; make a copy at its real speed ({copy}), or give --slow-motion 1 to "
-        "take it as it plays, or --slow-motion {slowed} with --offset S to stretch the motion",
-        clip=path.name,
-        why=pace.why,
-        copy=copy,
-        slowed=f"{slowed:.4g}" if pace.slowed else "N",
-    )
+        raise UsageError(pace.question(clip.path))
 
 
 def _at(found: Synchronisation, middle_s: float) -> Synchronisation:

@@ -17,7 +17,7 @@ from hapticplayer.media.remux import (
     remux,
     video_payload,
 )
-from tests.unit.media.conftest import numbered_pictures
+from tests.unit.media.conftest import numbered_pictures, write_plain
 
 H264_DELIMITER, H264_FILLER, HEVC_DELIMITER = 9, 12, 35
 
@@ -139,6 +139,91 @@ def test_another_sound_track_is_no_other_video(clip, tmp_path):
     assert difference(silent, clip) is None
     for one, other in ((clip, silent), (silent, clip)):
         assert other_head(one, video_payload(other)) is None
+
+
+@pytest.mark.parametrize(
+    "flags",
+    [
+        "frag_keyframe+empty_moov",
+        "frag_keyframe",
+        "frag_keyframe+empty_moov+delay_moov",
+    ],
+)
+@pytest.mark.parametrize(
+    "changes", [{}, {"sound": lambda at_s: at_s + 0.1}, {"video": later}]
+)
+def test_a_clip_in_fragments_keeps_its_identity(clip, tmp_path, flags, changes):
+    """Of the first packet of its sound the muxer writes another time, of the others not."""
+    moved = copied(clip, tmp_path / "moved.mp4", **changes)
+    fragments = tmp_path / "fragments.mp4"
+    with (
+        av.open(str(moved)) as source,
+        av.open(str(fragments), "w", options={"movflags": flags}) as copy,
+    ):
+        kept = (*source.streams.video, *source.streams.audio)
+        streams = {one.index: copy.add_stream_from_template(one) for one in kept}
+        for packet in source.demux(kept):
+            if packet.size:
+                packet.stream = streams[packet.stream_index]
+                copy.mux(packet)
+    is_same = not changes
+    assert (difference(clip, fragments) is None) == is_same
+    assert (other_head(fragments, video_payload(clip)) is None) == is_same
+
+
+@pytest.mark.skipif(shutil.which("mkvmerge") is None, reason="needs mkvmerge")
+def test_mpeg_4_part_2_is_the_same_in_mkvmerge(tmp_path):
+    """It writes the header once more, before the first frame."""
+    clip, again = tmp_path / "clip.mp4", tmp_path / "again.mkv"
+    pictures = [
+        av.VideoFrame.from_ndarray(one, format="rgb24").reformat(format="yuv420p")
+        for one in numbered_pictures(40)
+    ]
+    write_plain(clip, pictures, codec="mpeg4")
+    subprocess.run(["mkvmerge", "-q", "-o", again, clip], check=True)
+    assert difference(clip, again) is None
+    assert other_head(again, video_payload(clip)) is None
+
+
+def changed_at(clip, target, at_s):
+    """Change a bit of the key frame at or behind a time."""
+    with open_media(clip) as container:
+        video = container.streams.video[0]
+        entries = [one for one in video.index_entries if one.is_keyframe]
+        late = next(e for e in entries if e.timestamp * video.time_base >= at_s)
+    content = bytearray(clip.read_bytes())
+    content[late.pos + late.size - 3] ^= 1
+    target.write_bytes(content)
+    return target
+
+
+def test_a_clip_that_differs_behind_its_head_is_another_one(clip, tmp_path):
+    """Of a clip elsewhere some key frames are compared, where the index tells their place."""
+    payload = video_payload(clip)
+    assert len(payload.keys) >= 2
+    for at_s in (2.5, 4.0):
+        changed = changed_at(clip, tmp_path / "changed.mp4", at_s)
+        assert other_head(changed, payload) == ANOTHER
+    again = tmp_path / "again.mkv"
+    remux(clip, again, MATROSKA)
+    assert other_head(again, payload) is None
+    remux(changed, again, MATROSKA)
+    assert other_head(again, payload) == ANOTHER
+
+
+def test_key_frames_of_any_clip_are_few_and_evenly_spaced(tmp_path):
+    picture = av.VideoFrame.from_ndarray(
+        np.zeros((48, 64, 3), np.uint8), format="rgb24"
+    )
+    path = write_plain(
+        tmp_path / "intra.mp4",
+        [picture.reformat(format="yuvj420p")] * 1000,
+        codec="mjpeg",
+    )
+    times_ms = [at_ms for at_ms, _ in video_payload(path).keys]
+    assert 8 <= len(times_ms) < 16
+    assert np.ptp(np.diff(times_ms)) < 1.0
+    assert times_ms[-1] > 0.9 * 1000 / 0.03
 
 
 @pytest.mark.parametrize("kind", [H264_DELIMITER, H264_FILLER])

@@ -1,5 +1,6 @@
 """A clip that plays at another pace than it was recorded is known by its metadata."""
 
+import re
 from fractions import Fraction
 
 import av
@@ -76,6 +77,51 @@ def test_a_sony_tells_both_rates(tmp_path, captured, shown, slowed):
     path = with_box(clip(tmp_path / "clip.mp4"), b"meta", sony(captured, shown))
     found = pace_of(path)
     assert (found and found.slowed) == (slowed and pytest.approx(slowed, rel=0.01))
+
+
+def gopro(media_type: int, rate: str) -> bytes:
+    """Settings as a HERO writes them; the rate of normal video is empty."""
+    size = len(rate).to_bytes(1, "big")
+    settings = b"MTYPB\x01\x00\x01" + bytes([media_type, 0, 0, 0])
+    padded = rate.encode() + bytes(-len(rate) % 4)
+    return (
+        settings
+        + b"RATEc"
+        + size
+        + b"\x00\x01"
+        + padded
+        + b"SROTf\x04\x00\x01"
+        + bytes(4)
+    )
+
+
+def box(kind: bytes, content: bytes) -> bytes:
+    return (8 + len(content)).to_bytes(4, "big") + kind + content
+
+
+@pytest.mark.parametrize(
+    ("media_type", "rate", "why", "slowed"),
+    [
+        (0, "", None, None),
+        (1, "0_5SEC", "at 2 frames per second and plays at 30", 2 / 30),
+        (1, "10SEC", "at 0.1 frames", 1 / 300),
+        (0, "15X", "TimeWarp .*15X", None),
+        (1, "", "time lapse", None),
+    ],
+)
+def test_a_gopro_tells_time_lapse_and_timewarp(tmp_path, media_type, rate, why, slowed):
+    settings = box(b"udta", box(b"GPMF", gopro(media_type, rate)))
+    path = with_box(clip(tmp_path / "clip.mp4"), b"moov", settings)
+    found = pace_of(path)
+    assert (found and found.slowed) == (slowed and pytest.approx(slowed, rel=0.02))
+    assert why is None if found is None else re.search(why, found.why)
+
+
+def test_a_samsung_tells_that_a_part_is_slow(tmp_path):
+    part = b"Super_SlowMotion_Data" + bytes(40) + b"SEFH" + bytes(20) + b"SEFT"
+    found = pace_of(with_box(clip(tmp_path / "clip.mp4"), b"sefd", part))
+    assert found.slowed is None
+    assert "Super Slow-mo" in found.why
 
 
 @pytest.mark.parametrize(("rate", "slowed"), [(0.25, 4.0), (2.0, 0.5), (1.0, None)])

@@ -8,11 +8,11 @@ import pytest
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.cli.recording_options import sync_text
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.encode import write_clip
+from hapticplayer.media.pace import Pace
 from hapticplayer.model import ClockMap, ImuLog
-from hapticplayer.sequence import synchronizing
 from hapticplayer.sequence.synchronizing import SyncChoices, ask_for_pace, find_sync
 
 SECONDS, ZERO_S = 20.0, 1.79e9
@@ -59,9 +59,8 @@ def test_a_fitted_drift_is_not_extrapolated_over_years():
 
 @pytest.fixture
 def slow_clip(monkeypatch):
-    why = synchronizing.Message("it was recorded at 240 and plays at 30")
-    pace = synchronizing.Pace(8.0, why)
-    monkeypatch.setattr(synchronizing, "pace_of", lambda _path: pace)
+    pace = Pace(8.0, Message("it was recorded at 240 and plays at 30"))
+    monkeypatch.setattr("hapticplayer.media.pace.pace_of", lambda _path: pace)
 
 
 @pytest.mark.usefixtures("slow_clip")
