@@ -13,7 +13,10 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from itertools import groupby
 from pathlib import Path
+from typing import Any
 
+from app.editor.commands import EDITOR_COMMANDS
+from app.player.command import Command
 from app.player.commands import COMMANDS as WINDOW_COMMANDS
 from hapticplayer import cli
 from hapticplayer.capture import formats
@@ -207,15 +210,16 @@ def window_commands() -> str:
     """Commands of the window with their first keys."""
     return table(
         "menu | command | keys",
-        (
-            (
-                one.menu.capitalize(),
-                one.text.replace("&", "").removesuffix("\u2026"),
-                " ".join(_code(key) for key in one.keys),
-            )
-            for one in WINDOW_COMMANDS
-        ),
+        ((one.menu.capitalize(), *_words_and_keys(one)) for one in WINDOW_COMMANDS),
     )
+
+
+def editor_commands() -> str:
+    return table("on the timeline | keys", map(_words_and_keys, EDITOR_COMMANDS))
+
+
+def _words_and_keys(one: Command[Any]) -> tuple[str, str]:
+    return one.plain_title, " ".join(_code(key) for key in one.keys)
 
 
 def command_line() -> str:
@@ -321,6 +325,7 @@ TABLES: dict[str, Callable[[], str]] = {
         devices,
         rig_signs,
         window_commands,
+        editor_commands,
         command_line,
     )
 }

@@ -20,6 +20,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
 
+from app.editor.commands import EDITOR_COMMANDS
 from app.player.command import CONTEXT as COMMANDS_CONTEXT
 from app.player.commands import COMMANDS
 
@@ -46,7 +47,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         of_engine = Path(folder, "engine.py")
         found = [(CONTEXT, text) for text in templates()]
-        found += [(COMMANDS_CONTEXT, one.text) for one in COMMANDS]
+        found += [(COMMANDS_CONTEXT, one.text) for one in (*COMMANDS, *EDITOR_COMMANDS)]
         of_engine.write_text(
             "".join(f"translate({c!r}, {json.dumps(text)})\n" for c, text in found),
             encoding="utf-8",

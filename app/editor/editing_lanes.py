@@ -51,10 +51,7 @@ class _Drag(NamedTuple):
 class EditingLanes(Lanes):
     """Effects are moved by their middle and stretched by their ends.
 
-    Keys, besides those of `Lanes`: Tab goes from effect to effect; left and right move
-    the selected one by a frame (Shift: ten), with Ctrl its end, with Ctrl and Shift its
-    begin; Delete, E (on or off), Ctrl+C, Ctrl+V and Ctrl+D. Page up and down go from
-    event to event, Enter offers the effect of the one at the cursor.
+    Tab goes from effect to effect; `app.editor.commands` has the other keys.
     """
 
     def __init__(
@@ -234,7 +231,8 @@ class EditingLanes(Lanes):
         menu.setActiveAction(take)
         menu.popup(at)
 
-    def _offer_at_cursor(self) -> None:
+    def offer_at_cursor(self) -> None:
+        """Offer the effect of the event that is there."""
         at_s = self.cursor_s
         around = [
             number
@@ -245,7 +243,8 @@ class EditingLanes(Lanes):
             box = self.event_box(around[-1])
             self.offer(around[-1], self.mapToGlobal(box.bottomLeft().toPoint()))
 
-    def _go_to_event(self, step: int) -> None:
+    def go_to_event(self, step: int) -> None:
+        """Move the cursor to the next event (1) or the previous one (-1)."""
         starts = [event.start_s for event in self.events]
         ahead = [s for s in starts if (s - self.cursor_s) * step > 1e-6]
         if ahead:
@@ -269,46 +268,28 @@ class EditingLanes(Lanes):
         self.editing.document.select(order[to])
         return True
 
-    def take_key(self, key: Qt.Key, held: Qt.KeyboardModifier) -> bool:
-        """Do what a key asks for; return whether it asks for anything here."""
-        keys, control = Qt.Key, Qt.KeyboardModifier.ControlModifier
-        arrows = {keys.Key_Left: -1, keys.Key_Right: 1}
-        if key in arrows and self.editing.document.effect is not None:
-            self._nudge(arrows[key], held)
-            return True
-        plain = {
-            keys.Key_Delete: self.editing.delete,
-            keys.Key_Backspace: self.editing.delete,
-            keys.Key_E: self.editing.toggle,
-            keys.Key_PageUp: lambda: self._go_to_event(-1),
-            keys.Key_PageDown: lambda: self._go_to_event(1),
-            keys.Key_Return: self._offer_at_cursor,
-            keys.Key_Enter: self._offer_at_cursor,
-        }
-        with_control = {
-            keys.Key_C: self.editing.copy,
-            keys.Key_V: lambda: self.editing.paste(self.cursor_s),
-            keys.Key_D: self.editing.duplicate,
-        }
-        action = (with_control if held & control else plain).get(key)
-        if action is None:
-            return super().take_key(key, held)
-        action()
-        return True
-
-    def _nudge(self, frames: int, held: Qt.KeyboardModifier) -> None:
-        """Move the selected effect, or one of its ends, by frames."""
+    def go(self, frames: int) -> None:
+        """Move the selected effect by frames, or the cursor without one."""
         effect = self.editing.document.effect
-        assert effect is not None  # the caller has seen it
-        is_shift = bool(held & Qt.KeyboardModifier.ShiftModifier)
-        if held & Qt.KeyboardModifier.ControlModifier:
-            part = Part.START if is_shift else Part.END
-            end_s = effect.start_s if is_shift else effect.end_s
-            to_s = end_s + frames * self.frame_s
-            self.editing.stretch(effect, part, to_s, f"keys {part.name}")
+        if effect is None:
+            self.step(frames)
         else:
-            by_s = frames * self.frame_s * (10 if is_shift else 1)
-            self.editing.move(effect, by_s, "keys")
+            self.editing.move(effect, frames * self.frame_s, "keys")
+
+    def go_far(self, steps: int) -> None:
+        """Move the selected effect by tens of frames, or the cursor by seconds."""
+        if self.editing.document.effect is None:
+            self.point_at(self.cursor_s + steps)
+        else:
+            self.go(10 * steps)
+
+    def move_edge(self, part: Part, frames: int) -> None:
+        """Let the selected effect begin or end some frames later."""
+        effect = self.editing.document.effect
+        if effect is not None:
+            at_s = effect.start_s if part is Part.START else effect.end_s
+            to_s = at_s + frames * self.frame_s
+            self.editing.stretch(effect, part, to_s, f"keys {part.name}")
 
     # --- what is dropped -------------------------------------------------------
 

@@ -39,8 +39,6 @@ class KindList(QListWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in _ENTER:
             self.wanted.emit(self.currentItem().data(_KIND))
-        elif event.key() == Qt.Key.Key_Space:
-            event.ignore()  # the page plays
         else:
             super().keyPressEvent(event)
 

@@ -3,7 +3,6 @@
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
-    QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -48,9 +47,8 @@ _MARKS = {
 class Lanes(QWidget):
     """Shows a timeline around a cursor that a person may move.
 
-    Click moves the cursor, as do the arrows, by a frame (Shift: 1 s), Home and End. The
-    wheel zooms around the pointer, with Shift it moves the view. `pointed` is media
-    time in s.
+    Click moves the cursor. The wheel zooms around the pointer, with Shift it moves the
+    view. `pointed` is media time in s.
     """
 
     pointed = Signal(float)
@@ -167,30 +165,13 @@ class Lanes(QWidget):
             self.view.zoom(_ZOOM**-steps, at_s)
         event.accept()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not self.take_key(Qt.Key(event.key()), event.modifiers()):
-            super().keyPressEvent(event)
+    def step(self, frames: int) -> None:
+        """Move the cursor by frames."""
+        self.point_at(self.cursor_s + frames * self.frame_s)
 
-    def take_key(self, key: Qt.Key, held: Qt.KeyboardModifier) -> bool:
-        """Do what a key asks for; return whether it asks for anything here."""
-        keys = Qt.Key
-        step_s = 1.0 if held & Qt.KeyboardModifier.ShiftModifier else self.frame_s
-        to_s = {
-            keys.Key_Left: self.cursor_s - step_s,
-            keys.Key_Right: self.cursor_s + step_s,
-            keys.Key_Comma: self.cursor_s - self.frame_s,
-            keys.Key_Period: self.cursor_s + self.frame_s,
-            keys.Key_Home: 0.0,
-            keys.Key_End: self.view.duration_s,
-        }
-        zoom = {keys.Key_Plus: 1.0 / _ZOOM, keys.Key_Minus: _ZOOM}
-        if key in to_s:
-            self.point_at(to_s[key])
-        elif key in zoom:
-            self.view.zoom(zoom[key], self.cursor_s)
-        else:
-            return False
-        return True
+    def zoom(self, steps: float) -> None:
+        """Show less (-) or more (+) around the cursor."""
+        self.view.zoom(_ZOOM**steps, self.cursor_s)
 
     # --- painting --------------------------------------------------------------
 

@@ -3,8 +3,8 @@
 from pathlib import Path
 from typing import NamedTuple
 
-from PySide6.QtCore import QKeyCombination, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QDialog,
     QMessageBox,
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from app.bridge.errors import Attempts
 from app.bridge.jobs import Jobs, in_child
 from app.bridge.settings import screen_name
+from app.editor import commands
 from app.editor.comparison import Comparison
 from app.editor.controls import ChangeBar, PlayBar, ViewBar
 from app.editor.document import Document
@@ -26,6 +27,7 @@ from app.editor.kind_list import KindList
 from app.editor.live_force import LiveForce
 from app.editor.playing import PlayerSetup, Playing
 from app.editor.view import TimeView
+from app.player.command import KEYS
 from app.widgets.layout import (
     column_of,
     fill_page,
@@ -49,7 +51,6 @@ POLL_MS = 20  # an edit is felt within 200 ms
 _AROUND_S = 0.3  # of an effect, that is repeated with it
 _VIDEO_PX = 130  # high, at least
 _STAGE_PX, _LANES_PX = 330, 420  # only the proportion counts
-_REARM = QKeyCombination(Qt.KeyboardModifier.ControlModifier, Qt.Key.Key_R)
 
 
 class Loaded(NamedTuple):
@@ -121,13 +122,7 @@ class EditorPage(QDialog):
         self.document.stack.cleanChanged.connect(
             lambda _is_clean: self._show_document()
         )
-        keys = QKeySequence.StandardKey
-        for key, slot in (
-            (keys.Undo, self.undo),
-            (keys.Redo, self.redo),
-            (keys.Save, self.save),
-        ):
-            QShortcut(key, self).activated.connect(slot)
+        commands.bind(self, self, self._setup.settings.table(KEYS))
         self.lanes.pointed.connect(self._on_pointed)
         self.job_bar.cancelled.connect(self._cancel)
 
@@ -298,13 +293,8 @@ class EditorPage(QDialog):
         self.lanes.snaps = is_on
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Play and pause by the space bar; Escape that stopped something ends here."""
-        is_rearm = event.keyCombination() == _REARM
-        if event.key() == Qt.Key.Key_Space:
-            self.playing.toggle()
-        elif is_rearm:
-            self.playing.rearm()
-        elif event.key() == Qt.Key.Key_Escape and self.playing.stops():
+        """Escape that stopped something does not close the page."""
+        if event.key() == Qt.Key.Key_Escape and self.playing.stops():
             event.accept()
         else:
             super().keyPressEvent(event)

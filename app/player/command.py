@@ -4,13 +4,20 @@ from collections.abc import Callable, Iterable
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QWidget
 
 KEYS = "keys"
 """Name of the table in the settings."""
 
 CONTEXT = "Actions"
 """Of the commands among the translations."""
+
+TIMELINE = "time line"
+"""In place of a menu: commands of the editor, whose keys the window may have, too."""
+
+SHARED = {"play": ("Space",), "rearm": ("Ctrl+R",)}
+"""Commands that window and editor have with the same keys."""
 
 MOST_KEYS = 8
 
@@ -23,7 +30,7 @@ class Command(NamedTuple, Generic[W]):
     Attributes:
         name: of the action and in the settings.
         text: in English; "&" marks the letter in the menu.
-        menu: file, playback, view or help.
+        menu: file, playback, view or help; or `TIMELINE`.
         group: commands of one group lie together in the menu.
         does: what happens.
         keys: at first.
@@ -64,8 +71,33 @@ class Command(NamedTuple, Generic[W]):
         made = [QKeySequence(text) for text in texts]
         return [key for key in made if not key.isEmpty()]
 
+    def add_action(
+        self, chosen: dict[str, Any], target: W, *widgets: QWidget
+    ) -> QAction:
+        """An action that does it while one of these widgets has the keyboard."""
+        action = QAction(self.title, widgets[0])
+        action.setShortcuts(self.keys_in(chosen))
+        if (does := self.does) is not None:
+            action.triggered.connect(lambda: does(target))
+        for widget in widgets:
+            widget.addAction(action)
+        return action
+
+    def meets(self, other: "Command[Any]") -> bool:
+        """Whether a key of both would ask for both at once."""
+        is_apart = (self.menu == TIMELINE) != (other.menu == TIMELINE)
+        return not is_apart or bool(SHARED.keys() & {self.name, other.name})
+
 
 def owner_of(
-    key: QKeySequence, commands: Iterable[Command[W]], chosen: dict[str, Any]
-) -> Command[W] | None:
-    return next((one for one in commands if key in one.keys_in(chosen)), None)
+    key: QKeySequence,
+    wanted_by: Command[Any],
+    commands: Iterable[Command[Any]],
+    chosen: dict[str, Any],
+) -> Command[Any] | None:
+    """Another command that has the key where the one that wants it would use it."""
+    rivals = (one for one in commands if one.name != wanted_by.name)
+    return next(
+        (one for one in rivals if one.meets(wanted_by) and key in one.keys_in(chosen)),
+        None,
+    )

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar
 
 from app.bridge.settings import Settings
 from app.extension import rows
-from app.player.command import KEYS, Command
+from app.player.command import KEYS, SHARED, Command
 from app.player.controls import Controls
 from app.player.dialogs import Dialogs
 from app.player.session import Session
@@ -52,7 +52,7 @@ _OWN: tuple[Row, ...] = (
     Row("export_settings", "E&xport settings\u2026", "file", 2, lambda w: w.dialogs.export_settings()),
     Row("import_settings", "I&mport settings\u2026", "file", 2, lambda w: w.dialogs.import_settings()),
     Row("quit", "&Quit", "file", 3, lambda w: w.close(), ("Ctrl+Q", "Q")),
-    Row("play", "&Play or pause", "playback", 0, lambda w: w.player.toggle(), ("Space",), needs_clip=True),
+    Row("play", "&Play or pause", "playback", 0, lambda w: w.player.toggle(), SHARED["play"], needs_clip=True),
     Row("back", "&Back 5 s", "playback", 0, lambda w: w.session.skip(-SKIP_S), ("Left",), needs_clip=True),
     Row("forward", "&Forward 5 s", "playback", 0, lambda w: w.session.skip(SKIP_S), ("Right",), needs_clip=True),
     Row("far_back", "Back 1 min", "playback", 0, lambda w: w.session.skip(-FAR_S), ("Down",), needs_clip=True),
@@ -69,7 +69,7 @@ _OWN: tuple[Row, ...] = (
     Row("louder", "Louder", "playback", 3, lambda w: w.controls.turn(1), ("0", "*")),
     Row("mute", "&Mute", "playback", 3, None, ("M",), toggles=lambda w, on: w.controls.mute(is_wanted=on)),
     Row("stop", "&Stop the force", "playback", 4, lambda w: w.stop(), ("Esc",), is_fixed=True),
-    Row("rearm", "&Re-arm the force", "playback", 4, lambda w: w.session.rearm(), ("Ctrl+R",)),
+    Row("rearm", "&Re-arm the force", "playback", 4, lambda w: w.session.rearm(), SHARED["rearm"]),
     Row("feedback", "Other feed&back\u2026", "playback", 5, lambda w: w.dialogs.other_feedback(), needs_clip=True),
     Row("set_up_device", "Set up the &device\u2026", "playback", 5, lambda w: w.dialogs.set_up(w.clock)),
     Row("outputs", "&Outputs\u2026", "playback", 5, lambda w: w.dialogs.outputs(w.clock)),

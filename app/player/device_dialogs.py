@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from app.player.setup_page import SetupPage
     from app.player.share_page import SharePage
 
-    Working = (
+    Working: TypeAlias = (
         EditorPage
         | ImportWizard
         | LibraryPage

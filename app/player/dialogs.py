@@ -231,10 +231,12 @@ class Dialogs(DeviceDialogs):
         make(self._window).open()
 
     def shortcuts(self, commands: tuple[Command[Any], ...]) -> None:
-        """Show the keys of the window, and let people choose others."""
+        """Show the keys of window and editor, and let people choose others."""
+        from app.editor.commands import EDITOR_COMMANDS
         from app.player.keys_dialog import KeysDialog
 
-        dialog = KeysDialog(commands, self._settings, self._window)
+        every = (*commands, *EDITOR_COMMANDS)
+        dialog = KeysDialog(every, self._settings, self._window)
         dialog.changed.connect(self.keys_changed)
         dialog.open()
 

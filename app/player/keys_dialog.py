@@ -128,25 +128,24 @@ class KeysDialog(QDialog):
         if key.isEmpty():
             self.note.setText(self.tr("Press a shortcut in the field first"))
             return
-        owner = owner_of(key, self._commands, chosen)
-        if owner is not None and owner is not command:
-            text = self.tr("{key} is already used by \u201c{command}\u201d")
-            self.note.setText(text.format(key=key_text(key), command=owner.plain_title))
-            return
-        self._keep({**chosen, command.name: [key.toString()]})
+        if self._is_free(key, command, chosen):
+            self._keep({**chosen, command.name: [key.toString()]})
 
     def _on_reset(self) -> None:
         command, chosen = self._chosen(), self._settings.table(KEYS)
         chosen.pop(command.name, None)
-        for key in command.keys_in(chosen):
-            owner = owner_of(key, self._commands, {**chosen, command.name: []})
-            if owner is not None:
-                text = self.tr("{key} is already used by \u201c{command}\u201d")
-                self.note.setText(
-                    text.format(key=key_text(key), command=owner.plain_title)
-                )
-                return
-        self._keep(chosen)
+        if all(self._is_free(key, command, chosen) for key in command.keys_in(chosen)):
+            self._keep(chosen)
+
+    def _is_free(
+        self, key: QKeySequence, command: Command[Any], chosen: dict[str, object]
+    ) -> bool:
+        """Whether a command may have a key; else say which one has it."""
+        owner = owner_of(key, command, self._commands, chosen)
+        if owner is not None:
+            text = self.tr("{key} is already used by \u201c{command}\u201d")
+            self.note.setText(text.format(key=key_text(key), command=owner.plain_title))
+        return owner is None
 
     def _on_reset_all(self) -> None:
         self._keep({})

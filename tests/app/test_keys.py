@@ -6,7 +6,8 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 
 from app.bridge.settings import Settings
-from app.player.command import KEYS
+from app.editor.commands import EDITOR_COMMANDS
+from app.player.command import KEYS, owner_of
 from app.player.commands import COMMANDS
 from app.player.keys_dialog import KeysDialog
 from hapticplayer.playback.phases import Phase
@@ -16,9 +17,11 @@ def key(window, code) -> None:
     QTest.keyClick(window.windowHandle(), code)
 
 
-def test_every_command_has_a_text_and_every_key_one_command():
-    taken = [key for command in COMMANDS for key in command.keys]
-    assert len(taken) == len(set(taken))
+def test_every_key_has_one_command_in_window_and_in_editor():
+    every = (*COMMANDS, *EDITOR_COMMANDS)
+    for command in every:
+        for first in map(QKeySequence, command.keys):
+            assert owner_of(first, command, every, {}) is None
 
 
 def test_the_keys_of_mpv_are_there():
@@ -44,7 +47,7 @@ def test_every_command_does_something(window):
 
 @pytest.fixture
 def dialog(window, qtbot, settings) -> KeysDialog:
-    made = KeysDialog(COMMANDS, settings, window)
+    made = KeysDialog((*COMMANDS, *EDITOR_COMMANDS), settings, window)
     made.changed.connect(window.commands.apply_keys)
     qtbot.addWidget(made)
     made.show()
@@ -75,6 +78,25 @@ def test_a_key_that_is_taken_is_refused_with_its_owner(dialog, settings):
     dialog.assign.click()
     assert "Fullscreen" in dialog.note.text()
     assert settings.table(KEYS) == {}
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "is_free"),
+    [
+        ("effect_toggle", "M", True),  # the window mutes by it
+        ("effect_toggle", "Space", False),  # plays in the editor, too
+        ("play", "E", False),
+        ("effect_delete", "E", False),
+    ],
+)
+def test_window_and_editor_share_keys_that_never_meet(
+    dialog, settings, name, key, is_free
+):
+    dialog.choose(name)
+    dialog.key.setKeySequence(QKeySequence(key))
+    dialog.assign.click()
+    assert (settings.table(KEYS) == {name: [key]}) is is_free
+    assert bool(dialog.note.text()) is not is_free
 
 
 def test_the_stop_key_stays(dialog, settings):

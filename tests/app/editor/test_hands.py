@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.editor.kind_list import MIME
+from app.player.command import KEYS
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence, store, verify_sequence
 
@@ -95,6 +96,28 @@ def test_tab_goes_through_effects_and_arrows_move_by_frames(page):
     assert page.document.effects == EFFECTS
 
 
+def test_the_timeline_takes_the_keys_that_a_person_chose(make_page, folder, settings):
+    settings.keep(KEYS, {"effect_delete": ["X"], "play": ["K"]})
+    page = make_page(folder)
+    page.document.select(0)
+    page.lanes.setFocus()
+    QTest.keyClick(page.lanes, Qt.Key.Key_Delete)
+    assert len(page.document.effects) == len(EFFECTS)
+    QTest.keyClick(page.lanes, Qt.Key.Key_X)
+    assert len(page.document.effects) == len(EFFECTS) - 1
+    QTest.keyClick(page.lanes, Qt.Key.Key_Space)
+    assert not page.playing.is_playing
+    QTest.keyClick(page.lanes, Qt.Key.Key_K)
+    assert page.playing.is_playing
+
+
+def test_space_checks_a_box_that_has_the_keyboard(page):
+    page.play_bar.snap.setFocus()
+    QTest.keyClick(page.play_bar.snap, Qt.Key.Key_Space)
+    assert not page.play_bar.snap.isChecked()
+    assert not page.playing.is_playing
+
+
 def test_copies_are_put_after_the_effect_and_at_the_cursor(page):
     page.document.select(0)
     page.panel.duplicate.click()
@@ -125,6 +148,7 @@ def test_a_kind_is_dropped_where_the_pointer_is(page):
     assert page.document.effect.start_s == pytest.approx(0.52)  # a frame
     page.lanes.point_at(0.0)
     page.kinds.setCurrentRow(7)
+    page.kinds.setFocus()
     QTest.keyClick(page.kinds, Qt.Key.Key_Return)
     assert page.document.effect.kind == "knock"
     assert page.document.effect.start_s == 0.0
@@ -164,6 +188,7 @@ def test_saving_writes_effects_and_renders(page, folder, wait_for):
     page.panel.delete.click()
     page.kinds.setCurrentRow(3)
     page.lanes.point_at(0.0)
+    page.kinds.setFocus()
     QTest.keyClick(page.kinds, Qt.Key.Key_Return)
     assert page.change_bar.note.text() == "Not saved yet"
     kept = page.document.effects

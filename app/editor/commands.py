@@ -1,0 +1,79 @@
+"""What keys do in the editor, one row each, beside those that the window has too."""
+
+from typing import Any, Protocol
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
+
+from app.editor.editing import Editing
+from app.editor.editing_lanes import EditingLanes
+from app.editor.kind_list import KindList
+from app.editor.playing import Playing
+from app.editor.spans import Part
+from app.player.command import SHARED, TIMELINE, Command
+
+
+class Editor(Protocol):
+    """What a command can act on: the editor's page."""
+
+    kinds: KindList
+    lanes: EditingLanes
+    editing: Editing
+    playing: Playing
+
+    def undo(self) -> None: ...
+    def redo(self) -> None: ...
+    def save(self) -> None: ...
+
+
+Row = Command[Editor]
+ON_TIMELINE: tuple[Row, ...] = (
+    Row("timeline_back", "Effect or cursor a frame back", TIMELINE, 0, lambda e: e.lanes.go(-1), ("Left",)),
+    Row("timeline_forward", "Effect or cursor a frame forward", TIMELINE, 0, lambda e: e.lanes.go(1), ("Right",)),
+    Row("timeline_far_back", "Effect ten frames or cursor 1 s back", TIMELINE, 0, lambda e: e.lanes.go_far(-1), ("Shift+Left",)),
+    Row("timeline_far_forward", "Effect ten frames or cursor 1 s forward", TIMELINE, 0, lambda e: e.lanes.go_far(1), ("Shift+Right",)),
+    Row("end_back", "End of the effect a frame back", TIMELINE, 0, lambda e: e.lanes.move_edge(Part.END, -1), ("Ctrl+Left",)),
+    Row("end_forward", "End of the effect a frame forward", TIMELINE, 0, lambda e: e.lanes.move_edge(Part.END, 1), ("Ctrl+Right",)),
+    Row("start_back", "Start of the effect a frame back", TIMELINE, 0, lambda e: e.lanes.move_edge(Part.START, -1), ("Ctrl+Shift+Left",)),
+    Row("start_forward", "Start of the effect a frame forward", TIMELINE, 0, lambda e: e.lanes.move_edge(Part.START, 1), ("Ctrl+Shift+Right",)),
+    Row("cursor_back", "Cursor a frame back", TIMELINE, 1, lambda e: e.lanes.step(-1), (",",)),
+    Row("cursor_forward", "Cursor a frame forward", TIMELINE, 1, lambda e: e.lanes.step(1), (".",)),
+    Row("cursor_to_start", "Cursor to the beginning", TIMELINE, 1, lambda e: e.lanes.point_at(0.0), ("Home",)),
+    Row("cursor_to_end", "Cursor to the end", TIMELINE, 1, lambda e: e.lanes.point_at(e.lanes.view.duration_s), ("End",)),
+    Row("zoom_in", "Zoom in", TIMELINE, 1, lambda e: e.lanes.zoom(-1), ("+",)),
+    Row("zoom_out", "Zoom out", TIMELINE, 1, lambda e: e.lanes.zoom(1), ("-",)),
+    Row("event_back", "Previous event", TIMELINE, 2, lambda e: e.lanes.go_to_event(-1), ("PgUp",)),
+    Row("event_forward", "Next event", TIMELINE, 2, lambda e: e.lanes.go_to_event(1), ("PgDown",)),
+    Row("event_offer", "Offer the effect of the event at the cursor", TIMELINE, 2, lambda e: e.lanes.offer_at_cursor(), ("Return", "Enter")),
+    Row("effect_toggle", "Switch the effect on or off", TIMELINE, 3, lambda e: e.editing.toggle(), ("E",)),
+    Row("effect_delete", "Delete the effect", TIMELINE, 3, lambda e: e.editing.delete(), ("Del", "Backspace")),
+    Row("effect_duplicate", "Duplicate the effect", TIMELINE, 3, lambda e: e.editing.duplicate(), ("Ctrl+D",)),
+    Row("effect_copy", "Copy the effect", TIMELINE, 3, lambda e: e.editing.copy(), ("Ctrl+C",)),
+    Row("effect_paste", "Paste the effect at the cursor", TIMELINE, 3, lambda e: e.editing.paste(e.lanes.cursor_s), ("Ctrl+V",)),
+)  # fmt: skip
+OF_EDITOR: tuple[Row, ...] = (
+    Row("undo", "Undo the change of effects", TIMELINE, 4, lambda e: e.undo(), ("Ctrl+Z",)),
+    Row("redo", "Redo the change of effects", TIMELINE, 4, lambda e: e.redo(), ("Ctrl+Shift+Z",)),
+    Row("save_effects", "Save the effects", TIMELINE, 4, lambda e: e.save(), ("Ctrl+S",)),
+)  # fmt: skip
+EDITOR_COMMANDS = (*ON_TIMELINE, *OF_EDITOR)
+
+
+_REARM: Row = Row(
+    "rearm", "", TIMELINE, 5, lambda e: e.playing.rearm(), SHARED["rearm"]
+)
+_PLAY: Row = Row("play", "", TIMELINE, 5, lambda e: e.playing.toggle(), SHARED["play"])
+
+
+def bind(page: QWidget, editor: Editor, chosen: dict[str, Any]) -> None:
+    """Let every key do what its row says.
+
+    Space plays where it does not press a button or check a box.
+    """
+    for row in (*OF_EDITOR, _REARM):
+        row.add_action(chosen, editor, page)
+    focused = Qt.ShortcutContext.WidgetShortcut
+    for row in ON_TIMELINE:
+        row.add_action(chosen, editor, editor.lanes).setShortcutContext(focused)
+    play = _PLAY.add_action(chosen, editor, page, editor.lanes, editor.kinds)
+    play.setShortcutContext(focused)
