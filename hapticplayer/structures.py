@@ -27,8 +27,6 @@ MAX_COMMAS, MAX_BRACKETS = 3_000_000, 1_000_000
 MAX_TEXT = 20_000
 KEY = "^[a-z0-9_-]{1,40}$"
 FILLED = r"\S"
-SHOWN = 80
-"""So much of a name or text of a service is shown to people."""
 _MAX_SHOWN, _MAX_SAID = 40, 200
 
 _KINDS = {

@@ -204,11 +204,12 @@ def play(options: argparse.Namespace) -> int:
         problems, notes = _problems(player.snapshot())
     finally:
         player.close()
+    problems += _faults(player.snapshot())  # at the end
     report = player.summary()
     say(json.dumps(report) if options.json else _summary_text(source, feedback, report))
     now = player.snapshot()
     for sentence in dict.fromkeys((*now.notices, *notes)):
-        if sentence not in {*problems, said}:
+        if sentence != said and not any(sentence in one for one in problems):
             say_aside(sentence)
     problems += [now.leading.record_problem, now.log_problem]
     found = [sentence for sentence in dict.fromkeys(problems) if sentence]
@@ -222,15 +223,22 @@ def _problems(now: Snapshot) -> tuple[list[str], list[str]]:
 
     Nothing was felt where the leading output played nothing, or all of them.
     """
-    problems: list[str] = [now.problem]
-    for one in now.outputs:
-        if what := one.problem or one.fault:
-            tagged = Message("{output}: {what}", output=one.name, what=what)
-            problems.append(what if one is now.leading else tagged)
+    problems: list[str] = [now.problem, *_faults(now)]
     notes = [one.note for one in now.outputs if one.note]
     if now.leading.note or (notes and len(notes) == len(now.outputs)):
         return problems + notes, []
     return problems, notes
+
+
+def _faults(now: Snapshot) -> list[str]:
+    """What kept each output from playing, the others than the leading one by name."""
+    return [
+        what
+        if one is now.leading
+        else Message("{output}: {what}", output=one.name, what=what)
+        for one in now.outputs
+        if (what := one.problem or one.fault)
+    ]
 
 
 def opened(options: argparse.Namespace) -> Source:

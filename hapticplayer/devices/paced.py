@@ -14,7 +14,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from hapticplayer.devices.capabilities import FULL_N
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Vector
 
 _MOST_READ = 16
@@ -42,6 +42,7 @@ class Port(Protocol):
             no answer; then accepting a command is the sign of life.
         pace_s: shortest time from one command to the next that it states; 0 for none,
             then that of its `rate_hz`.
+        is_owed: whether an answer to the last stop may still come.
         notice: what it has reported last and a person should read.
     """
 
@@ -55,6 +56,10 @@ class Port(Protocol):
 
     @property
     def pace_s(self) -> float:
+        """See above."""
+
+    @property
+    def is_owed(self) -> bool:
         """See above."""
 
     @property
@@ -74,7 +79,8 @@ class Port(Protocol):
 class QuietPort:
     """What says nothing by itself, neither its pace."""
 
-    is_quiet, pace_s, notice = True, 0.0, ""
+    is_quiet, is_owed, pace_s = True, False, 0.0
+    notice: Message | str = ""
 
 
 class Translator(Protocol):
@@ -221,6 +227,11 @@ class PacedDriver:
             writer.post(command)
             self._sent, self._sent_s = command, now_s
         return reading
+
+    @property
+    def is_owed(self) -> bool:
+        """Whether the loop has to listen on before it ends."""
+        return self._port is not None and self._port.is_owed
 
     def close(self) -> None:
         """Switch the device off and let go of it; may be called again."""

@@ -1,13 +1,19 @@
 """A service that is spoken to over a WebSocket."""
 
 import contextlib
+import json
 import struct
+from typing import Any
 
 from hapticplayer.errors import DeviceError
 
 OPENING_S = 3.0
+SHOWN = 80
+"""So much of a name or text of a service is shown to people."""
 _MOST_BYTES = 1 << 20
 _CLOSING_S = 0.2
+_WORDS = ("message", "error", "description", "reason", "name", "ErrorMessage")
+_NO_ERROR = ("none", "None", "ok", "OK", "0")
 
 
 def text_frame(text: str) -> bytes:
@@ -19,6 +25,20 @@ def text_frame(text: str) -> bytes:
     if len(data) < 126:
         return bytes((0x81, 0x80 | len(data), 0, 0, 0, 0)) + data
     return struct.pack(">BBHI", 0x81, 0x80 | 126, len(data), 0) + data
+
+
+def reported(value: Any) -> str:
+    """An error in the words of the service, whatever it holds; "" for none."""
+    if isinstance(value, list) and len(value) == 1:
+        return reported(value[0])
+    if isinstance(value, dict):
+        said = (value.get(key) for key in _WORDS)
+        value = next((one for one in said if isinstance(one, str) and one), value)
+    if not value or value in _NO_ERROR:
+        return ""
+    text = value if isinstance(value, str) else json.dumps(value, default=repr)
+    shown = "".join(one if one.isprintable() else " " for one in text[:SHOWN])
+    return " ".join(shown.split())
 
 
 class Connection:

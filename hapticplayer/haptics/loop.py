@@ -76,7 +76,8 @@ class Loop(TrackFollower):
                 deadline_s = now_s + REST_PERIOD_S
             else:
                 deadline_s += (missed + 1) * PERIOD_S
-            if self.state.force_n == ZERO and self.is_over:
+            is_owed = getattr(self.device, "is_owed", False)  # an answer to the stop
+            if self.state.force_n == ZERO and self.is_over and not is_owed:
                 last_ticks -= 1
 
     def tick(self, now_s: float, late_s: float = 0.0, missed: int = 0) -> None:

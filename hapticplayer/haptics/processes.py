@@ -277,6 +277,8 @@ class HapticsProcesses:
         self._send(MessageKind.QUIT)
         self._wait_for_end()
         if self._line is not None:
+            while self._is_loop_ready and self._read_line():
+                pass  # what was reported at the end
             self._line.close()
         if self._device_faults is not None:
             self._device_faults.close()

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.errors import Message
+from hapticplayer.errors import Message, joined
 from hapticplayer.haptics.block import REFUSED, SENT
 from hapticplayer.haptics.contract import Cause, Mode
 
@@ -110,8 +110,9 @@ class OutputFaults:
 
     @property
     def sentence(self) -> Message | str:
-        """The gravest of them, "" for none."""
-        return self.trip or self._held_text() or self.notice
+        """The gravest of them and what the device has reported, "" for none."""
+        found = [one for one in (self.trip or self._held_text(), self.notice) if one]
+        return joined("; ", found) if len(found) > 1 else next(iter(found), "")
 
     def _held_text(self) -> Message | str:
         held = sum(self._held.values())

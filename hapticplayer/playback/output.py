@@ -271,10 +271,10 @@ class Output:
             self._reporter.event("device_lost", problem=self.problem)
             self._reporter.notify(self.problem)
         self._was_ready = health is Health.READY
-        if self.processes.notice != self.faults.notice:
-            self.faults.notice = self.processes.notice
-            self._reporter.event("device_notice", problem=self.processes.notice)
-            self._reporter.notify(self.processes.notice)
+        if (notice := self.processes.notice) and notice != self.faults.notice:
+            self._reporter.event("device_notice", problem=notice)
+            self._reporter.notify(notice)
+        self.faults.notice, self.processes.notice = notice or self.faults.notice, ""
         if (is_dead and was_ready and self.has_grip) or self._has_tripped():
             self._latch.stop()
 
@@ -318,9 +318,7 @@ class Output:
     @property
     def problem(self) -> str:
         """What is wrong with device or processes, "" for nothing."""
-        if self._is_closed:
-            return ""
-        if self.processes.health is Health.GONE:
+        if self.processes.health is Health.GONE and not self._is_closed:
             return Message(
                 "the haptics process has ended, so the force is off; "
                 "choose the device again"

@@ -10,13 +10,14 @@ from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.descriptor_passing import hand_over, take_over
 from hapticplayer.devices.options import DeviceOptions, service_options
 from hapticplayer.devices.websocket import OPENING_S, Connection, text_frame
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, Message, message_of
 from hapticplayer.extras.inverse3.extension import INVERSE3
 from hapticplayer.extras.inverse3.protocol import (
     FIELDS,
     ZERO,
     Inverse3State,
     command,
+    complaint,
     configuration,
     refusal,
     state_of,
@@ -29,6 +30,10 @@ DOUBT_S = 0.1
 DOUBT_N = 0.5
 """A grip that stays at the same place, to the last digit, for so long under a force that
 has changed by so much, is a service that repeats itself: no hand is as stiff."""
+UNREADABLE_GRIP = Message(
+    "the buttons of the wireless grip cannot be read; stop with Esc, and look at the grip "
+    "in Haply's own program"
+)
 _MOST_OWED = 4
 _MOST_READ = 64
 
@@ -76,6 +81,7 @@ class Inverse3Driver:
         self._device, self._field = "", FIELDS[0]
         self._owed = 0
         self._reading: DeviceReading | None = None
+        self._notice: Message | str = ""
         self._still = _Stillness()
 
     def open(self) -> None:
@@ -90,7 +96,7 @@ class Inverse3Driver:
             link.close()
             raise
         self._link, self._owed, self._reading = link, 1, None
-        self._still = _Stillness()
+        self._notice, self._still = "", _Stillness()
         zero = command(self._device, self._field, ZERO)
         hand_over(self._line, link.fileno(), text_frame(zero))
 
@@ -126,6 +132,8 @@ class Inverse3Driver:
             state = state_of(text) if text else None
             if state is not None:
                 return _only(state)
+            if text and (error := complaint(text)):
+                raise _reported(error, TITLE)
             said = (refusal(text, TITLE) if text else None) or said
         if said:
             raise DeviceError(said)
@@ -145,15 +153,21 @@ class Inverse3Driver:
             self._owed = max(0, self._owed - 1)
             state = state_of(text, self._device)
             if state is None:  # also where another device answers
+                if not self._notice and (error := complaint(text)):
+                    self._notice = message_of(_reported(error, TITLE))
                 reading = reading._replace(malformed=reading.malformed + 1)
             elif state.error:
-                raise _reported(state)
+                raise _reported(state.error)
             elif self._still.is_doubtful(state.position_m, force_n, now_s):
                 continue
             else:
+                if state.buttons is None:
+                    self._notice = UNREADABLE_GRIP
                 reading = DeviceReading(
-                    state.position_m, state.buttons, state.is_ready, now_s
+                    state.position_m, state.buttons or 0, state.is_ready, now_s
                 )
+        if reading.notice is not self._notice:
+            reading = reading._replace(notice=self._notice)
         self._reading = reading
         return reading
 
@@ -166,15 +180,16 @@ def _only(state: Inverse3State) -> Inverse3State:
             count=state.devices,
         )
     if state.error:
-        raise _reported(state)
+        raise _reported(state.error)
     return state
 
 
-def _reported(state: Inverse3State) -> DeviceError:
+def _reported(error: str, who: str = "the Inverse3") -> DeviceError:
     return DeviceError(
-        "the Inverse3 reports the error {code}; look at it in Haply's own program, and "
-        "choose the device again",
-        code=state.error,
+        "{who} reports the error {code}; look at it in Haply's own program, and choose "
+        "the device again",
+        who=who,
+        code=error,
     )
 
 

@@ -13,6 +13,7 @@ from typing import Annotated, Any, NamedTuple
 import msgspec
 from msgspec import Meta, Struct
 
+from hapticplayer.devices.websocket import reported
 from hapticplayer.errors import DeviceError, Message, message_of
 from hapticplayer.model.device import Vector
 from hapticplayer.structures import message_in, understood
@@ -36,8 +37,8 @@ class _State(Struct):
 
 class _Status(Struct):
     calibrated: bool
-    ready: bool = True
-    error: int | None = None
+    ready: bool | None = True
+    error: Any = None
 
 
 class _Inverse3(Struct):
@@ -47,28 +48,37 @@ class _Inverse3(Struct):
 
 
 class _GripButtons(Struct):
-    a: bool = False
-    b: bool = False
-    c: bool = False
+    a: bool | None = False
+    b: bool | None = False
+    c: bool | None = False
 
 
 class _GripState(Struct):
-    buttons: _GripButtons
+    buttons: _GripButtons | None = None
 
 
 class _Grip(Struct):
-    state: _GripState
+    state: _GripState | None = None
 
 
 class _Answer(Struct):
     """What is read of a message; the rest may be anything."""
 
     inverse3: list[_Inverse3]
-    wireless_verse_grip: list[_Grip] | None = None
+    wireless_verse_grip: list[_Grip | None] | None = None
     version: str | None = None
 
 
-_DECODER = msgspec.json.Decoder(_Answer)
+class _Listed(Struct):
+    """The same message, each device to be judged by itself."""
+
+    inverse3: list[Any]
+    wireless_verse_grip: Any = None
+    version: Any = None
+
+
+_DECODER, _LISTED = msgspec.json.Decoder(_Answer), msgspec.json.Decoder(_Listed)
+_UNREADABLE = (msgspec.MsgspecError, RecursionError, UnicodeError)
 
 
 class Inverse3State(NamedTuple):
@@ -77,19 +87,20 @@ class Inverse3State(NamedTuple):
     Attributes:
         device: its identifier.
         devices: how many the message tells of.
-        error: that the device reports, 0 for none.
+        error: that the device reports, in its words; "" for none.
         position_m: of the grip, frame D.
         is_ready: whether it is calibrated and ready.
-        buttons: of the wireless grip, as a mask: a, b, c.
+        buttons: of the wireless grip, as a mask: a, b, c; None where what it says
+            makes no sense.
         field: name of the vector in a command, by the service's version; "" unknown.
     """
 
     device: str
     devices: int
-    error: int
+    error: str
     position_m: Vector
     is_ready: bool
-    buttons: int
+    buttons: int | None
     field: str
 
 
@@ -114,8 +125,12 @@ def state_of(text: str | bytes, name: str = "") -> Inverse3State | None:
     """The state of the device of that name, or the first; None where there is none."""
     try:
         answer = _DECODER.decode(text)
-    except (msgspec.MsgspecError, RecursionError, UnicodeError):
-        return None
+        buttons: int | None = _pressed(answer.wireless_verse_grip)
+    except _UNREADABLE:
+        try:
+            answer, buttons = _judged_apart(_LISTED.decode(text), name)
+        except _UNREADABLE:
+            return None
     named = (one for one in answer.inverse3 if name in {"", one.device_id})
     device = next(named, None)
     if device is None:
@@ -124,12 +139,33 @@ def state_of(text: str | bytes, name: str = "") -> Inverse3State | None:
     return Inverse3State(
         device.device_id,
         len(answer.inverse3),
-        status.error or 0,
+        reported(status.error),
         (place.x, place.z, -place.y),
-        status.calibrated and status.ready,
-        _pressed(answer.wireless_verse_grip),
+        status.calibrated and bool(status.ready),
+        buttons,
         _field(answer.version),
     )
+
+
+def _judged_apart(listed: _Listed, name: str) -> tuple[_Answer, int | None]:
+    """A message of which a part makes no sense: another device's, or a grip's."""
+    wanted = [
+        one
+        for one in listed.inverse3
+        if one is not None and (not name or _is_named(one, name))
+    ]
+    devices = msgspec.convert(wanted, list[_Inverse3])
+    version = listed.version if isinstance(listed.version, str) else None
+    try:
+        kind = list[_Grip | None] | None
+        grips = msgspec.convert(listed.wireless_verse_grip, kind)
+    except msgspec.ValidationError:
+        return _Answer(devices, None, version), None
+    return _Answer(devices, None, version), _pressed(grips)
+
+
+def _is_named(one: Any, name: str) -> bool:
+    return isinstance(one, dict) and one.get("device_id") == name
 
 
 def refusal(text: str | bytes, where: str) -> Message | None:
@@ -141,12 +177,23 @@ def refusal(text: str | bytes, where: str) -> Message | None:
     return None
 
 
-def _pressed(grips: list[_Grip] | None) -> int:
-    """The buttons of all wireless grips; there may be none."""
+def complaint(text: str | bytes) -> str:
+    """The error that a message without a state holds, "" for none."""
+    try:
+        said = msgspec.json.decode(text)
+    except _UNREADABLE:
+        return ""
+    if not isinstance(said, dict):
+        return ""
+    return reported(said.get("error")) or reported(said.get("errors"))
+
+
+def _pressed(grips: list[_Grip | None] | None) -> int:
+    """The buttons of all wireless grips; there may be none, or one switched off."""
     mask = 0
     for grip in grips or ():
-        one = grip.state.buttons
-        mask |= one.a | one.b << 1 | one.c << 2
+        if grip and grip.state and (one := grip.state.buttons):
+            mask |= bool(one.a) | bool(one.b) << 1 | bool(one.c) << 2
     return mask
 
 

@@ -5,6 +5,8 @@ stops all devices when its client is gone, or does not ping in time: pings come 
 loop, and the guard shuts the connection down.
 """
 
+import contextlib
+import math
 import os
 import socket
 from collections.abc import Callable
@@ -18,11 +20,13 @@ from hapticplayer.devices.websocket import OPENING_S, Connection
 from hapticplayer.errors import DeviceError, Message, message_of
 from hapticplayer.extras.toys.extension import BUTTPLUG
 from hapticplayer.extras.toys.messages import (
+    ANSWERED,
     VIBRATE,
     Motor,
     Removed,
     ServerInfo,
     Toy,
+    Toys,
     error_text,
     is_list,
     messages_in,
@@ -38,10 +42,17 @@ REFRESH_S = 1.0
 OVERDUE_S = 0.3
 """An answer comes when a device has taken its strength, which Bluetooth delays."""
 LEAST_GAP_S = 0.02
+STILL_S = 0.3
+"""The stop at the end waits so long for its answer, which may be an error."""
 MOST_ERRORS = 3
 """So many answers in a row that are errors: nothing is felt any more."""
 _PINGS_PER_LIMIT = 3.0
 _MOST_SAID = 120
+_REMEDIES = {  # by the kind of an error, as the protocol has them
+    2: Message("close other programs, or give pings more time in Intiface"),
+    4: Message("see whether the toy is connected and charged"),
+}
+_UPDATE = Message("update or restart it")
 _NONSENSE = b"?"
 """Stands for what makes no sense; the loop counts it."""
 
@@ -97,7 +108,7 @@ class ButtplugPort:
         self, where: str, line: int, clock: Clock, overdue_s: float = OVERDUE_S
     ) -> None:
         self._where, self._clock = where, clock
-        self._owed_since_s: float | None = None
+        self._owed_since_s: dict[int, float] = {}  # by the number of the message
         self._errors, self._nonsense, self.notice = 0, 0, Message("")
         try:
             self._socket, info = self._greeted(4)
@@ -119,8 +130,9 @@ class ButtplugPort:
         hand_over(line, self._socket.fileno())
 
     def _vibrating(self, listed: Any) -> dict[int, Toy]:
-        if found := toys_of(listed, self._version, self._name):
-            return found
+        toys = self._understood(listed)
+        if toys.found:
+            return toys.found
         raise DeviceError(
             "Intiface has no device that vibrates; connect one in Intiface and choose "
             "the device again"
@@ -130,28 +142,44 @@ class ButtplugPort:
     def _name(self) -> str:
         return f"{TITLE} at {self._where}"
 
+    def _understood(self, listed: Any) -> Toys:
+        toys = toys_of(listed, self._version, self._name)
+        if toys.refused and not self.notice:
+            self.notice = Message("a device is left out: {reason}", reason=toys.refused)
+        return toys
+
     @property
     def is_quiet(self) -> bool:
-        """Whether no answer is overdue; each message gets one."""
-        since_s = self._owed_since_s
-        return since_s is None or self._clock.now_s() - since_s < self._overdue_s
+        """Whether no answer is overdue; each message gets one with its number."""
+        since_s = min([*self._owed_since_s.values()], default=math.inf)
+        if self._clock.now_s() - since_s < self._overdue_s:
+            return True
+        if not self.notice:
+            self.notice = Message(
+                "{where} does not answer; see whether the toy is connected and charged, "
+                "and restart Intiface",
+                where=self._name,
+            )
+        return False
+
+    @property
+    def is_owed(self) -> bool:
+        """Whether the answer to a stop may still come."""
+        since_s = self._owed_since_s.get(ANSWERED["StopCmd"], -math.inf)
+        return self._clock.now_s() - since_s < STILL_S
 
     def write(self, command: bytes) -> None:
         """Send messages."""
-        if self._owed_since_s is None:
-            self._owed_since_s = self._clock.now_s()
+        for name, _ in messages_in(command, self._name):
+            self._owed_since_s.setdefault(ANSWERED[name], self._clock.now_s())
         self._socket.send(command.decode())
 
     def read(self) -> bytes:
         """Return the next message; pings the server when it is time."""
-        now_s = self._clock.now_s()
-        if self._ping_s and now_s - self._pinged_s >= self._ping_s / _PINGS_PER_LIMIT:
-            self._pinged_s = now_s
-            self._socket.send(text_of(("Ping", {})).decode())
-        received = self._socket.receive()
+        received = self._received()
+        self._ping(self._clock.now_s())
         if not received:
             return b""
-        self._owed_since_s = None
         if (heard := self._heard(received)) is None:
             self._nonsense += 1
             if self._nonsense == MOST_ERRORS:
@@ -160,20 +188,43 @@ class ButtplugPort:
                     where=self._name,
                 )
             return _NONSENSE
-        for kind, left, reason in heard:
+        for kind, left, content in heard:
             self._keep(left)
-            self._count_error(reason, is_error=kind == "Error")
+            self._note_answer(content.get("Id"))
+            self._count_error(content, is_error=kind == "Error")
         return received.encode() if isinstance(received, str) else received
+
+    def _ping(self, now_s: float) -> None:
+        if self._ping_s and now_s - self._pinged_s >= self._ping_s / _PINGS_PER_LIMIT:
+            self._pinged_s = now_s
+            with contextlib.suppress(DeviceError):  # the next reading says why
+                self.write(text_of(("Ping", {})))
+
+    def _received(self) -> str | bytes:
+        """The next message; a server says why before it goes."""
+        try:
+            return self._socket.receive()
+        except DeviceError as problem:
+            raise DeviceError(self.notice) if self._errors else problem from problem
+
+    def _note_answer(self, number: Any) -> None:
+        """Note what has been answered; a number that nothing has stands for all."""
+        if number in self._owed_since_s:
+            self._owed_since_s.pop(number)
+        elif number:  # 0 is no answer
+            self._owed_since_s.clear()
 
     def close(self) -> None:
         """Let go; the server stops all devices."""
         self._socket.close()
 
-    def _heard(self, received: str | bytes) -> list[tuple[str, set[int], str]] | None:
-        """Of each message its kind, the toys after it, and its reason; None of nonsense."""
+    def _heard(
+        self, received: str | bytes
+    ) -> list[tuple[str, set[int], dict[str, Any]]] | None:
+        """Of each message its kind, the toys after it, its content; None of nonsense."""
         try:
             return [
-                (kind, self._left(kind, content), error_text(content))
+                (kind, self._left(kind, content), content)
                 for kind, content in messages_in(received, self._name)
             ]
         except DeviceError:
@@ -182,7 +233,7 @@ class ButtplugPort:
     def _left(self, kind: str, content: dict[str, Any]) -> set[int]:
         """The numbers of the toys that are there after a message."""
         if kind == "DeviceList":
-            return {*toys_of(content, self._version, self._name)}
+            return {*self._understood(content).found}
         if kind == "DeviceRemoved":
             return {*self._toys} - {
                 understood(content, Removed, self._name).device_index
@@ -207,16 +258,17 @@ class ButtplugPort:
             motor for motor in self.translator.motors if motor.device in left
         ]
 
-    def _count_error(self, reason: str, *, is_error: bool) -> None:
+    def _count_error(self, content: dict[str, Any], *, is_error: bool) -> None:
         """Report an error; raises DeviceError when there are too many in a row."""
         self._errors = self._errors + 1 if is_error else 0
         if not is_error:
             return
+        code = content.get("ErrorCode")
         self.notice = Message(
-            "{where} reports an error ({reason}); see whether the toy is connected and "
-            "charged, and choose the device again",
+            "{where} reports an error ({reason}); {remedy}, and choose the device again",
             where=self._name,
-            reason=reason,
+            reason=error_text(content),
+            remedy=_REMEDIES.get(code, _UPDATE) if isinstance(code, int) else _UPDATE,
         )
         if self._errors >= MOST_ERRORS:
             raise DeviceError(self.notice)

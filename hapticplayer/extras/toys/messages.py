@@ -9,11 +9,21 @@ from typing import Annotated, Any, NamedTuple
 
 from msgspec import UNSET, Meta, Struct, UnsetType
 
-from hapticplayer.errors import DeviceError
-from hapticplayer.structures import SHOWN, message_in, understood
+from hapticplayer.devices.websocket import SHOWN, reported
+from hapticplayer.errors import DeviceError, Message, message_of
+from hapticplayer.structures import message_in, understood
 
 VIBRATE = "Vibrate"
-_ID = 1
+ANSWERED = {
+    "OutputCmd": 1,
+    "ScalarCmd": 1,
+    "StopCmd": 2,
+    "StopAllDevices": 2,
+    "Ping": 3,
+}
+"""The number of each kind of message that is sent while it plays, of others 4: an answer
+has that of its message, which tells what has been answered."""
+_OTHER = 4
 _Number = Annotated[int, Meta(ge=0, le=2**32 - 1)]
 _Steps = Annotated[int, Meta(ge=0, le=10**6)]
 _Ms = Annotated[float, Meta(ge=0, le=60_000)]
@@ -114,27 +124,51 @@ class _Older(_Device, rename="pascal", kw_only=True):
 
 
 class _NewerList(Struct, rename="pascal"):
-    devices: dict[str, _Newer]
+    devices: dict[str, Any]
 
 
 class _OlderList(Struct, rename="pascal"):
-    devices: list[_Older]
+    devices: list[Any]
 
 
-def toys_of(listed: Any, version: int, where: str) -> dict[int, Toy]:
-    """The devices of a DeviceList that vibrate, by number; raises DeviceError."""
-    devices: list[_Newer] | list[_Older]
+class Toys(NamedTuple):
+    """The devices that vibrate, by number, and why another one is left out."""
+
+    found: dict[int, Toy]
+    refused: Message | str
+
+
+def toys_of(listed: Any, version: int, where: str) -> Toys:
+    """The toys of a DeviceList.
+
+    Raises:
+        DeviceError: for what is no such list, or when none of its devices makes sense.
+    """
+    kind: type[_Newer | _Older] = _Newer if version >= 4 else _Older
+    devices: list[tuple[Any, Any]]
     if version >= 4:
-        devices = [*understood(listed, _NewerList, where).devices.values()]
+        devices = [*understood(listed, _NewerList, where).devices.items()]
     else:
-        devices = understood(listed, _OlderList, where).devices
-    found = {one.device_index: one.found() for one in devices}
-    return {number: toy for number, toy in found.items() if toy.motors}
+        devices = [*enumerate(understood(listed, _OlderList, where).devices)]
+    found, problems = {}, []
+    for key, one in devices:
+        try:
+            device = understood(one, kind, f"{where}, Devices.{str(key)[:SHOWN]}")
+            found[device.device_index] = device.found()
+        except DeviceError as problem:
+            problems.append(problem)
+    if problems and not found:
+        raise problems[0]
+    toys = {number: toy for number, toy in found.items() if toy.motors}
+    return Toys(toys, message_of(problems[0]) if problems else "")
 
 
 def text_of(*messages: tuple[str, dict[str, Any]]) -> bytes:
     """Messages as they are sent."""
-    found = [{name: {"Id": _ID, **content}} for name, content in messages]
+    found = [
+        {name: {"Id": ANSWERED.get(name, _OTHER), **content}}
+        for name, content in messages
+    ]
     return json.dumps(found, separators=(",", ":")).encode()
 
 
@@ -146,8 +180,7 @@ def messages_in(text: str | bytes, where: str) -> list[tuple[str, dict[str, Any]
 
 def error_text(content: dict[str, Any]) -> str:
     """What an Error says, whatever it holds."""
-    said = content.get("ErrorMessage")
-    return said[:SHOWN] if isinstance(said, str) and said.strip() else "no reason"
+    return reported(content.get("ErrorMessage")) or "no reason"
 
 
 def is_list(text: bytes) -> bool:

@@ -1,18 +1,22 @@
 """TCode 0.3: boards that vibrate, by UDP or on a serial port.
 
 Source: multiaxis/TCode-Specification. A line such as "V05000I20" sets channel V0 to half
-within 20 ms; "DSTOP" stops everything. Boards answer nothing and keep their last target
-for ever, so `DSTOP` is sent on every way out, and by the guard.
+within 20 ms; "DSTOP" stops everything. Boards keep their last target for ever, so `DSTOP`
+is sent on every way out, and by the guard. They answer nothing as long as all is well: a
+line that speaks of an error, and a greeting in the middle, are faults.
 """
 
 import contextlib
+import math
 import os
 import re
 import select
 import socket
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.options import (
     DeviceOptions,
     Fields,
@@ -26,7 +30,8 @@ from hapticplayer.devices.paced import (
     Rumble,
     silencer,
 )
-from hapticplayer.errors import DeviceError
+from hapticplayer.devices.websocket import reported
+from hapticplayer.errors import DeviceError, Message
 from hapticplayer.extras.toys.extension import TCODE
 from hapticplayer.model.device import DeviceCapabilities, Vector
 
@@ -34,8 +39,19 @@ DEFAULT = "127.0.0.1:8000"
 REFRESH_S = 0.5
 STOP = b"DSTOP\n"
 FULL_S = 0.25
+MOST_ERRORS, IN_A_ROW_S = 3, 1.0
+"""So many errors, none longer after the one before: nothing is felt any more."""
+GREETING_S = 3.0
+"""A board that opening has reset greets so long after it."""
+_ERROR = re.compile(
+    rb"(?<!no )(?<!0 )(?<![a-z])err(or)?s?(?![a-z])"
+    rb"|\b(fail|invalid|unknown|panic|overh|brown)",
+    re.IGNORECASE,
+)
+_GREETING = re.compile(rb"\btcode\b|\brst:|\bboot|\brestart|\breset\b", re.IGNORECASE)
+_LEAST_GREETING = 5
 _FULL, _RAMP_MS = 9999, 20
-_MOST_READ = 256
+_MOST_READ, _LONGEST_LINE = 256, 1024
 _SERIAL_BAUD = "B115200"
 
 
@@ -64,7 +80,7 @@ class TcodeTranslator:
         return f"{self._channel}{share:04}I{_RAMP_MS}\n".encode()
 
     def buttons(self, report: bytes) -> int | None:
-        """Return that none is pressed; a board says nothing but greetings."""
+        """Return that none is pressed; a board has none."""
         return 0 if report.isascii() else None
 
 
@@ -72,9 +88,17 @@ class TCodePort(QuietPort):
     """A board at the other end of a descriptor (`paced.Port`)."""
 
     def __init__(
-        self, descriptor: int, where: str, translator: TcodeTranslator
+        self,
+        descriptor: int,
+        where: str,
+        translator: TcodeTranslator,
+        clock: Clock | None = None,
     ) -> None:
         self.translator, self._where = translator, where
+        self._clock = clock or SystemClock()
+        self._heard, self._greetings = b"", Counter[bytes]()
+        self._errors, self._error_s = 0, -math.inf
+        self._opened_s = self._clock.now_s()
         self._descriptor: int | None = descriptor
         os.set_blocking(descriptor, False)
 
@@ -87,10 +111,40 @@ class TCodePort(QuietPort):
                 command = command[os.write(self._open(), command) :]
 
     def read(self) -> bytes:
-        """The decoded reply."""
+        """What the board says; raises DeviceError for errors in a row."""
+        report = b""
         with self._failing_at_once(), contextlib.suppress(BlockingIOError):
-            return os.read(self._open(), _MOST_READ)
-        return b""
+            report = os.read(self._open(), _MOST_READ)
+            if not report and self._where.startswith("/"):
+                raise BrokenPipeError  # of a line; a datagram may be empty
+        if report:
+            *lines, left = re.split(rb"[\r\n]+", self._heard + report)
+            self._heard = left[-_LONGEST_LINE:]
+            for line in filter(None, lines):
+                self._note(line, self._clock.now_s())
+        return report
+
+    def _note(self, line: bytes, now_s: float) -> None:
+        """Note a line that the board says by itself."""
+        if _ERROR.search(line):
+            is_next = now_s - self._error_s < IN_A_ROW_S
+            self._errors, self._error_s = self._errors * is_next + 1, now_s
+            self.notice = Message(
+                "the board at {where} reports an error ({said}); check its channel, "
+                "cable and supply, and choose the device again",
+                where=self._where,
+                said=_shown(line),
+            )
+            if self._errors >= MOST_ERRORS:
+                raise DeviceError(self.notice)
+        elif now_s - self._opened_s < GREETING_S:
+            self._greetings[line] += len(line) >= _LEAST_GREETING
+        elif self._greetings[line] == 1 or _GREETING.search(line):
+            self.notice = Message(
+                "the board at {where} has restarted ({said}); check its supply and cable",
+                where=self._where,
+                said=_shown(line),
+            )
 
     def close(self) -> None:
         """Release the device."""
@@ -119,6 +173,10 @@ class TCodePort(QuietPort):
         )
 
 
+def _shown(line: bytes) -> str:
+    return reported(line.decode(errors="replace"))
+
+
 def tcode_options(text: str) -> TcodeOptions:
     """What follows "tcode:", such as "/dev/ttyUSB0,channel=V1"; raises DeviceError."""
     return TcodeOptions(
@@ -138,7 +196,7 @@ def _channel(_name: str, text: str) -> str:
     return text
 
 
-def open_board(options: TcodeOptions) -> TCodePort:
+def open_board(options: TcodeOptions, clock: Clock | None = None) -> TCodePort:
     """The board, open; raises DeviceError."""
     where = options.address
     try:
@@ -150,7 +208,7 @@ def open_board(options: TcodeOptions) -> TCodePort:
             where=where,
             reason=problem.strerror or str(problem),
         ) from problem
-    return TCodePort(descriptor, where, TcodeTranslator(options.channel))
+    return TCodePort(descriptor, where, TcodeTranslator(options.channel), clock)
 
 
 def _udp(where: str) -> int:
@@ -173,6 +231,7 @@ def _serial(where: str) -> int:
         baud = getattr(termios, _SERIAL_BAUD)
         control = termios.CS8 | termios.CREAD | termios.CLOCAL
         state[:6] = [0, 0, control, 0, baud, baud]
+        state[6][termios.VMIN] = 1  # so that nothing read means unplugged
         termios.tcsetattr(descriptor, termios.TCSANOW, state)
     except termios.error as problem:
         os.close(descriptor)

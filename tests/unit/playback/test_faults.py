@@ -65,6 +65,9 @@ def test_a_report_of_a_device_is_said_last():
     faults = faults_of(ticks(Mode.FOLLOWING))
     faults.notice = "low battery; charge it"
     assert faults.sentence == "low battery; charge it"
+    faults.note_mode(Mode.TRIPPED, Cause.MALFORMED)
+    assert faults.sentence.startswith("stopped: malformed replies from the device; ")
+    assert faults.sentence.endswith("; low battery; charge it")
 
 
 @pytest.mark.parametrize(("refused", "is_unheard"), [(300, False), (700, True)])

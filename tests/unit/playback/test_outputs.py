@@ -203,6 +203,31 @@ def test_levels_are_shown_and_the_loudest_reported(outputs, manual_clock):
     assert outputs.summary()["rumble"]["channels"] == []
 
 
+def test_a_report_counts_once_and_only_in_its_own_trial(outputs, reporter):
+    def fault():
+        poll(outputs, "realistic")
+        return {one.name: one for one in outputs.states("realistic")}["rumble"].fault
+
+    processes_of(outputs, "rumble").notice = "low battery; charge it"
+    assert [fault(), fault()] == 2 * ["low battery; charge it"]
+    assert reporter.notices == ["rumble: low battery; charge it"]
+    outputs["rumble"].restart_meters()
+    assert fault() == ""
+    processes_of(outputs, "rumble").notice = "low battery; charge it"
+    assert fault() == "low battery; charge it"
+
+
+def test_a_report_with_the_last_stop_is_heard(outputs):
+    processes = processes_of(outputs, "rumble")
+
+    def close():
+        processes.notice, processes.health = "the toy goes on", Health.GONE
+
+    processes.close = close
+    outputs.close()
+    assert outputs.summary()["rumble"]["fault"] == "the toy goes on"
+
+
 def test_stop_and_re_arm_reach_all(outputs):
     outputs.stop()
     outputs.rearm()

@@ -101,6 +101,85 @@ def test_a_device_that_cannot_be_meant_is_refused(spoil, says):
         Inverse3Driver(Link).open()
 
 
+def opened(message):
+    class Link:
+        def receive(self, _timeout_s=0.0):
+            return json.dumps(message)
+
+        def send(self, text):
+            self.sent = text
+
+        def fileno(self):
+            return -1
+
+        def close(self):
+            pass
+
+    driver = Inverse3Driver(Link)
+    driver.open()
+    return driver
+
+
+ERRORS = [
+    ("overheated", "error overheated"),
+    ({"code": 3, "message": "overheated"}, "error overheated"),
+    ({"code": 3}, 'error {"code": 3}'),
+    ([7, "hot"], r'error \[7, "hot"\]'),
+    ("a\nb" * 90, "error a ba b"),
+    (7.5, "error 7.5"),
+    (True, "error true"),
+]
+NO_ERRORS = [None, 0, "", "none", "OK", False, [], {}, [None]]
+
+
+@pytest.mark.parametrize(("error", "says"), ERRORS)
+def test_an_error_is_said_in_the_words_of_the_service(error, says):
+    message = json.loads(Service(simulation_of()).inventory(0.0))
+    message["inverse3"][0]["status"]["error"] = error
+    with pytest.raises(DeviceError, match=says) as raised:
+        opened(message)
+    assert str(raised.value).startswith("the Inverse3 reports")
+    assert len(str(raised.value)) < 200
+    for alone in ({"error": error}, {"inverse3": None, "errors": [error]}):
+        with pytest.raises(DeviceError, match=rf"^Haply's .* reports the {says}"):
+            opened(alone)
+
+
+@pytest.mark.parametrize("error", NO_ERRORS)
+def test_a_service_without_an_error_is_not_refused(error):
+    message = json.loads(Service(simulation_of()).inventory(0.0))
+    message["inverse3"][0]["status"]["error"] = error
+    opened(message)
+
+
+GRIPS = [None, [None], [{}], [{"state": None}], [{"state": {"buttons": None}}], []]
+GRIPS += [[{"state": {"buttons": {"a": None}}}]]
+STRANGE = [7, "no grip", {"0": {}}, [7], [{"state": {"buttons": {"a": "yes"}}}]]
+
+
+@pytest.mark.parametrize("grips", [*GRIPS, *STRANGE, "missing"])
+def test_a_grip_that_is_off_or_strange_does_not_refuse_the_device(grips):
+    message = json.loads(Service(simulation_of()).inventory(0.0))
+    message["wireless_verse_grip"] = grips
+    if grips == "missing":
+        del message["wireless_verse_grip"]
+    reading = opened(message).exchange(ZERO, 0.001)
+    assert reading.is_homed
+    assert reading.buttons == reading.malformed == 0
+    is_strange = grips in STRANGE
+    assert ("wireless grip cannot be read; stop with Esc" in reading.notice) is (
+        is_strange
+    )
+
+
+@pytest.mark.parametrize("other", [None, 7, {}, {"device_id": "9", "state": None}])
+def test_another_device_that_makes_no_sense_is_left_alone(other):
+    message = json.loads(Service(simulation_of()).inventory(0.0))
+    assert state_of(json.dumps(message), "0423") is not None
+    message["inverse3"].insert(0, other)
+    assert state_of(json.dumps(message), "0423").device == "0423"
+
+
 def test_the_guard_never_waits_for_a_service_that_stalls():
     """A blocking connection whose other side reads nothing fills up."""
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)

@@ -64,6 +64,14 @@ def test_an_error_that_the_device_reports_ends_the_force(rig):
     rig.ticks_to(Mode.TRIPPED, 50)
 
 
+@pytest.mark.parametrize("error", [{"error": "usb lost"}, {"errors": ["usb lost"]}])
+def test_an_error_in_place_of_a_state_is_said(rig, error):
+    rig.following()
+    rig.device.service.frozen = json.dumps(error)
+    rig.ticks_to(Mode.TRIPPED, 400)
+    assert "reports the error usb lost; look" in rig.loop.reading.notice
+
+
 def test_the_answer_of_another_device_is_none(rig):
     rig.following()
     service = rig.device.service

@@ -42,6 +42,10 @@ class FakeIntiface:
     def __init__(self, version=4, max_ping_ms=0, toys=1, gap_ms=0, info=None):
         self.gap_ms, self.info = gap_ms, info or {}
         self.errors = 0
+        self.more = {}  # devices beside the toy, by their key
+        self.unanswered = ()  # names of messages
+        self.late_s = {}  # by the name of the message, how late it is answered
+        self.refuses = {}  # by the name of the message, code and text of the error
         self.hangs_up = self.falls_silent = False  # with the first command
         self.version, self.max_ping_ms, self.toys = version, max_ping_ms, toys
         self.strength, self.heard, self.arrived_s = {}, [], []
@@ -100,11 +104,17 @@ class FakeIntiface:
                     self.answers &= not (is_command and self.falls_silent)
                     if self.answers:
                         answer = self._answer(name, content)
-                        connection.send(json.dumps([answer]))
+                        self._wait(self.late_s.get(name, 0.0))
+                        if name not in self.unanswered:
+                            connection.send(json.dumps([answer]))
         except (ConnectionClosed, OSError, TimeoutError):
             self.strength.clear()  # the client is gone, or silent
             with contextlib.suppress(OSError):
                 connection.close()
+
+    def _wait(self, late_s):
+        if late_s:
+            self._clock.sleep_until(self._clock.now_s() + late_s)
 
     def _answer(self, name, content):
         self.heard.append((name, content))
@@ -114,6 +124,9 @@ class FakeIntiface:
             return self._greeting(content, number)
         if name == "RequestDeviceList":
             return {"DeviceList": {"Id": number, "Devices": self._devices()}}
+        if name in self.refuses:
+            code, text = self.refuses[name]
+            return {"Error": {"Id": number, "ErrorMessage": text, "ErrorCode": code}}
         if self.errors and name in ("OutputCmd", "ScalarCmd"):
             self.errors -= 1
             text = "Device 3 not available"
@@ -149,8 +162,8 @@ class FakeIntiface:
 
     def _devices(self):
         if self.version == 3:
-            return [OLD_TOY | self._gap()][: self.toys]
-        return dict([("3", NEW_TOY | self._gap())][: self.toys])
+            return [*self.more.values(), *[OLD_TOY | self._gap()][: self.toys]]
+        return self.more | dict([("3", NEW_TOY | self._gap())][: self.toys])
 
     def _gap(self):
         return {"DeviceMessageTimingGap": self.gap_ms}

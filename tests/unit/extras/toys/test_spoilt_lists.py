@@ -32,7 +32,7 @@ OLDER = {
 
 @pytest.mark.parametrize(("version", "document"), [(4, DEVICES), (3, OLDER)])
 def test_a_spoilt_list_of_toys_is_refused(version, document):
-    assert toys_of(document, version, "Intiface")[0].motors
+    assert toys_of(document, version, "Intiface").found[0].motors
     for what, text in spoilt(document):
         try:
             listed = json.loads(text)

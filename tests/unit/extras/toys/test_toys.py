@@ -133,6 +133,68 @@ def test_nonsense_among_answers_is_said(intiface, toy):
     wait_until(is_said)
 
 
+def test_an_answer_to_a_stop_is_none_to_the_strength(intiface, toy):
+    """A server that never answers a strength is silent, whatever else it answers."""
+    wait_until(lambda: intiface.strength, toy, HALF)
+    intiface.unanswered, oldest_s, said = ("OutputCmd",), 0.0, ""
+    clock = SystemClock()
+    until_s = clock.now_s() + 60.0
+    while oldest_s < 0.3 and clock.now_s() < until_s:
+        now_s = clock.now_s()
+        is_on = int(now_s * 10) % 2  # stopped every 0.1 s
+        reading = toy.exchange((1.0 + now_s % 1, 0.0, 0.0) if is_on else ZERO, now_s)
+        oldest_s, said = now_s - reading.replied_s, reading.notice
+        clock.sleep_until(now_s + 0.001)
+    assert oldest_s >= 0.3
+    assert re.match(r"Intiface at .* does not answer; see whether the toy", said)
+
+
+BAD = [7, None, {}, [], {"DeviceIndex": "x"}, {"DeviceIndex": 1}]
+BAD += [{"DeviceIndex": 1, "DeviceFeatures": [], "DeviceMessages": []}]
+
+
+@pytest.mark.parametrize("bad", BAD, ids=str)
+@pytest.mark.parametrize(
+    "intiface", [{"version": 4}, {"version": 3}], ids=["v4", "v3"], indirect=True
+)
+def test_a_device_that_makes_no_sense_is_left_out(intiface, bad):
+    intiface.more = {"0": bad}
+    made = buttplug.make(-1, buttplug.buttplug_options(intiface.where))
+    made.open()
+    wait_until(lambda: len(intiface.strength) == 2, made, HALF)
+    said = made.exchange(HALF, SystemClock().now_s()).notice
+    assert re.match(r"a device is left out: Intiface at .*, Devices\.0", said)
+    assert said.endswith("; update it")
+    made.close()
+
+
+@pytest.mark.parametrize("code", [2, 4, 3, None, "4", 10**400, [4], True])
+def test_an_error_names_the_remedy_of_its_kind(intiface, toy, code):
+    wait_until(lambda: intiface.strength, toy, HALF)
+    intiface.say([{"Error": {"Id": 0, "ErrorMessage": "hm", "ErrorCode": code}}], 1)
+    said = []
+
+    def is_said():
+        said.append(toy.exchange(HALF, SystemClock().now_s()).notice)
+        return "reports an error (hm); " in said[-1]
+
+    wait_until(is_said)
+    remedies = {2: "more time in Intiface", 4: "connected and charged"}
+    remedy = remedies.get(code, "restart it") if type(code) is int else "restart it"
+    assert remedy in said[-1]
+
+
+@pytest.mark.parametrize("intiface", [{"max_ping_ms": 200}], indirect=True)
+def test_a_server_that_misses_a_ping_says_why_it_goes(intiface, toy):
+    wait_until(lambda: intiface.pings and intiface.strength, toy, HALF)
+    error = {"Id": 0, "ErrorMessage": "Ping timed out", "ErrorCode": 2}
+    intiface.say([{"Error": error}], 1)
+    intiface.hang_up()
+    said = r"reports an error \(Ping timed out\); close other programs, or give pings"
+    with pytest.raises(DeviceError, match=said):
+        wait_until(lambda: False, toy, HALF)
+
+
 HOSTILE = ["4", None, [4], 10**400, math.inf, -1, 2.5, {}, "n" * 70_000]
 
 
@@ -187,7 +249,7 @@ def test_a_strange_toy_is_refused_in_a_sentence_or_read(field, value):
     listed = {"Devices": {"0": device}}
     found, said = {}, "Intiface"
     try:
-        found = messages.toys_of(listed, 4, "Intiface")
+        found = messages.toys_of(listed, 4, "Intiface").found
     except DeviceError as problem:
         said = str(problem)
     assert said.startswith("Intiface")
@@ -284,6 +346,90 @@ def test_by_udp_every_datagram_is_whole_lines_and_the_last_stops(receiver):
         lines.append(receiver.recv(200))
     assert 9 <= len(lines) <= 11  # fifty a second, and the stop
     assert all(line.startswith(b"A1") and line.endswith(b"\n") for line in lines)
+
+
+class Line:
+    """A serial board that says what a test wants, on a virtual clock."""
+
+    def __init__(self):
+        self.ours, theirs = pty.openpty()
+        tty.setraw(self.ours)
+        options = tcode.tcode_options(os.ttyname(theirs))
+        self.clock = ManualClock()
+
+        def open_port():
+            return tcode.open_board(options, self.clock)
+
+        self.board = PacedDriver("tcode", TCODE, open_port, 0.5, DirectWriter)
+        self.board.open()
+        os.close(theirs)
+
+    def said(self, text, after_s=0.0):
+        """What a person reads once the board has said that."""
+        self.clock.advance(after_s)
+        os.write(self.ours, text)
+        for _ in range(100):
+            self.clock.advance(0.001)
+            notice = self.board.exchange(HALF, self.clock.now_s()).notice
+        return notice
+
+
+@pytest.fixture
+def line():
+    made = Line()
+    yield made
+    made.board.close()
+    os.close(made.ours)
+
+
+ERRORS = [b"ERROR\r\n", b"err: channel\n", b"E: Invalid axis V0\n", b"Brownout!\n"]
+ERRORS += [b"Guru Meditation: panic'ed\n", b"motor failed\n", b"\xffError 3\n"]
+ERRORS += [b"ERR_CHANNEL\n", b"err3\n"]
+
+
+@pytest.mark.parametrize("text", ERRORS)
+def test_errors_of_a_board_are_said_and_three_in_a_row_end_it(line, text):
+    said = line.said(text)
+    assert re.match(r"the board at /dev/.* reports an error \(.+\); check its", said)
+    for _ in range(5):  # one now and then is no end
+        assert "reports an error" in line.said(text, after_s=2.0)
+    with pytest.raises(DeviceError, match="reports an error"):
+        line.said(3 * text)
+
+
+@pytest.mark.parametrize(
+    "text", [b"OSR2 TCode v0.3\n", b"rst:0x1 (POWERON)\r\n", b"Hello, board 7\r\n"]
+)
+def test_a_board_that_greets_in_the_middle_has_restarted(line, text):
+    assert not line.said(text)  # opened just now
+    said = line.said(text[:4], after_s=5.0)
+    assert not said
+    said = line.said(text[4:])
+    assert re.match(
+        r"the board at /dev/.* has restarted \(.+\); check its supply", said
+    )
+
+
+CHAT = [b"ok\n", b"V0 0.5\n", b"\n\r\n", b"x" * 3000, b"12", b"no error\n"]
+CHAT += [b"0 errors\n", b"errand\n", b"ready.\n"]
+
+
+@pytest.mark.parametrize("text", CHAT)
+def test_what_a_board_chats_is_no_fault(line, text):
+    assert not line.said(text)
+    assert not line.said(text)
+    assert not line.said(b"other" + text, after_s=5.0)
+    assert not line.said(text)
+
+
+def test_a_board_that_is_pulled_out_at_rest_is_named(line):
+    ours, theirs = pty.openpty()
+    made = tcode.open_board(tcode.tcode_options(os.ttyname(theirs)))
+    os.close(theirs)
+    assert made.read() == b""
+    os.close(ours)
+    with pytest.raises(DeviceError, match="nothing takes TCode at /dev/"):
+        made.read()
 
 
 @pytest.mark.parametrize("text", ["127.0.0.1", "a:b", "127.0.0.1:8000,channel=Z9"])

@@ -76,6 +76,39 @@ def test_a_toy_that_reports_errors_or_goes_makes_the_status_1(
     assert said in json.loads(done.stdout)["fault"]
 
 
+ONLY_STOPS = {"unanswered": ("OutputCmd",)}
+STOP_FAILS = {"refuses": {"StopCmd": (4, "toy busy")}, "late_s": {"StopCmd": 0.15}}
+LATE_ERROR = {"refuses": {"OutputCmd": (4, "toy busy")}, "late_s": {"OutputCmd": 0.2}}
+ONE_BAD = {"more": {"1": {"DeviceIndex": 1, "DeviceFeatures": None}}}
+
+
+@pytest.mark.parametrize(
+    ("faults", "says"),
+    [
+        (ONLY_STOPS, "stopped: device not responding"),
+        (STOP_FAILS, "reports an error (toy busy)"),
+        (LATE_ERROR, "reports an error (toy busy)"),
+        (ONE_BAD, "a device is left out: Intiface at"),
+        ({"refuses": {"Ping": (2, "late ping")}}, "reports an error (late ping)"),
+        ({"late_s": {"OutputCmd": 5.0}}, "stopped: device not responding"),
+    ],
+    ids=["only stops", "stop fails", "late error", "one bad", "ping", "gap of 5 s"],
+)
+def test_a_fault_of_a_server_is_said_also_at_the_end(
+    clip, force, tmp_path, faults, says
+):
+    server = FakeIntiface(gap_ms=50, max_ping_ms=600)
+    for name, value in faults.items():
+        setattr(server, name, value)
+    done, events = played(clip, force, server, tmp_path)
+    server.close()
+    assert done.returncode == 1
+    assert says in done.stderr
+    assert "Traceback" not in done.stderr
+    assert says in json.loads(done.stdout)["fault"]
+    assert {"trip", "device_lost", "device_notice"} & {one["name"] for one in events}
+
+
 def test_a_toy_that_does_not_answer_trips_and_is_said(clip, force, tmp_path):
     server = FakeIntiface(gap_ms=50)
     server.falls_silent = True
