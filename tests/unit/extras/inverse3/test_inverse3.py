@@ -158,7 +158,7 @@ STRANGE = [7, "no grip", {"0": {}}, [7], [{"state": {"buttons": {"a": "yes"}}}]]
 
 
 @pytest.mark.parametrize("grips", [*GRIPS, *STRANGE, "missing"])
-def test_a_grip_that_is_off_or_strange_does_not_refuse_the_device(grips):
+def test_a_grip_that_is_off_or_strange_refuses_no_device(grips):
     message = json.loads(Service(simulation_of()).inventory(0.0))
     message["wireless_verse_grip"] = grips
     if grips == "missing":
