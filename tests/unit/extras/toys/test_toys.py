@@ -415,7 +415,7 @@ CHAT += [b"0 errors\n", b"errand\n", b"ready.\n"]
 
 
 @pytest.mark.parametrize("text", CHAT)
-def test_what_a_board_chats_is_no_fault(line, text):
+def test_chat_of_a_board_is_no_fault(line, text):
     assert not line.said(text)
     assert not line.said(text)
     assert not line.said(b"other" + text, after_s=5.0)
