@@ -115,7 +115,11 @@ def read_force(
             reason=problem,
         ) from problem
     refuse_untaken(choices, form.name, str(path))
-    if not len(found.track.active_s):
+    active_s = found.track.active_s
+    if len(active_s) and active_s[0, 0] < 0.0:
+        said = Message("what lies before 0 s was left out")
+        found = found._replace(unread=(*found.unread, said))
+    if not len(active_s):
         said = Message("its force is 0 N from beginning to end")
         found = found._replace(unread=(*found.unread, said))
     return found

@@ -32,8 +32,16 @@ class DataTable(NamedTuple):
     rows: Sequence[Sequence[Any]]
 
 
-_FORMULA = re.compile("'*[=+\\-@\t\r\n\uff1d\uff0b\uff0d\uff20]")
+_SIGN = "[=+\\-@\uff1d\uff0b\uff0d\uff20]"
+_FORMULA = re.compile(f"['\\s\ufeff\u200b-\u200f]*{_SIGN}|[\t\r\n]")
 """Beginnings of a text that spreadsheets take for a formula, also in full width."""
+
+_LATER = re.compile(f'([;\t\n][ \u00a0"]*)(?={_SIGN})')
+"""Where a cell begins for those that separate by semicolons or tabs."""
+
+_BREAKS = re.compile("\r\n|[\r\x0b\x0c\x1c-\x1e\x85\u2028\u2029]")
+_CONTROLS = re.compile("[\0-\x08\x0e-\x1f\x7f]")
+"""At some of them programs take the file to end."""
 
 _WHO = DataColumn("participant", "code of the participant")
 _WHERE = (
@@ -198,7 +206,8 @@ def _texts(answers: Answers) -> DataTable:
         DataColumn(
             "text",
             "as written, reviewed by a person; an apostrophe is put before = + - @ at "
-            "the beginning, which spreadsheets would take for a formula",
+            "the beginning of the text, a line or what follows a semicolon or tab, which "
+            "spreadsheets would take for a formula",
         ),
     )
     rows = [
@@ -255,12 +264,14 @@ def _dictionary(tables: Iterable[DataTable], feedbacks: Mapping[str, str]) -> Da
 def guarded(value: Any) -> Any:
     """Return a cell that no spreadsheet takes for a formula.
 
-    Line breaks become the one that `csv` puts into quotation marks.
+    Line breaks become the one that `csv` puts into quotation marks, control characters
+    the sign for what cannot be shown.
     """
     if not isinstance(value, str):
         return value
-    text = value.replace("\r\n", "\n").replace("\r", "\n").replace("\0", "\ufffd")
-    return f"'{text}" if _FORMULA.match(value) else text
+    text = _CONTROLS.sub("\ufffd", _BREAKS.sub("\n", value))
+    guarded_text = _LATER.sub(r"\1'", text)
+    return f"'{guarded_text}" if _FORMULA.match(value) else guarded_text
 
 
 def separated(table: DataTable, mark: str = ",", missing: str = "") -> bytes:

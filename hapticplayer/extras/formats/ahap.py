@@ -62,7 +62,10 @@ def write(
         out.write(between + _json(one))
         between = b","
     out.write(b"]}")
-    return (Message("the direction of the force"),)
+    return (
+        Message("the direction of the force"),
+        Message("changes of the frequency within a second"),
+    )
 
 
 def _json(value: dict[str, Any]) -> bytes:

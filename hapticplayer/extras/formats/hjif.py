@@ -2,7 +2,8 @@
 
 The newton is amplitude times `maximum_amplitude` of the reference device, the directions
 are those of frame D. Positions are milliseconds. Each channel has one effect that begins
-at 0, as the published synthesizer misplaces others (2de9ff1).
+at 0, as the published synthesizer misplaces others (2de9ff1). The loader wants a date:
+it is empty.
 """
 
 import io
@@ -13,7 +14,6 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from hapticplayer import __version__
-from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message
 from hapticplayer.extras.formats.thinning import Polyline, thinned
 from hapticplayer.media.clip_info import probe
@@ -84,7 +84,7 @@ def _described(
         "version": "2023",
         "profile": "Main",
         "level": 1,
-        "date": utc_now_iso()[:10],
+        "date": "",
         "description": f"{MARK.decode()} {__version__}{origin_text}; newton = amplitude * "
         "maximum_amplitude; X right, Y up, Z towards the user",
         "timescale": 1000,

@@ -89,12 +89,14 @@ class Bands:
             )
             self.assumed.append(Message("{kind} was read as lines", kind=shown))
         shape = self._effect(effect)
+        self._list_empty(shape)
         if kind in ("Cubic", "Akima"):
             self._spend(shape.keys.time_s.max(initial=0.0))
         return signals.curve(shape, kind)
 
     def _transient(self, effect: EffectEntry, _band: HjifBand) -> EffectCurve:
         shape = self._effect(effect)
+        self._list_empty(shape)
         self._spend(signals.TRANSIENT_S * len(shape.keys.time_s))
         return signals.transient(shape)
 
@@ -121,6 +123,7 @@ class Bands:
                 carrier_hz=signals.CARRIER_HZ,
             )
         )
+        self.unread["course of wavelets within their blocks"] += 1
         # an orthonormal transform gathers a tone in coefficients of sqrt(2^level)
         rate_hz = _or(band.upper_frequency_limit, 8000.0)
         share = 2.0 * signals.CARRIER_HZ / max(rate_hz, 2.0 * signals.CARRIER_HZ)
@@ -165,6 +168,10 @@ class Bands:
             effect.phase,
             effect.base_signal,
         )
+
+    def _list_empty(self, shape: HjifEffect) -> None:
+        if count := int(np.isnan(shape.keys.amplitude).sum()):
+            self.unread["keyframe without an amplitude"] += count
 
     def _begin_s(self, effect: EffectEntry) -> float:
         begin_s = effect.position / self._timescale

@@ -62,9 +62,15 @@ def write(
         raise InputError(
             "the track is too long for this format", remedy="choose another format"
         )
-    if choices.motion is None or choices.motion.valid.all():
+    if choices.motion is None:
         return ()
-    return (Message("the motion where it is not valid"),)
+    within = Message(
+        "rotations, and what of the motion changes within {span_ms} ms",
+        span_ms=_MOTION_MS,
+    )
+    if choices.motion.valid.all():
+        return (within,)
+    return within, Message("the motion where it is not valid")
 
 
 def _forces(

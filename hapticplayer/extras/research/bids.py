@@ -67,9 +67,13 @@ _TABLES = {
     "sub-*/motion/*_channels.tsv": "columns of the motion table",
     "sub-*/motion/*_events.tsv": "start and end of each trial, with its condition, and "
     "interruptions",
-    "sub-*/*_scans.tsv": "when each motion table begins, UTC",
+    "sub-*/*_scans.tsv": "when each motion table begins, UTC; the days are counted from "
+    "1925-01-01, so that no date tells who took part",
 }
 _MAKERS = {"falcon": ("Novint", "Falcon")}
+_FIRST_DAY = dt.date(1925, 1, 1)
+"""Dates that are shifted lie in 1925 or before, says BIDS."""
+
 # the end of a run is marked shortly after its last tick
 _MARKED_WITHIN_S = 1.0
 
@@ -193,15 +197,20 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     ]
     table = DataTable(f"{name}_task-{TASK}_beh.tsv", columns, rows)
     _table(behaviour / table.name, table)
-    scans: list[tuple[str, str]] = []
+    scans: dict[str, dt.datetime] = {}
     for number, path in enumerate(tick_files(session), 1):
         base = f"{name}_task-{TASK}_tracksys-{SYSTEM}_run-{number}"
         span_s = _motion(session, path, folder / "motion" / base, data)
         if span_s is not None:
             _events(session, span_s, folder / "motion" / f"{base}_events.tsv")
-            scans.append((f"motion/{base}_motion.tsv", _utc(session, span_s[0])))
+            scans[f"motion/{base}_motion.tsv"] = _utc(session, span_s[0])
     if scans:
-        _rows(folder / f"{name}_scans.tsv", ("filename", "acq_time"), scans)
+        earlier = min(scans.values()).date() - _FIRST_DAY
+        rows = [
+            (table, (at - earlier).strftime("%Y-%m-%dT%H:%M:%S.%fZ"))
+            for table, at in scans.items()
+        ]
+        _rows(folder / f"{name}_scans.tsv", ("filename", "acq_time"), rows)
 
 
 def _beh_row(
@@ -306,12 +315,12 @@ def _events(session: StoredSession, span_s: tuple[float, float], path: Path) -> 
     _rows(path, ("onset", "duration", "trial_type"), rows)
 
 
-def _utc(session: StoredSession, monotonic_s: float) -> str:
+def _utc(session: StoredSession, monotonic_s: float) -> dt.datetime:
     """Return the UTC time of a monotonic time, by the nearest record."""
     near = min(session.records.intact, key=lambda r: abs(r.monotonic_s - monotonic_s))
     at = dt.datetime.fromisoformat(near.utc)
     at += dt.timedelta(seconds=monotonic_s - near.monotonic_s)
-    return at.astimezone(dt.UTC).strftime("%Y-%m-%dT%H:%M:%S.%fZ")
+    return at.astimezone(dt.UTC)
 
 
 def _json(path: Path, content: Any) -> None:

@@ -161,7 +161,7 @@ def _write_session(session: StoredSession, folder: Path, data: StudyData) -> Non
         target = folder / f"{session.code}_markers.xdf"
         with storage.private_writer(target) as out:
             samples = [(marker.monotonic_s, marker.text) for marker in markers]
-            _write_markers(writer_of(out, target), samples)
+            _write_markers(writer_of(out, target), samples, created_s)
     for number, path in enumerate(tick_files(session), 1):
         target = folder / f"{session.code}_run-{number}.xdf"
         with storage.private_writer(target) as out:
@@ -173,7 +173,7 @@ def _write_session(session: StoredSession, folder: Path, data: StudyData) -> Non
                     for marker in markers
                     if span_s[0] - 1.0 <= marker.monotonic_s <= span_s[1] + 1.0
                 ]
-                _write_markers(writer, inside)
+                _write_markers(writer, inside, created_s)
         if span_s is None:
             target.unlink()
 
@@ -207,12 +207,15 @@ def _write_device(
     return first_s, last_s
 
 
-def _write_markers(writer: XdfWriter, markers: list[tuple[float, str]]) -> None:
+def _write_markers(
+    writer: XdfWriter, markers: list[tuple[float, str]], created_s: float
+) -> None:
+    """Write a stream of texts; an empty one has a footer, too: readers expect it."""
     channel = [("Marker", "Marker", "n/a")]
     writer.begin_stream(_MARKERS, "markers", "Markers", channel, 0.0, is_text=True)
     writer.texts(_MARKERS, markers)
-    if markers:
-        writer.end_stream(_MARKERS, markers[0][0], markers[-1][0], len(markers))
+    first_s, last_s = (markers[0][0], markers[-1][0]) if markers else (created_s,) * 2
+    writer.end_stream(_MARKERS, first_s, last_s, len(markers))
 
 
 def _channels(names: Sequence[str], kind: str, unit: str) -> list[tuple[str, str, str]]:

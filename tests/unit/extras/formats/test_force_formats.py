@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError, UsageError, from_json
 from hapticplayer.extras.formats import thinning
 from hapticplayer.model import ForceTrack, Reconstruction
@@ -202,7 +203,10 @@ def test_forces_beyond_any_device_are_refused(name, tmp_path):
 
 LEFT_OUT = {
     "funscript": ["the force in newtons"],
-    "ahap": ["the direction of the force"],
+    "ahap": [
+        "the direction of the force",
+        "changes of the frequency within a second",
+    ],
 }
 
 
@@ -296,3 +300,24 @@ def test_a_table_says_whether_its_force_was_measured(feedback, tmp_path):
     assert ("is_estimated" in header) is (feedback == "estimated")
     again = WriteChoices(0.6, TOLERANCE_N, overwrite=True)
     export_track(track, tmp_path / "track.csv", force_formats()["csv"], again)
+
+
+@pytest.mark.parametrize("name", written_formats())
+def test_an_export_holds_no_names_dates_and_numbers(name, tmp_path):
+    private = {"video": "Anna at home.mp4", "sensor": "C3441324", "date": "2024-05-01"}
+    track = ForceTrack([0.0, 1.0], [[0, 1, 0], [0, 0, 0]], provenance=private)
+    path = tmp_path / f"Anna{force_formats()[name].suffix}"
+    export_track(track, path, force_formats()[name], WriteChoices(1.0))
+    content = path.read_bytes()
+    today = utc_now_iso()[:10]
+    told = [*private.values(), today, today.replace("-", ""), "Anna", str(tmp_path)]
+    assert not [one for one in told if one.encode() in content]
+
+
+def test_force_before_the_clip_is_said_to_be_left_out(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("time_s,fx_n,fy_n,fz_n\n-1,0,1,0\n1,0,0,0\n")
+    (note,) = read_force(path).unread
+    assert str(note) == "what lies before 0 s was left out"
+    path.write_text("time_s,fx_n,fy_n,fz_n\n-1,0,0,0\n0,0,1,0\n1,0,0,0\n")
+    assert read_force(path).notes == ()

@@ -144,7 +144,9 @@ def test_a_wavelet_block_is_an_envelope(read):
     found = read(content(wavelet, **UP))
     force_n = found.track.force_n[:, 1]
     assert np.abs(force_n).max() == pytest.approx(0.5 * 4.0, rel=0.1)
-    assert any("envelope" in note for note in found.notes)
+    assert any("envelope" in note for note in found.assumed)
+    (note,) = found.unread
+    assert str(note) == "not read: course of wavelets within their blocks (1)"
 
 
 def test_a_curve_of_an_unknown_type_is_the_cubic(read):
@@ -191,6 +193,13 @@ def test_a_keyframe_without_a_position_is_listed(read):
     found = read(content(band(effects=[keys]), **UP))
     assert at(found.track, 0, 10)[:, 1] == pytest.approx([4.0, 4.0])
     assert str(found.unread[0]) == "not read: keyframe without a position (1)"
+
+
+@pytest.mark.parametrize("kind", ["Curve", "Transient"])
+def test_a_keyframe_without_an_amplitude_is_listed(read, kind):
+    made = effect((0, 1.0), (100, None), (200, 1.0))
+    (note,) = read(content(band(kind, [made]), **UP)).unread
+    assert str(note) == "not read: keyframe without an amplitude (1)"
 
 
 def test_channels_for_parts_of_the_body_are_said_to_be_one(read):

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, from_json
 from hapticplayer.model import ForceTrack, MotionTrack
 from hapticplayer.sequence.force_files import WriteChoices
 from hapticplayer.sequence.force_formats import (
@@ -474,7 +474,9 @@ def test_motion_that_is_not_valid_is_said_to_be_left_out(tmp_path, valid):
     choices = WriteChoices(motion=moving((1, 2, 3), valid))
     form = force_formats()["mpegv"]
     report = export_track(NO_FORCE, tmp_path / "a.sem", form, choices)
-    assert bool(report["left_out"]) is not valid
+    said = [str(from_json(one)) for one in report["left_out"]]
+    assert said[0] == "rotations, and what of the motion changes within 50 ms"
+    assert said[1:] == [] if valid else ["the motion where it is not valid"]
 
 
 def test_more_motion_than_is_read_is_refused(written, monkeypatch):

@@ -94,8 +94,30 @@ def test_tidy_tables_hold_every_rating_and_explain_each_column(study, tmp_path):
     assert len(table(tmp_path / "out" / "trials.csv")) == 24
 
 
-FORMULAS = ["=1+1", "+49 30", "-", "@home", "\tx", "'=1", "\uff1d1", "\r=1", "\n=1"]
-TEXTS = [*FORMULAS, "sehr m\u00fcde", "a = b", "'so'"]
+FORMULAS = ["=1+1", "+49 30", "-", "@home", "\tx", "'=1", "\uff1d1"]
+FORMULAS += [" =1+1", "\ufeff=1", "\u00a0@x", "\u200b=1", "''+1"]
+INSIDE = {  # for spreadsheets that separate by semicolons
+    "a;=1+1": "a;'=1+1",
+    "so; -5": "so; '-5",
+    'a;"=1"': 'a;"\'=1"',
+    "a\t@b": "a\t'@b",
+    "a\n=1": "a\n'=1",
+    "a\u2028=1": "a\n'=1",
+    "=1;=2": "'=1;'=2",
+    "\r=1": "'\n'=1",
+    "\n=2": "'\n'=2",
+}
+SHOWN = {"end\x1aof\0file": "end\ufffdof\ufffdfile", "a\x0bb": "a\nb", "a\x85b": "a\nb"}
+PLAIN = [
+    "sehr m\u00fcde",
+    "a = b",
+    "'so'",
+    "1-2; 3",
+    'he said "no", twice',
+    "a\\",
+    "5 @ 6",
+]
+TEXTS = [*FORMULAS, *PLAIN, *INSIDE, *SHOWN]
 
 
 def said(study, clock, words: str) -> None:
@@ -123,8 +145,13 @@ def test_no_spreadsheet_takes_an_answer_for_a_formula(tmp_path, manual_clock, fo
         assert not [one for row in cells for one in row if one[:1] in tuple("=+-@\t\r")]
     text = (tmp_path / "out" / "texts.csv").read_bytes().decode("utf-8-sig")
     written = {row["text"] for row in csv.DictReader(io.StringIO(text, newline=""))}
-    expected = {f"'{one}" if one in FORMULAS else one for one in TEXTS}
+    guarded = [f"'{one}" for one in FORMULAS]
+    expected = {*guarded, *PLAIN, *INSIDE.values(), *SHOWN.values()}
     assert written == {one.replace("\r", "\n") for one in expected}
+    for mark in ";\t":  # as a table with other separators
+        rows = [*csv.reader(io.StringIO(text, newline=""), delimiter=mark)]
+        cells = [one.strip(' "') for row in rows for one in row]
+        assert not [one for one in cells if one[:1] in tuple("=+-@")]
 
 
 def test_texts_without_a_review_are_not_exported(study, tmp_path):
@@ -179,6 +206,18 @@ def test_pyxdf_prints_the_metadata_of_every_xdf_file(study, tmp_path, capsys):
             assert all(value is not None for value in stream.values()), stream
     streams, _ = pyxdf.load_xdf(str(files[0]))
     assert len({one["info"]["uid"][0] for one in streams}) == len(streams)
+
+
+def test_a_run_without_markers_has_a_footer_for_each_stream(study, tmp_path):
+    code = study.codes()[0]
+    write_ticks(study.session_folder(code) / "ticks-02.hprec", 1e6)
+    export_study(study, tmp_path / "out", "xdf")
+    streams, _ = pyxdf.load_xdf(tmp_path / "out" / f"{code}_run-2.xdf")
+    counts = {
+        stream["info"]["name"][0]: stream["footer"]["info"]["sample_count"]
+        for stream in streams
+    }
+    assert counts == {"device": [str(TICKS)], "markers": ["0"]}
 
 
 def test_a_session_without_a_device_has_its_markers_in_xdf(study, tmp_path):
@@ -400,6 +439,21 @@ def test_an_export_is_private_as_the_study_is(study, tmp_path):
         for path in (tmp_path / form, *(tmp_path / form).rglob("*")):
             mode = stat.S_IMODE(path.stat().st_mode)
             assert mode == (0o700 if path.is_dir() else 0o600), path
+
+
+def test_no_dataset_tells_the_days_on_which_people_came(study, tmp_path):
+    export_study(study, tmp_path / "out", "bids")
+    days = {
+        record.utc[:10]
+        for session in open_study(study.folder).sessions()[0]
+        for record in session.records.intact
+    }
+    (scans,) = (tmp_path / "out").rglob("*_scans.tsv")
+    (row,) = table(scans, "\t")
+    assert re.fullmatch(r"1925-01-01T\d\d:\d\d:\d\d\.\d{6}Z", row["acq_time"])
+    for path in (tmp_path / "out").rglob("*.*"):
+        if path.is_file():
+            assert not [day for day in days if day.encode() in path.read_bytes()], path
 
 
 def test_a_study_without_answers_is_not_exported(tmp_path):
