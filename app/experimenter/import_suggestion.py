@@ -34,7 +34,8 @@ class SuggestionBox(QFrame):
                 "Expect to feel turns of a vehicle, and steps when walking or riding; "
                 "braking, knocks and potholes will be missing. Nothing measures this "
                 "motion: set its strength by hand with the gain, and do not use it in a "
-                "study without saying so."
+                "study without saying so. Slow motion and time lapse are taken as they "
+                "play."
             )
         )
         self.missing = paragraph(

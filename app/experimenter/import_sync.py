@@ -27,11 +27,12 @@ from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import ClockMap
 from hapticplayer.playback import snippet
 from hapticplayer.playback.snippet import LONGEST_S, Samples, pats_sound
-from hapticplayer.sequence.import_preview import ImportPreview
+from hapticplayer.sequence.import_preview import BY_HAND, ImportPreview
 from hapticplayer.sequence.synchronizing import moved_to, store_skew
 
 _LONGEST_OFFSET_S = 86_400.0
 _LARGEST_SKEW_MS = 2000.0
+_SLOWEST = 1000.0
 _AROUND_S = 2.0
 
 
@@ -62,6 +63,16 @@ class SyncPage(QWidget):
         self.skew.setToolTip(
             self.tr("How much later than the video the camera records its sound")
         )
+        self.slow = _spin(_SLOWEST, 3, 1.0, self.tr(" \u00d7"))
+        self.slow.setMinimum(1.0 / _SLOWEST)
+        self.slow.setAccessibleName(self.tr("Slow motion"))
+        self.slow.setToolTip(
+            self.tr(
+                "How many times slower than it was recorded the video plays: 8 if 240 "
+                "frames per second play at 30; below 1 for a time lapse"
+            )
+        )
+        self.slow.valueChanged.connect(lambda _value: self.method_chosen.emit())
         self.method = QComboBox()
         self.method.setAccessibleName(self.tr("Method"))
         for one in methods.sync_methods():
@@ -103,6 +114,7 @@ class SyncPage(QWidget):
         self._sound_delay = QWidget()
         row_of(*late, self.keep_skew, STRETCH, of=self._sound_delay)
         how = captioned(self.tr("&Method"), self.method)
+        slow = captioned(self.tr("Slow mo&tion"), self.slow)
         buttons = (whole, self.near, self.hear)
         hint = paragraph(
             self.tr(
@@ -118,6 +130,7 @@ class SyncPage(QWidget):
             row_of(*buttons, *offset, STRETCH, spacing=4),
             self._sound_delay,
             row_of(*how, (self.method_text, 1)),
+            row_of(*slow, STRETCH),
             *(self.looked, self.problem, STRETCH),
         )
         self._body = QWidget()
@@ -137,16 +150,22 @@ class SyncPage(QWidget):
         self.looked.setChecked(False)
         self.problem.clear()
         sync = found.found
-        offset_s = sync.clock_map.offset_s if sync else -found.begin_s
+        slowed = found.slowed or (found.pace and found.pace.slowed) or 1.0
+        offset_s = sync.clock_map.offset_s if sync else -slowed * found.begin_s
         self._late_s = sync.sound_late_s if sync else 0.0
-        for spin, value in ((self.skew, 1e3 * self._late_s), (self.offset, offset_s)):
+        values = {
+            self.skew: 1e3 * self._late_s,
+            self.offset: offset_s,
+            self.slow: slowed,
+        }
+        for spin, value in values.items():
             spin.blockSignals(True)
             spin.setValue(value)
             spin.blockSignals(False)
         self.keep_skew.setVisible(bool(found.clip.camera))
         self.keep_skew.setToolTip(found.clip.camera)
         pats_s = tuple(pat.heard_s for pat in sync.pats) if sync else ()
-        clock = ClockMap(offset_s, sync.clock_map.rate if sync else 1.0)
+        clock = ClockMap(offset_s, sync.clock_map.rate if sync else slowed)
         is_by_turns = sync is not None and sync.method == "frames"
         lanes = self._lanes(found)
         self.strip.show_lanes(lanes, pats_s, clock, is_by_turns=is_by_turns)
@@ -179,8 +198,26 @@ class SyncPage(QWidget):
         offset_s = self.offset.value()
         sync = self._shifted()
         if sync is None:
-            return Synchronisation(ClockMap(offset_s), "offset")
+            found = self._recognised
+            middle_s = 0.5 * found.clip.duration_s if found else 0.0
+            clock = ClockMap(offset_s, self.slow.value())
+            return Synchronisation(clock, BY_HAND, middle_s=middle_s)
         return moved_to(sync, offset_s)
+
+    @property
+    def slowed(self) -> float | None:
+        """How slow the clip plays, where that was asked or said."""
+        found = self._recognised
+        is_asked = found is not None and (found.pace or found.slowed)
+        value = self.slow.value()
+        return value if is_asked or value != 1.0 else None
+
+    def forget(self) -> None:
+        """Begin with other files, of which nothing has been said."""
+        self._recognised = None
+        self.slow.blockSignals(True)
+        self.slow.setValue(1.0)
+        self.slow.blockSignals(False)
 
     def may_go_on(self) -> bool:
         """Whether everything has been confirmed."""
@@ -275,15 +312,25 @@ class SyncPage(QWidget):
         self.looked.setVisible(not self._is_sure())
         self.decided.emit()
 
-    def _verdict(self, found: ImportPreview) -> tuple[str, str]:
-        sync = found.found
-        if sync is None and not found.problem:
+    def _verdict_by_hand(self, found: ImportPreview) -> tuple[str, str]:
+        if found.pace is not None:
+            text = self.tr(
+                "{why}. Check below how much slower it plays than it was recorded (1: it "
+                "does not), then enter the offset, or drag the log's curves."
+            )
+            why = translated(found.pace.why)
+            return text.format(why=why[:1].upper() + why[1:]), theme.WARN
+        if not found.problem:
             text = self.tr("Enter the offset, or drag the log's curves.")
             return text, theme.WARN
+        text = self.tr("Could not synchronise: {why}. Enter the offset manually.")
+        return text.format(why=translated(found.problem)), theme.WARN
+
+    def _verdict(self, found: ImportPreview) -> tuple[str, str]:
+        sync = found.found
         if sync is None:
-            text = self.tr("Could not synchronise: {why}. Enter the offset manually.")
-            return text.format(why=translated(found.problem)), theme.WARN
-        if self.choice().method == "offset":
+            return self._verdict_by_hand(found)
+        if self.choice().method == BY_HAND:
             return self.tr("The offset was set manually."), theme.WARN
         if sync.contradiction and not sync.is_confident:
             text = self.tr("Check the offset: {why}.")

@@ -56,7 +56,7 @@ class ImportWizard(JobDialog):
         self.files, self.sync = FilesPage(folder), SyncPage()
         self.mounting, self.report = MountingPage(library), QualityView()
         self._lay_out()
-        self.files.changed.connect(self._look)
+        self.files.changed.connect(self._look_anew)
         self.files.suggestion.changed.connect(self._show_buttons)
         self.sync.decided.connect(self._show_buttons)
         self.sync.method_chosen.connect(self._look)
@@ -185,6 +185,10 @@ class ImportWizard(JobDialog):
 
     # --- work ----------------------------------------------------------------
 
+    def _look_anew(self) -> None:
+        self.sync.forget()
+        self._look()
+
     def _look(self) -> None:
         """Read the files that are chosen now; what was typed last may come too late."""
         if self.is_leaving:
@@ -200,12 +204,11 @@ class ImportWizard(JobDialog):
         if chosen is None:
             return
         video, log = chosen
-        choices, method = self.files.choices(), str(self.sync.method.currentData())
+        method, slowed = str(self.sync.method.currentData()), self.sync.slowed
+        said = (self.files.choices(), method, slowed)
 
         def work(progress: Progress) -> ImportPreview:
-            return in_child(
-                preview_import, video, log, choices, method, progress=progress
-            )
+            return in_child(preview_import, video, log, *said, progress=progress)
 
         self.jobs.run(self.tr("Reading {0}").format(video.name), work, self.on_found)
         self._show_buttons()
@@ -266,7 +269,7 @@ class ImportWizard(JobDialog):
             preset=rendering.preset,
         )
         if self._suggests:
-            return replace(made, suggest_gain=1.0)
+            return replace(made, suggest_gain=1.0, sync=SyncChoices(slowed=1.0))
         return replace(
             made,
             processing=self.mounting.processing(),

@@ -31,11 +31,11 @@ from hapticplayer.errors import (
     no_progress,
 )
 from hapticplayer.media.clip_info import ClipInfo, probe
+from hapticplayer.media.pace import Pace, pace_of
 from hapticplayer.model import ImuLog
 from hapticplayer.sequence.mounting_by_frames import ask_about_sign
 from hapticplayer.sequence.synchronizing import (
     SyncChoices,
-    ask_for_pace,
     find_sync,
     notes_on_sync,
     watch,
@@ -44,6 +44,9 @@ from hapticplayer.sequence.synchronizing import (
 Curve = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 _NOTHING: Curve = (np.zeros(0), np.zeros(0))
+
+BY_HAND = "offset"
+"""The method that leaves the offset to a person."""
 
 MAX_POINTS = 2_000_000
 """Of the motion curve; more are reduced to the maximum of each block."""
@@ -71,6 +74,8 @@ class ImportPreview:
         gyro: log times and turn rate of the gyro, rad/s; empty where `turned` is.
         found: the synchronisation; None if none was possible, or a person gives it.
         problem: why none was possible.
+        pace: that the clip's metadata tell, where nobody has said how slow it plays.
+        slowed: how many times as slow as it was recorded it plays, as a person said.
     """
 
     clip: ClipInfo
@@ -89,6 +94,8 @@ class ImportPreview:
     gyro: Curve
     found: Synchronisation | None
     problem: str = ""
+    pace: Pace | None = None
+    slowed: float | None = None
 
     @property
     def knows_clip_clock(self) -> bool:
@@ -106,6 +113,7 @@ def preview_import(
     log: LogPath | None,
     choices: LogChoices | None = None,
     method: str = AUTO,
+    slowed: float | None = None,
     *,
     progress: Progress = no_progress,
 ) -> ImportPreview:
@@ -116,6 +124,7 @@ def preview_import(
         log: a separate motion log, in one file or several; None for the clip's own telemetry.
         choices: answers about a log that does not describe itself.
         method: of synchronisation, see `capture.sync.methods`.
+        slowed: how many times as slow as it was recorded the clip plays; None if not asked.
         progress: called with each step; raises Cancelled to stop.
 
     Raises:
@@ -128,6 +137,9 @@ def preview_import(
     recording = read_recording(log or video, choices)
     refuse_gravity_free(recording)
     progress(0.5, Message("listening"))
+    pace = pace_of(clip.path) if slowed is None else None
+    if pace is not None or slowed not in {None, 1.0}:
+        method = BY_HAND
     found, problem, sound, frames = _sync(
         clip, recording, method, lambda f, step: progress(0.5 + 0.5 * f, step)
     )
@@ -153,6 +165,8 @@ def preview_import(
         gyro=gyro,
         found=found,
         problem=problem,
+        pace=pace,
+        slowed=slowed,
     )
 
 
@@ -182,8 +196,7 @@ def _sync(
 
     found, problem = None, ""
     try:
-        ask_for_pace(clip, SyncChoices())
-        if method != "offset":  # which is left to a person
+        if method != BY_HAND:
             found = find_sync(clip, recording, SyncChoices(method), look=look)
     except (InputError, UsageError) as failure:
         problem = message_of(failure)

@@ -4,6 +4,7 @@ import dataclasses
 import sys
 from types import SimpleNamespace
 
+import av
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, Qt
@@ -43,6 +44,70 @@ def test_doubt_cannot_be_passed_without_a_look(wizard, ride, wait_for):
     described = open_sequence(wizard.made).description
     assert described.provenance["synchronisation"]["method"] == "offset"
     assert "doubtful" in wizard.report.toPlainText()
+
+
+@pytest.fixture
+def slow_ride(ride, tmp_path):
+    """The ride as a phone tells that it recorded it at 240 frames per second."""
+    path = tmp_path / "slow.mp4"
+    options = {"movflags": "use_metadata_tags"}
+    with (
+        av.open(str(ride[0] / "ride.mp4")) as clip,
+        av.open(str(path), "w", container_options=options) as copy,
+    ):
+        copy.metadata["com.android.capture.fps"] = "240.0"
+        kept = (*clip.streams.video, *clip.streams.audio)
+        streams = {one.index: copy.add_stream_from_template(one) for one in kept}
+        for packet in clip.demux(kept):
+            if packet.size:
+                packet.stream = streams[packet.stream_index]
+                copy.mux(packet)
+    return path
+
+
+def test_slow_motion_is_asked_about_and_stretches_the_log(
+    wizard, ride, slow_ride, wait_for
+):
+    wizard.take([slow_ride, ride[0] / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.next.click()
+    page = wizard.sync
+    assert "240 frames per second and plays at 30" in page.verdict.text()
+    assert page.slow.value() == page.strip.rate == 8.0
+    assert not wizard.next.isEnabled()
+    page.slow.setValue(4.0)
+    wait_for(lambda: not wizard.jobs.is_busy)
+    assert page.strip.rate == page.slow.value() == 4.0
+    page.offset.setValue(0.5)
+    page.looked.setChecked(True)
+    wizard.next.click()
+    wizard.next.click()
+    wait_for(lambda: wizard.stack.currentIndex() == REPORT)
+    clock = open_sequence(wizard.made).description.clock_map
+    assert (clock.rate, clock.offset_s) == pytest.approx((4.0, 0.5))
+
+
+def test_a_clip_that_is_said_to_play_as_recorded_is_synchronised(
+    wizard, ride, slow_ride, wait_for
+):
+    wizard.take([slow_ride, ride[0] / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.sync.slow.setValue(1.0)
+    wait_for(lambda: not wizard.jobs.is_busy)
+    assert "Tap marks found" in wizard.sync.verdict.text()
+    assert wizard.sync.slowed == 1.0
+    wizard.take([ride[0] / "ride.mp4", ride[0] / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    assert wizard.sync.slowed is None
+
+
+def test_slow_motion_can_be_said_of_any_clip(wizard, ride, wait_for):
+    wizard.take([ride[0] / "ride.mp4", ride[0] / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.sync.slow.setValue(2.0)
+    wait_for(lambda: not wizard.jobs.is_busy)
+    assert wizard.sync.verdict.text().startswith("Enter the offset")
+    assert wizard.sync.choice().clock_map.rate == 2.0
 
 
 def test_keys_move_the_log_and_the_cursor(wizard, qtbot, ride, wait_for):
