@@ -71,32 +71,92 @@ class Command(NamedTuple):
         summary: for `--help`.
         module: has `add_options(parser)`, which also sets `run`; absolute, or a
             part of `hapticplayer.cli` as ".play".
+        examples: what people type behind `hapticplayer NAME`, for its `--help`.
     """
 
     name: str
     summary: str
     module: str
+    examples: tuple[str, ...] = ()
 
 
 COMMANDS = (
-    Command("play", "play a sequence, or any video with any force track", ".play"),
-    Command("import", "make a sequence of a video and its motion", ".importing"),
     Command(
-        "render", "give a sequence another mapping from motion to force", ".render"
+        "play",
+        "play a sequence, or any video with any force track",
+        ".play",
+        ("ride", "ride --device falcon --device rig:outsim", "clip.mp4 --force f.csv"),
     ),
-    Command("effects", "show and change the effects on the timeline", ".effects"),
-    Command("sync", "synchronise a motion log with a clip", ".sync"),
+    Command(
+        "import",
+        "make a sequence of a video and its motion",
+        ".importing",
+        (
+            "GX010042.MP4 -o ride",
+            "clip.mp4 --imu log.csv -o ride",
+            "clip.mp4 --imu log.csv --read-as accel-unit=g --offset -6.39 -o ride",
+        ),
+    ),
+    Command(
+        "render",
+        "give a sequence another mapping from motion to force",
+        ".render",
+        ("ride --preset faithful --in-place", "ride --gain 0.8 -o stronger"),
+    ),
+    Command(
+        "effects",
+        "show and change the effects on the timeline",
+        ".effects",
+        ("ride list",),
+    ),
+    Command(
+        "sync",
+        "synchronise a motion log with a clip",
+        ".sync",
+        ("clip.mp4 log.csv", "clip.mp4 log.csv --plot taps.png", "log.csv --check"),
+    ),
     Command(
         "process",
         "report how good a recording's motion is; compare methods",
         ".process",
+        ("log.csv", "clip.mp4 --compare"),
     ),
-    Command("pack", "write a sequence as one video file, to send to someone", ".pack"),
-    Command("unpack", "make a sequence of a file that was packed", ".unpack"),
-    Command("export", "write a sequence's force for other programs", ".export"),
-    Command("import-force", "give a sequence force made elsewhere", ".import_force"),
-    Command("study", "run an experiment and keep its data", ".study"),
-    Command("device", "haptic devices", ".device"),
+    Command(
+        "pack",
+        "write a sequence as one video file, to send to someone",
+        ".pack",
+        ("ride -o ride.mkv",),
+    ),
+    Command(
+        "unpack",
+        "make a sequence of a file that was packed",
+        ".unpack",
+        ("ride.mkv -o ride",),
+    ),
+    Command(
+        "export",
+        "write a sequence's force for other programs",
+        ".export",
+        ("ride -o ride.funscript", "ride --feedback random -o ride.csv"),
+    ),
+    Command(
+        "import-force",
+        "give a sequence force made elsewhere",
+        ".import_force",
+        ("ride force.csv", "force.hjif --check"),
+    ),
+    Command(
+        "study",
+        "run an experiment and keep its data",
+        ".study",
+        ("new my-study", "run my-study", "analyse my-study"),
+    ),
+    Command(
+        "device",
+        "haptic devices",
+        ".device",
+        ("list", "info simulated", "test falcon"),
+    ),
     Command("doctor", "list what is missing, by package name", ".doctor"),
 )
 
@@ -216,11 +276,21 @@ def build_parser(wanted: str | None) -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=__version__)
     parts = parser.add_subparsers(title="commands", metavar="COMMAND")
     for command in commands():
-        part = parts.add_parser(command.name, help=command.summary)
+        part = parts.add_parser(
+            command.name,
+            help=command.summary,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+            epilog=_shown_examples(command),
+        )
         if command.name == wanted:
             importlib.import_module(command.module, __name__).add_options(part)
             break  # the others are not read
     return parser
+
+
+def _shown_examples(command: Command) -> str | None:
+    lines = (f"  hapticplayer {command.name} {words}" for words in command.examples)
+    return "\n".join(("examples:", *lines)) if command.examples else None
 
 
 def _refuse(problem: object, status: int) -> int:

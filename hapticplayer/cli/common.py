@@ -122,7 +122,7 @@ def agreed(options: argparse.Namespace, question: str) -> None:
         raise UsageError("nothing was done, as you did not agree")
 
 
-def add_overwrite(command: argparse.ArgumentParser) -> None:
+def add_overwrite(command: argparse._ActionsContainer) -> None:
     """Add what lets the files that a command writes be replaced."""
     command.add_argument(
         "--overwrite",
@@ -137,8 +137,8 @@ def add_accept_changed(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--accept-changed-video",
         action="store_true",
-        help="of a file that was packed: use the force although the video is not the "
-        "one that it was made for",
+        help="use the force of a packed file although the video is not the one that it "
+        "was made for",
     )
 
 
@@ -198,17 +198,46 @@ def _known_name(names: Sequence[str], text: str) -> str:
     return text
 
 
+class _TakeGiven(argparse.Action):
+    """Leaves what an option has said when nothing stands in this place."""
+
+    def __call__(
+        self,
+        _parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: Any,
+        _option: str | None = None,
+    ) -> None:
+        if values is not self.default:
+            setattr(namespace, self.dest, values)
+
+
 def add_device_name(
     command: argparse.ArgumentParser,
     default: str = "simulated",
     *,
     motion: bool = False,
 ) -> None:
-    """Add the option that names a haptic device, also one that takes motion."""
+    """Add the option that names a haptic device, also one that takes motion.
+
+    With `motion` its name may also stand alone.
+    """
     names = [name for name in device_names() if motion or not takes_motion(name)]
-    command.add_argument(
+    known = partial(_known_name, names)
+    named = command.add_mutually_exclusive_group()
+    if motion:
+        named.add_argument(
+            "device",
+            nargs="?",
+            action=_TakeGiven,
+            type=known,
+            default=default,
+            metavar="NAME",
+            help="the device, as with --device",
+        )
+    named.add_argument(
         "--device",
-        type=partial(_known_name, names),
+        type=known,
         default=default,
         metavar="NAME[:SERIAL]",
         help=f"{', '.join(names)}; of several Falcons one by its number "

@@ -89,7 +89,7 @@ def _add_new(new: argparse.ArgumentParser) -> None:
         "--direction",
         default="0,1,0",
         metavar="X,Y,Z",
-        help="of what is added; x right, y up, z towards the user for a force; "
+        help="direction of what is added; x right, y up, z towards the user for a force; "
         "x right, y front, z up for the motion",
     )
 

@@ -47,9 +47,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--format",
         choices=list(dict.fromkeys([*written_formats(), *RECORD_EXPORTERS])),
-        help=f"of a sequence: {written_text()}; of a record: "
+        help=f"for a sequence: {written_text()}; for a record: "
         + "; ".join(f"{one.name}: {one.text}" for one in RECORD_EXPORTERS.values())
-        + " (default: by the name of FILE; of a record csv)",
+        + " (default: by the name of FILE; csv for a record)",
     )
     command.add_argument(
         "--feedback",
@@ -61,7 +61,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--with-motion",
         action="store_true",
-        help="of mpegv: the motion too, as RigidBodyMotion, for seats that move",
+        help="with mpegv: also write the motion, as RigidBodyMotion, for motion seats",
     )
     add_overwrite(command)
     command.add_argument("--json", action="store_true", help="print a report as JSON")

@@ -47,13 +47,14 @@ def add_writing(command: argparse.ArgumentParser) -> None:
         SAMPLE_RATE_HZ,
         metavar="HZ",
         default=_WRITE.sample_rate_hz,
-        help=f"of wav (default: {_WRITE.sample_rate_hz})",
+        help=f"samples per second in a WAV file (default: {_WRITE.sample_rate_hz})",
     )
     command.add_argument(
         "--funscript-version",
         choices=("1.0", "1.1", "2.0"),
         default=_WRITE.funscript_version,
-        help=f"(default: {_WRITE.funscript_version})",
+        help="version of the format of a funscript "
+        f"(default: {_WRITE.funscript_version})",
     )
 
 
@@ -73,8 +74,8 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         metavar="X,Y,Z",
         type=direction,
         default=_READ.direction,
-        help="of what has none in the file; right, up, towards the user "
-        "(default: 0,1,0; before a minus use =, as in --direction=-1,0,0)",
+        help="direction of a force that has none in the file: right, up, towards the "
+        "user (default: 0,1,0; before a minus use =, as in --direction=-1,0,0)",
     )
     add_number(
         command,
@@ -82,7 +83,7 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         STIFFNESS_N_PER_M,
         metavar="N/M",
         default=_READ.stiffness_n_per_m,
-        help="of the spring whose set-point a funscript moves "
+        help="stiffness of the spring that follows the positions of a funscript "
         f"(default: {_READ.stiffness_n_per_m:g})",
     )
     command.add_argument(

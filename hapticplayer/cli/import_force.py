@@ -28,7 +28,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "all, 1 if FILE would be refused",
     )
     command.add_argument(
-        "--name", help="of the track, for `play --feedback` (default: that of FILE)"
+        "--name",
+        help="name of the track, for `play --feedback` (default: that of FILE)",
     )
     command.add_argument(
         "--format", choices=list(read_formats()), help="(default: by the name of FILE)"

@@ -61,7 +61,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="with several, each becomes a folder in DIR, with the log beside "
         "it under the same name (ride.mp4, ride.csv), and a summary is printed",
     )
-    command.add_argument(
+    command.add_argument("-o", "--output", required=True, metavar="DIR")
+    command.add_argument("--title", help="default: the name of the video")
+    command.add_argument("--json", action="store_true", help="print a report as JSON")
+    log = command.add_argument_group("motion log")
+    log.add_argument(
         "--imu",
         metavar="LOG",
         action="append",
@@ -69,39 +73,38 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "zip where it writes several files, or once for each of them), or CSV with the columns "
         "time_s,ax,ay,az,gx,gy,gz[,mx,my,mz] in SI, x right, y front, z up",
     )
-    _add_suggestion(command)
-    add_reading(command)
-    add_mounting(command)
-    add_sync(command, "--sync")
-    command.add_argument("-o", "--output", required=True, metavar="DIR")
-    command.add_argument("--title", help="default: the name of the video")
-    add_mapping(command)
-    add_preset(command, default=DEFAULT_PRESET)
+    add_reading(log)
+    add_mounting(log)
+    add_sync(command)
+    add_processing(command)
+    force = command.add_argument_group("force")
+    add_mapping(force)
+    add_preset(force, default=DEFAULT_PRESET)
     add_number(
-        command,
+        force,
         "--seed",
         ranges.SEED,
-        help="of the random feedback (default: from the clip)",
+        help="makes the random feedback; the same seed gives the same force "
+        "(default: from the clip)",
     )
-    add_processing(command)
-    command.add_argument("--json", action="store_true", help="print a report as JSON")
+    _add_suggestion(command.add_argument_group("video without any log"))
 
 
-def _add_suggestion(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
+def _add_suggestion(group: argparse._ArgumentGroup) -> None:
+    group.add_argument(
         "--suggest-motion",
         action="store_true",
-        help="of a video without any log: estimate sway (in turns) and bounce (walking, "
-        "riding) from the picture. Its force is the feedback 'estimated': nothing "
-        "measured it, and studies refuse it unless they name it. Needs the extra vision",
+        help="estimate sway (in turns) and bounce (walking, riding) from the frames. "
+        "The force is the feedback 'estimated': nothing measured it, and studies "
+        "refuse it unless they name it. Needs the extra vision",
     )
     add_number(
-        command,
+        group,
         "--suggest-gain",
         ranges.SUGGEST_GAIN,
         metavar="G",
-        help="of --suggest-motion: how strong, because a picture does not show how high "
-        "the camera is (default: 1, as at 1.5 m)",
+        help="strength with --suggest-motion: frames do not show how high the camera "
+        "is (default: 1, as at 1.5 m)",
     )
 
 

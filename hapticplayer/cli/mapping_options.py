@@ -13,7 +13,7 @@ from hapticplayer.sequence.presets import PRESETS
 FIT = "fit"
 
 
-def add_mapping(command: argparse.ArgumentParser) -> None:
+def add_mapping(command: argparse._ActionsContainer) -> None:
     """Add what maps motion to force; an option that is not given is None."""
     command.add_argument(
         "--gain",
@@ -47,7 +47,7 @@ def add_mapping(command: argparse.ArgumentParser) -> None:
     )
 
 
-def add_preset(command: argparse.ArgumentParser, default: str | None) -> None:
+def add_preset(command: argparse._ActionsContainer, default: str | None) -> None:
     """Add the choice of a preset; None stands for the one that a sequence has."""
     texts = " ".join(f"{preset.name}: {preset.text}" for preset in PRESETS)
     command.add_argument(

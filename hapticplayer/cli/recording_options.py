@@ -5,7 +5,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.capture import formats
 from hapticplayer.capture.choices import (
     LogChoices,
     parse_choices,
@@ -32,7 +31,7 @@ from hapticplayer.storage import FILE, IsOurs, refuse_existing
 PLOT_FORMATS = (".png", ".svg")
 
 
-def add_reading(command: argparse.ArgumentParser) -> None:
+def add_reading(command: argparse._ActionsContainer) -> None:
     """Add what decides how a log is read."""
     command.add_argument(
         "--read-as",
@@ -40,8 +39,8 @@ def add_reading(command: argparse.ArgumentParser) -> None:
         default=[],
         metavar="KEY=VALUE",
         help="decide what a log does not say, such as axes=x,-z,y or accel-unit=g or "
-        "template=FILE; the question names the key, and more of them may follow. format=NAME is one of "
-        + ", ".join(f"{one.name} ({one.text})" for one in formats.recording_formats()),
+        "template=FILE or format=NAME (see docs/formats.md); the question names the key, "
+        "and more of them may follow",
     )
     command.add_argument(
         "--save-template",
@@ -67,23 +66,23 @@ OF_A_RECORDING = (
 """Options that say how a recording is read, synchronised and processed."""
 
 
-def add_mounting(command: argparse.ArgumentParser) -> None:
+def add_mounting(command: argparse._ActionsContainer) -> None:
     """Add how the recorder was mounted."""
     command.add_argument(
         "--mounting",
         metavar="HOW",
-        help="how the camera or logger was mounted on the actor, who faces the front: "
-        f"{', '.join(MOUNTINGS)}, or right, front and up of the actor in the "
+        help="how the camera or logger was mounted on the wearer: "
+        f"{', '.join(MOUNTINGS)}, or the wearer's right, front and up in the "
         "recorder's axes, such as --mounting=-x,y,-z (default: forward, and gravity and "
-        "frames have to agree); of `import` also auto: as the frames of the clip tell it",
+        "frames have to agree); with `import` also auto: as the frames tell",
     )
 
 
-def add_sync(command: argparse.ArgumentParser, method: str) -> None:
-    """Add what decides on the synchronisation; `method` names the option."""
+def add_sync(command: argparse.ArgumentParser) -> None:
+    """Add what decides on the synchronisation."""
     group = command.add_argument_group("synchronisation")
     group.add_argument(
-        method,
+        "--sync",
         dest="sync_method",
         choices=[one.name for one in methods.sync_methods()],
         default=methods.AUTO,
@@ -116,8 +115,8 @@ def add_sync(command: argparse.ArgumentParser, method: str) -> None:
     group.add_argument(
         "--camera",
         metavar="NAME",
-        help="take off the skew that is stored for it (default: "
-        "the camera that the clip names)",
+        help="apply the skew that is stored for this camera (default: the camera "
+        "that the clip names)",
     )
     add_number(
         group,
@@ -134,7 +133,7 @@ def add_processing(command: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--method",
         choices=METHODS,
-        help="of gravity removal: "
+        help="how gravity is removed. "
         + "; ".join(f"{one.name}: {one.text}" for one in METHODS.values())
         + f" (default: {DEFAULT_METHOD})",
     )
@@ -143,8 +142,8 @@ def add_processing(command: argparse.ArgumentParser) -> None:
         "--time-constant",
         ranges.TIME_CONSTANT_S,
         metavar="S",
-        help="of the smoother: accelerations that last much longer count as gravity "
-        "(default: from how fast the recording moves)",
+        help="with the smoother: accelerations that last much longer than S seconds "
+        "count as gravity (default: from how fast the recording moves)",
     )
     group.add_argument(
         "--remove-spikes", action="store_true", help="replace isolated spikes"
@@ -279,7 +278,7 @@ def sync_text(found: Mapping[str, Any]) -> str:
         )
     for count, pat in enumerate(found["pats"], start=1):
         lines.append(
-            f"  pat {count}: heard at {pat['heard_s']:.3f} s, felt at "
+            f"  tap {count}: heard at {pat['heard_s']:.3f} s, felt at "
             f"{pat['felt_s']:.3f} s of the log; events this strong: "
             f"{rarity_text(pat['heard_rarity_hz'])} in the sound, "
             f"{rarity_text(pat['felt_rarity_hz'])} in the log"

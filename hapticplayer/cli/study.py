@@ -78,7 +78,9 @@ def _add_new(actions: Any) -> None:
 def _add_run(actions: Any) -> None:
     action = add_action(actions, "run", "run a participant in the window")
     action.set_defaults(run=_run)
-    action.add_argument("--language", metavar="L", help="of the participant's pages")
+    action.add_argument(
+        "--language", metavar="L", help="language of the participant's pages"
+    )
     action.add_argument("--resume", metavar="CODE", help="resume a session")
     add_outputs(action)
     action.add_argument(

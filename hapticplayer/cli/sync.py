@@ -44,13 +44,16 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "clip", metavar="CLIP", help="a video; with --check also a log"
     )
     command.add_argument(
-        "--imu",
+        "logs",
+        nargs="*",
         metavar="LOG",
-        action="append",
-        help="as for `import` (default: the clip's own motion)",
+        help="as --imu of `import` (default: the clip's own motion)",
+    )
+    command.add_argument(
+        "--imu", metavar="LOG", action="append", help="the same, as for `import`"
     )
     add_reading(command)
-    add_sync(command, "--method")
+    add_sync(command)
     command.add_argument(
         "--check",
         action="store_true",
@@ -79,12 +82,13 @@ class _CheckInput:
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Print clock offset and rate; status 2 where a decision is needed."""
+    options.imu = [*options.logs, *(options.imu or ())] or None
     if options.store_skew:
         _store_skew(options)
     with interruptible():
         choices, plot = chosen_sync(options), plot_target(options)
         if options.check:
-            idle = ("--plot", "--method", "--offset", "--drift", "--slow-motion")
+            idle = ("--plot", "--sync", "--offset", "--drift", "--slow-motion")
             refuse_idle(options, "with --check", *idle)
             checked = _read_either(options)
             keep_template(options)

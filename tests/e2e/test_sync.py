@@ -64,7 +64,7 @@ def test_an_import_synchronises_and_keeps_the_evidence(ride, tmp_path):
         *("-o", tmp_path / "out"),
     )
     assert done.returncode == 0, done.stderr
-    assert "pat 3: heard at" in done.stdout
+    assert "tap 3: heard at" in done.stdout
     kept = json.loads((tmp_path / "out" / "sequence.json").read_text())
     assert abs(offset_error_s(kept["clock_map"], made)) < 0.004
     evidence = kept["provenance"]["synchronisation"]
@@ -123,7 +123,7 @@ def test_a_camera_that_keeps_its_motion_needs_no_pats(shared_data):
     assert done.returncode == 0
     assert "no taps needed" in done.stdout
     # a drone: no pats, and by its sound alone nobody could tell
-    assert "--offset" in refused(hapticplayer("sync", clip, "--method", "pats"), 2)
+    assert "--offset" in refused(hapticplayer("sync", clip, "--sync", "pats"), 2)
 
 
 def test_a_stored_skew_is_taken_off_for_its_camera_only(ride, tmp_path):
@@ -157,7 +157,7 @@ def test_the_plot_shows_both_streams_and_three_pats(ride, tmp_path):
 
 def test_methods_that_lack_their_ground_are_refused(ride):
     folder, _ = ride
-    clip = ("sync", folder / "ride.mp4", "--imu", folder / "log.csv", "--method")
+    clip = ("sync", folder / "ride.mp4", "--imu", folder / "log.csv", "--sync")
     assert "--offset" in refused(hapticplayer(*clip, "offset"), status=2)
     assert "clock" in refused(hapticplayer(*clip, "embedded"), status=2)
 

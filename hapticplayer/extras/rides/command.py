@@ -37,9 +37,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--gopro",
         action="store_true",
-        help="of a recording, also gopro.mp4: the clip with a telemetry track",
+        help="also write gopro.mp4 beside a recording: the clip with a telemetry track",
     )
-    add_number(command, "--seed", ranges.SEED, help="of the ride and the sensor noise")
+    add_number(
+        command, "--seed", ranges.SEED, help="seed of the ride and the sensor noise"
+    )
 
 
 def run(options: argparse.Namespace, _open_window: object) -> int:

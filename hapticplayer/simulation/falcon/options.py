@@ -15,7 +15,9 @@ def device_parser(program: str) -> argparse.ArgumentParser:
     parser.add_argument("--control", type=int, help="descriptor, for faults only")
     parser.add_argument("--record", type=int, help="descriptor of a file or memfd")
     parser.add_argument("--hand", choices=HANDS, default="relaxed")
-    parser.add_argument("--grip-mass-kg", type=float, help="of the free grip, sideways")
+    parser.add_argument(
+        "--grip-mass-kg", type=float, help="mass of the free grip, sideways"
+    )
     parser.add_argument("--hold-s", type=float, default=math.inf)
     parser.add_argument("--delay-s", type=float, default=0.0)
     return parser

@@ -1,9 +1,12 @@
 """The table of commands, and what each of them loads."""
 
 import json
+import re
+import shlex
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -120,6 +123,56 @@ def modules_after(code: str) -> set[str]:
 def test_every_command_has_help(command, capsys):
     assert cli.main([command.name, "--help"]) == 0
     assert f"usage: hapticplayer {command.name}" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", tuple(cli.commands()), ids=lambda one: one.name)
+def test_each_example_in_help_is_a_command_line(command, capsys):
+    for example in command.examples:
+        words = [command.name, *shlex.split(example)]
+        assert callable(cli.build_parser(command.name).parse_args(words).run)
+        assert cli.main([command.name, "--help"]) == 0
+        assert f"  hapticplayer {command.name} {example}\n" in capsys.readouterr().out
+
+
+def test_no_help_of_an_option_begins_in_mid_sentence():
+    """The generated reference has every option of every command and action."""
+    text = (
+        Path(__file__)
+        .parents[3]
+        .joinpath("docs/reference.md")
+        .read_text(encoding="utf-8")
+    )
+    options = re.findall(r"^- `-[^:]*`: (.*)", text, re.MULTILINE)
+    assert len(options) > 100
+    assert [one for one in options if one.startswith("of ")] == []
+
+
+def test_options_of_import_stand_in_groups(capsys):
+    """Nobody reads thirty options in a row."""
+    assert cli.main(["import", "--help"]) == 0
+    groups = re.split(r"^(\S.*):$", capsys.readouterr().out, flags=re.MULTILINE)
+    sizes = {
+        title: len(re.findall(r"^  -", text, re.MULTILINE))
+        for title, text in zip(groups[1::2], groups[2::2], strict=True)
+    }
+    assert {"motion log", "synchronisation", "motion", "force"} <= set(sizes)
+    assert max(sizes.values()) <= 10
+
+
+def test_formats_of_logs_are_listed_in_one_document_only(capsys):
+    for name in ("import", "sync", "process"):
+        assert cli.main([name, "--help"]) == 0
+        assert "razor-m0" not in capsys.readouterr().out
+
+
+def test_a_device_may_be_named_without_its_option(capsys):
+    said = []
+    for words in (["simulated"], ["--device", "simulated"]):
+        assert cli.main(["device", "info", *words, "--json"]) == 0
+        said.append(json.loads(capsys.readouterr().out)["device"])
+    assert said == ["simulated"] * 2
+    assert cli.main(["device", "info", "simulated", "--device", "shaker"]) == 2
+    assert "not allowed with" in capsys.readouterr().err
 
 
 def test_help_and_doctor_need_the_standard_library_only():

@@ -51,7 +51,7 @@ def options_of_a_recording():
     parser = argparse.ArgumentParser()
     recording_options.add_reading(parser)
     recording_options.add_mounting(parser)
-    recording_options.add_sync(parser, "--sync")
+    recording_options.add_sync(parser)
     recording_options.add_processing(parser)
     shown = re.findall(
         r"^  (--[a-z-]+)(?: ([A-Z{]\S*))?", parser.format_help(), re.MULTILINE
@@ -82,9 +82,9 @@ def test_estimated_motion_takes_no_option_of_a_recording(name, refused, tmp_path
         (["sync", "a.mp4", "--check", "--offset=1"], "--offset"),
         (["sync", "a.mp4", "--check", "--slow-motion=1"], "--slow-motion"),
         (["import", "a.mp4", "--drift=1", "-o", "x"], "--drift"),
-        (["sync", "a.mp4", "--check", "--method=pats"], "--method"),
+        (["sync", "a.mp4", "--check", "--sync=pats"], "--sync"),
         (["sync", "a.mp4", "--check", "--plot=x.png"], "--plot"),
-        (["sync", "a.mp4", "--method=pats", "--offset=1"], "--offset"),
+        (["sync", "a.mp4", "--sync=pats", "--offset=1"], "--offset"),
         (["import", "a.mp4", "--sync=pats", "--offset=1", "-o", "x"], "--offset"),
         (["import", "a.mp4", "--camera=C", "--skew=0.1", "-o", "x"], "--camera"),
         (["export", "a.rec", "--feedback=none", "-o", "x.csv"], "--feedback"),
