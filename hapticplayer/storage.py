@@ -29,7 +29,7 @@ PRIVATE_FOLDER, PRIVATE_FILE = 0o700, 0o600
 
 _HEAD_BYTES, _CHUNK_BYTES = 1 << 16, 1 << 20
 _SCRATCH_BEGIN, _SCRATCH_END = ".hapticplayer-", ".part"
-_OVERWRITE = Message("choose another file, or replace it with --overwrite")
+_OVERWRITE = Message("choose another file, or replace it (--overwrite)")
 _LOCK_WAIT_S, _LOCK_POLL_S = 5.0, 0.02
 _held = threading.local()
 

@@ -21,6 +21,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from app.editor.commands import EDITOR_COMMANDS
+from app.bridge.languages import without_options
 from app.player.command import CONTEXT as COMMANDS_CONTEXT
 from app.player.commands import COMMANDS
 
@@ -76,7 +77,8 @@ def templates() -> list[str]:
     for path in (ROOT / "hapticplayer").rglob("*.py"):
         place = path.relative_to(ROOT / "hapticplayer").as_posix()
         if not place.startswith(ONLY_ON_A_TERMINAL):
-            found.update(templates_in(path.read_text(encoding="utf-8")))
+            templates = templates_in(path.read_text(encoding="utf-8"))
+            found.update(map(without_options, templates))
     for path in (ROOT / "app").rglob("*.py"):
         found.update(templates_in(path.read_text(encoding="utf-8")))
     return sorted(found - {""})  # a notice that says nothing yet

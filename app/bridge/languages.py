@@ -1,5 +1,6 @@
 """The languages of the window, through Qt's translation system."""
 
+import re
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
@@ -11,6 +12,7 @@ ENGLISH, SYSTEM = "en", "system"
 NAMES = {ENGLISH: "English", "de": "Deutsch", "fr": "Fran\u00e7ais"}
 """Each in itself: who looks for a language reads no other."""
 
+_TYPED = re.compile(r"\s\((?:--|`hapticplayer\s)[^()]*\)")
 ENGINE = "engine"
 """Context of the engine's sentences among the translations."""
 
@@ -46,6 +48,11 @@ def install(application: QCoreApplication, chosen: str) -> str:
     return language
 
 
+def without_options(template: str) -> str:
+    """A sentence without what it tells those who type commands: (--offset S)."""
+    return _TYPED.sub("", template)
+
+
 def translated(message: str) -> str:
     """Return a sentence of the engine in the window's language.
 
@@ -53,7 +60,7 @@ def translated(message: str) -> str:
     """
     if not isinstance(message, Message):
         return _looked_up(message)
-    text = _looked_up(message.template)
+    text = _looked_up(without_options(message.template))
     values = {
         name: translated(value) if isinstance(value, Message) else value
         for name, value in message.values.items()

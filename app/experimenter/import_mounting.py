@@ -196,8 +196,8 @@ class MountingPage(QWidget):
         self.calibration.setPlaceholderText(self.tr("None"))
         self.calibration.setToolTip(
             self.tr(
-                "For short recordings: what a longer one of the same sensor tells of it, "
-                "from process --save-calibration"
+                "For short recordings: the file with what a longer one of the same sensor "
+                "tells of its errors"
             )
         )
         self.title = QLineEdit()

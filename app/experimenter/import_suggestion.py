@@ -39,9 +39,7 @@ class SuggestionBox(QFrame):
             )
         )
         self.missing = paragraph(
-            self.tr(
-                "This needs OpenCV; `hapticplayer doctor` shows how to install it."
-            ),
+            self.tr("This needs OpenCV; Help > System check shows how to install it."),
             theme.WARN,
         )
         parts = (self.reason, self.choice, self.expect, self.missing)

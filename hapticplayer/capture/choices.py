@@ -233,7 +233,7 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
 
 def read_template(path: Path) -> dict[str, str]:
     """Return the choices of a template by attribute."""
-    remedy = Message("write one with --save-template")
+    remedy = Message("save the answers of another log (--save-template FILE)")
     text = read_regular(path, MAX_TEMPLATE_BYTES)
     content = parse_json(text, str(path), InputError, remedy)
     if not _are_answers(content):

@@ -135,7 +135,7 @@ def unknown(source: LogSource) -> InputError:
         return TelemetryError(
             "holds no motion that can be read",
             where=where,
-            remedy="give the log of a motion sensor with --imu LOG",
+            remedy="give the log of a motion sensor, too (--imu LOG)",
         )
     head = source.head(source.names[0])
     for pattern, what in _MARKUP:

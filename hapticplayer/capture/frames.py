@@ -48,7 +48,7 @@ def frame_function(name: str) -> Any:
             return extension.load(row.home)
     raise InputError(
         "this installation cannot look at the frames of a clip",
-        remedy="give what is asked for by hand, such as --offset S or --mounting",
+        remedy="enter what is asked for by hand (--offset S, --mounting)",
     )
 
 

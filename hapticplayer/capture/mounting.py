@@ -164,9 +164,8 @@ def mounting_axes(text: str) -> str:
         axes_matrix(axes)
     except UsageError:
         raise UsageError(
-            "mounting {text!r} not found; choose one of {known}, or give right, "
-            "front and up of the actor in the recorder's axes, such as "
-            "--mounting=-x,y,-z",
+            "mounting {text!r} not found; choose one of {known}, or give right, front and "
+            "up of the wearer in the recorder's axes (--mounting=-x,y,-z)",
             text=text,
             known=", ".join(MOUNTINGS),
         ) from None
@@ -194,10 +193,10 @@ def ask_for_mounting(imu: ImuLog, where: str, *, is_sign_known: bool) -> None:
     name = next(name for name, one in MOUNTINGS.items() if one.axes == axes)
     sign = ""
     if not is_sign_known and is_down(up):
-        sign = Message("--read-as {sign}, or ", sign=WRONG_SIGN)
+        sign = Message(", or {sign} (--read-as)", sign=WRONG_SIGN)
     raise UsageError(
-        "{file}: {what}; give {sign}--mounting {name}, or another of {known}, or auto "
-        "for what the frames tell, or --mounting forward to keep its axes",
+        "{file}: {what}; choose the mounting {name} (--mounting {name}), or another of "
+        "{known}, or auto for what the frames tell, or forward to keep its axes{sign}",
         file=where,
         what=fallen_text(up),
         sign=sign,
@@ -218,9 +217,9 @@ def refuse_upside_down(imu: ImuLog, where: str, mounting: str) -> None:
     if up is None or up[2] > -UPRIGHT or mounting == AS_RECORDED:
         return
     raise UsageError(
-        "{file}: as its axes are given, the actor was upside down: by gravity the other "
-        "side is up; give another --mounting, or --read-as {sign}, or "
-        "--mounting forward to keep the axes of the log",
+        "{file}: as its axes are given, the wearer was upside down: by gravity the other "
+        "side is up; choose another mounting (--mounting), or {sign} (--read-as), or "
+        "keep the axes of the log (--mounting forward)",
         file=where,
         sign=WRONG_SIGN,
     )

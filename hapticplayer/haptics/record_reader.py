@@ -28,7 +28,7 @@ from hapticplayer.haptics.records import (
 )
 from hapticplayer.untrusted import open_regular
 
-_REMEDY = Message("use a file that 'hapticplayer play --record' has written")
+_REMEDY = Message("use a record of the haptic loop (`hapticplayer play --record FILE`)")
 MAX_WHOLE_BYTES = 4 << 30
 """More is not read into memory at once; `RecordReader` has no such limit."""
 

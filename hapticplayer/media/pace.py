@@ -44,8 +44,8 @@ class Pace(NamedTuple):
         if self.slowed is None:
             copy = Message("your video editor")
         return Message(
-            "{clip}: {why}; make a copy at its real speed ({copy}), or give --slow-motion 1 to "
-            "take it as it plays, or --slow-motion {slowed} with --offset S to stretch the motion",
+            "{clip}: {why}; make a copy at its real speed ({copy}), or take it as it plays "
+            "(--slow-motion 1), or stretch the motion (--slow-motion {slowed} --offset S)",
             clip=path.name,
             why=self.why,
             copy=copy,

@@ -87,7 +87,9 @@ def _rendered(source: Source, preset: str, *, effects: bool) -> ForceTrack:
 
 def _of_folder(folder: str) -> ForceTrack:
     if not folder:
-        raise UsageError("the force of another clip needs its sequence: of=FOLDER")
+        raise UsageError(
+            "the force of another clip needs its sequence: choose its folder"
+        )
     source = open_source(Path(folder))
     if Feedback.REALISTIC not in source.tracks:
         raise _unknown(source, Feedback.REALISTIC)

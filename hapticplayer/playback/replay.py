@@ -25,7 +25,7 @@ MAX_LINES = 20_000_000
 MAX_LINE = 65_536
 _Force = Annotated[float, Meta(ge=-MAX_FORCE_N, le=MAX_FORCE_N)]
 _SAME_DURATION_S = 0.1
-_REMEDY = Message("choose a log that `play --log` wrote")
+_REMEDY = Message("choose a playback log (`hapticplayer play --log FILE`)")
 
 
 def with_log(source: Source, path: Path) -> Source:

@@ -116,7 +116,7 @@ def build_sequence(
         if choices.suggest_gain is not None:
             if choices.sync.slowed not in {None, 1.0}:
                 raise UsageError(
-                    "{clip}: motion is estimated as the video plays; give --slow-motion 1",
+                    "{clip}: motion is estimated as the video plays (--slow-motion 1)",
                     clip=video.name,
                 )
             content = frame_function("suggest")(
@@ -273,7 +273,7 @@ def _check_overlap(recording: Recording, clip: ClipInfo) -> None:
             "the motion covers {first_s:.1f} to {last_s:.1f} s of media time, but "
             "the clip lasts from 0 to {duration_s:.1f} s",
             where=clip.path.name,
-            remedy="give another --offset",
+            remedy="enter another offset (--offset S)",
             first_s=first_s,
             last_s=last_s,
             duration_s=clip.duration_s,

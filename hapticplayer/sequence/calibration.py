@@ -28,7 +28,9 @@ SCHEMA, VERSION = "hapticplayer.calibration", 1
 MAX_BYTES = 1 << 16
 _LEAST_SIGMA = 1e-9
 _OTHER_RECORDING = Message("keep the calibration of another recording")
-_REMEDY = Message("write one with `hapticplayer process LOG --save-calibration FILE`")
+_REMEDY = Message(
+    "write one from a long log (`hapticplayer process LOG --save-calibration FILE`)"
+)
 
 _Text = Annotated[str, Meta(max_length=300)]
 _Radps = Annotated[float, Meta(ge=-MAX_GYRO_BIAS_RADPS, le=MAX_GYRO_BIAS_RADPS)]

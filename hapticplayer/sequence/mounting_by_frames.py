@@ -21,7 +21,7 @@ from hapticplayer.sequence.synchronizing import SyncChoices, synchronized
 SHOWN = "mounting_by_frames"
 """In the provenance: a mounting that was taken as the frames show it, with its ratio."""
 
-_GIVE = Message("give --mounting (right, front and up of the actor)")
+_GIVE = Message("choose the mounting: right, front and up of the wearer (--mounting)")
 
 
 def mounting_by_frames(
@@ -118,8 +118,7 @@ def ask_for_shown_mounting(clip: ClipInfo, recording: Recording) -> None:
     if gravity_agrees(mean_up(recording.imu), found.axes):
         raise UsageError(
             "{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; "
-            "give --mounting auto to take it, or --mounting forward to keep the axes of "
-            "the log",
+            "take it (--mounting auto), or keep the axes of the log (--mounting forward)",
             clip=clip.path.name,
             axes=found.axes,
             ratio=found.ratio,

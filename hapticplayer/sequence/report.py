@@ -257,7 +257,9 @@ def notes_on_motion(imu: ImuLog, summary: Mapping[str, Any]) -> list[str]:
         )
     up = mean_up(imu)
     if up is not None and up[2] < UPRIGHT:
-        notes.append(Message("{what}; see --mounting", what=fallen_text(up)))
+        notes.append(
+            Message("{what}; choose the mounting (--mounting)", what=fallen_text(up))
+        )
     return notes + _notes_on_rate(imu)
 
 
@@ -270,7 +272,8 @@ def notes_on_sequence(
     if recording.clock_map.confidence == 0.0 and not is_placed:
         notes.append(
             Message(
-                "the log is not synchronised: its clock is taken as media time; give --offset S"
+                "the log is not synchronised: its clock is taken as media time; enter the "
+                "offset (--offset S)"
             )
         )
     first_s = max(0.0, float(track.time_s[0]))

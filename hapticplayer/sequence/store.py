@@ -203,7 +203,7 @@ def read_recorded(folder: str | Path) -> tuple[ImuLog, dict[str, Any]]:
         raise SequenceError(
             "holds no recorded samples",
             where=str(folder),
-            remedy="import a recording, or ask for a file that was packed --with-motion",
+            remedy="import a recording, or ask for a file with its motion",
         )
     _check_file(folder, IMU, described.files, with_checksum=True)
     arrays, made_of = read_arrays(folder / IMU), described.provenance
@@ -245,7 +245,7 @@ def motion_of(sequence: Sequence) -> MotionTrack:
         raise SequenceError(
             "was shared without its motion, so its force cannot be rendered again",
             where=str(sequence.folder),
-            remedy="ask for a file that was packed with --with-motion",
+            remedy="ask for a file that was packed with it (--with-motion)",
         )
     return sequence.motion
 

@@ -152,7 +152,7 @@ def find_sync(
             raise InputError(
                 "it holds no sound, in which taps could be heard",
                 where=clip.path.name,
-                remedy="give --offset S, the media time at which the log's clock reads 0",
+                remedy="enter the media time at which the log's clock reads 0 (--offset S)",
             )
         late_s = choices.sound_late_s
         if late_s is None:
@@ -178,7 +178,7 @@ def find_sync(
     if choices.refuses_idle_skew and not heard:
         raise UsageError(
             "{clip}: the skew of the sound would have no effect, because the offset "
-            "comes from elsewhere (method {method}); leave out --skew and --camera",
+            "comes from elsewhere ({method}); leave it out (--skew, --camera)",
             clip=clip.path.name,
             method=found.method,
         )
@@ -195,8 +195,8 @@ def _given(clip: ClipInfo, choices: SyncChoices, middle_s: float) -> ClockMap | 
     if choices.offset_s is None:
         if slowed != 1.0:
             raise UsageError(
-                "{clip}: taps and frames cannot be compared at another speed; give "
-                "--offset S with --slow-motion",
+                "{clip}: taps and frames cannot be compared at another speed; enter the "
+                "offset, too (--offset S)",
                 clip=clip.path.name,
             )
         return None
@@ -262,11 +262,11 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
     ]
     if found.unused:
         reasons.append(found.unused)
-    look = Message("otherwise give --offset S")
+    look = Message("otherwise enter the offset (--offset S)")
     if found.method != "frames":
         look = Message(
-            "compare sound and motion with `hapticplayer sync --plot FILE`, then give "
-            "--offset S"
+            "compare sound and motion by eye (`hapticplayer sync --plot FILE`), then enter "
+            "the offset (--offset S)"
         )
     if found.is_coarse or not is_exact():
         look = Message("{look}; {brings}", look=look, brings=_brings())
@@ -277,7 +277,11 @@ def uncertainty(found: Synchronisation, clip: str) -> str:
 def _undecided(found: Synchronisation, clip: str) -> str:
     """A contradiction that neither pats nor frames could decide."""
     places = [
-        Message("--offset {offset_s:.3f} ({by})", offset_s=one.offset_s, by=one.by)
+        Message(
+            "{offset_s:.3f} s (--offset {offset_s:.3f}), {by}",
+            offset_s=one.offset_s,
+            by=one.by,
+        )
         for one in found.others
     ]
     why = found.unused
@@ -286,8 +290,8 @@ def _undecided(found: Synchronisation, clip: str) -> str:
         parts = [_reason(one) for one in seconds if one is not None]
         why = joined(Message("; "), [*parts, *filter(None, [found.second.unused])])
     return Message(
-        "{clip}: {what}, and neither frames nor taps tell which is right ({why}); give "
-        "{places}, or another --offset S",
+        "{clip}: {what}, and neither frames nor taps tell which is right ({why}); enter "
+        "the offset: {places}, or another one",
         clip=clip,
         what=found.contradiction,
         why=why,
@@ -323,8 +327,8 @@ def _disagreement(found: Synchronisation, clip: str) -> str:
     pats, frames = (by_method[name] for name in ("pats", "frames"))
     return Message(
         "{clip}: the taps give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} "
-        "s; choose --sync pats or --sync frames (sync: --method), or give --offset S; "
-        "if the camera's sound is late, --skew settles it",
+        "s; choose one of them (--sync pats, --sync frames), or enter the offset "
+        "(--offset S); if the camera's sound is late, say by how much (--skew S)",
         clip=clip,
         pats_s=pats.offset_s,
         frames_s=frames.offset_s,

@@ -81,5 +81,5 @@ def _another_video(video: Path, why: Message) -> SequenceError:
         "its video is not the one that the force was made for ({reason})",
         where=str(video),
         reason=why,
-        remedy="ask for the file again, or accept it with --accept-changed-video",
+        remedy="ask for the file again, or accept it (--accept-changed-video)",
     )

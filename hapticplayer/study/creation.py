@@ -117,7 +117,7 @@ def sequence_folder(study: Study, key: str) -> Path:
         raise StudyError(
             "the sequence {key!r} has no folder with a sequence",
             where=str(study.folder / DEFINITION),
-            remedy="enter it under sequences, or with `study new --sequence KEY=FOLDER`",
+            remedy="choose its folder (`hapticplayer study new --sequence KEY=FOLDER`)",
             key=key,
         )
     return folder

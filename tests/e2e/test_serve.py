@@ -57,7 +57,9 @@ def test_a_sequence_is_packed_and_says_who_can_watch(demo):
 @pytest.mark.parametrize("address", ["", "0", "1.2.3", "no such host", "1.2.3.4.5"])
 def test_an_address_that_is_not_whole_is_wrong_usage(packed, address):
     done = hapticplayer("serve", packed, "--bind", address)
-    assert "is not an address of this machine; give one in full" in refused(done, 2)
+    assert "(--bind) is not an address of this machine; give one in full" in refused(
+        done, 2
+    )
 
 
 def test_an_address_of_elsewhere_is_refused(packed):

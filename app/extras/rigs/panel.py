@@ -49,8 +49,8 @@ class RigPanel(QDialog):
             self.destroyed.connect(partial(PacketReceiver.close, self.receiver))
             self.hint.setText(
                 self.tr(
-                    "Listening on this computer at the ports {ports}. Play with "
-                    "--device rig:outsim, or let a game send its telemetry here."
+                    "Listening on this computer at the ports {ports}. Play on this rig, or let "
+                    "a game send its telemetry here."
                 ).format(ports=", ".join(map(str, self.receiver.rigs)))
             )
         self._lay_out()

@@ -193,7 +193,7 @@ def agree(pats: Synchronisation, frames: Synchronisation) -> bool:
 def by_given_offset(inputs: SyncInput) -> Synchronisation:
     """Use the offset given by a person."""
     if inputs.given is None:
-        raise UsageError("the method offset needs --offset S")
+        raise UsageError("no offset is given, which this method needs (--offset S)")
     return Synchronisation(inputs.given, "offset")
 
 
@@ -204,8 +204,8 @@ def by_own_clock(inputs: SyncInput) -> Synchronisation:
     """
     if inputs.own is None:
         raise UsageError(
-            "{name} does not know the clip's clock; use --sync pats (sync: --method "
-            "pats) or give --offset S",
+            "{name} does not know the clip's clock; use the taps (--sync pats), or enter "
+            "the offset (--offset S)",
             name=Path(inputs.imu.source).name,
         )
     if inputs.contradiction:
@@ -289,7 +289,7 @@ def _checked(inputs: SyncInput) -> ClipSound:
     if not len(sound.samples):
         raise InputError(
             "the clip has no sound, which taps need",
-            remedy="record with sound, or give --offset S",
+            remedy="record with sound, or enter the offset (--offset S)",
         )
     if not sound.rate_hz >= _MIN_SOUND_RATE_HZ:
         raise InputError(
@@ -300,13 +300,14 @@ def _checked(inputs: SyncInput) -> ClipSound:
         raise InputError("the sound holds values that are not finite")
     if float(np.ptp(sound.samples)) == 0.0:
         raise InputError(
-            "the sound is silent", remedy="record with sound, or give --offset S"
+            "the sound is silent",
+            remedy="record with sound, or enter the offset (--offset S)",
         )
     if inputs.imu.rate_hz < MIN_IMU_RATE_HZ:
         raise InputError(
             "has only {rate_hz:.1f} samples per second, too few for taps",
             where=inputs.imu.source,
-            remedy="record at 100 Hz or more, or give --offset S",
+            remedy="record at 100 Hz or more, or enter the offset (--offset S)",
             rate_hz=inputs.imu.rate_hz,
         )
     return sound

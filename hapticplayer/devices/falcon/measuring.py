@@ -119,7 +119,9 @@ class Bench:
     def _check(self, reading: DeviceReading) -> None:
         _refuse_button(reading)
         if not reading.is_homed:
-            raise DeviceError("the Falcon is not homed; run `hapticplayer device home`")
+            raise DeviceError(
+                "the Falcon is not homed; home it (`hapticplayer device home`)"
+            )
         recent = self._recent
         recent.append(reading.position_m)
         if len(recent) > _SPEED_OVER:
@@ -251,7 +253,9 @@ def stops(driver: FalconDriver, clock: Clock, duration_s: float) -> dict[str, An
             places.append(reading.position_m)
         clock.sleep_until(clock.now_s() + 0.005)
     if not counts:
-        raise DeviceError("the Falcon is not homed; run `hapticplayer device home`")
+        raise DeviceError(
+            "the Falcon is not homed; home it (`hapticplayer device home`)"
+        )
     return {
         "counts_min": np.min(counts, axis=0).tolist(),
         "counts_max": np.max(counts, axis=0).tolist(),

@@ -39,10 +39,10 @@ from hapticplayer.untrusted import open_regular
 _COMMAND = (sys.executable, "-P", "-m", "hapticplayer.extras.cameras.telemetry_child")
 _MIN_SHARE = 0.98
 """Of the samples that must have acceleration and rate."""
-_LOG = Message("give the log with --imu LOG, and {option} if asked", option=OPTION)
+_LOG = Message("give its log, too (--imu LOG), and {option} if asked", option=OPTION)
 _BY_OTHERS = Message(
-    "give the log with --imu LOG, or have the motion estimated from the picture with "
-    "--suggest-motion"
+    "give the log, too (--imu LOG), or have the motion estimated from the frames "
+    "(--suggest-motion)"
 )
 
 

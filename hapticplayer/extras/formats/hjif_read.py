@@ -120,7 +120,7 @@ class _ChannelReader:
 
     def _nothing(self, path: Path, first: Message) -> InputError:
         is_other = f"perception {_OTHER}" in self._bands.unread
-        say = Message("say what it is with --other-is force or --other-is vibration")
+        say = Message("say what it is (--other-is force, --other-is vibration)")
         return InputError(
             "holds no force that is understood ({first})",
             where=str(path),

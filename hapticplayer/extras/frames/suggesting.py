@@ -36,7 +36,7 @@ def suggested(
     if log is not None or _is_recorded(clip.path):
         raise UsageError(
             "the motion of {name} was recorded, which is better than an estimate from the "
-            "picture; import it without --suggest-motion",
+            "picture; import it without an estimate",
             name=clip.path.name,
         )
     if mapping.moves_point:

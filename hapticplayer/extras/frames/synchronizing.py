@@ -167,7 +167,7 @@ def usable(imu: ImuLog, frames: FrameRotation) -> Watched:
         raise InputError(
             "the camera's rotation can be estimated in only {told_s:.2f} s of the video, "
             "at least {least_s:.0f} s are needed",
-            remedy="film something with detail, or use --sync pats",
+            remedy="film something with detail, or use the taps (--sync pats)",
             told_s=told_s,
             least_s=_LEAST_S,
         )
@@ -180,7 +180,7 @@ def refuse_without_gyro(imu: ImuLog) -> None:
         raise InputError(
             "the log has no angular rate, which frames could be compared with",
             where=imu.source,
-            remedy="use --sync pats, or give --offset S",
+            remedy="use the taps (--sync pats), or enter the offset (--offset S)",
         )
 
 

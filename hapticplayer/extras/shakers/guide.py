@@ -26,7 +26,7 @@ SHAKER = Guide(
     ),
     Message(
         "Connect the amplifier of the shakers to the sound output. By default channels 1 "
-        "and 2 play; pulse,channels=3+4 chooses others."
+        "and 2 play; the settings choose others."
     ),
     hold=Message("Turn the amplifier low."),
     checks=_shaker,

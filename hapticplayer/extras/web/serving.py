@@ -102,7 +102,7 @@ def _address(text: str) -> str:
     with contextlib.suppress(ValueError):
         return str(ipaddress.ip_address("127.0.0.1" if text == "localhost" else text))
     raise UsageError(
-        "--bind {text!r} is not an address of this machine; give one in full, such as "
+        "{text!r} (--bind) is not an address of this machine; give one in full, such as "
         "{loopback} or 192.168.1.5",
         text=text,
         loopback=LOOPBACK,
@@ -126,7 +126,7 @@ def _offered(
             "is not the video that its force was made for ({reason})",
             where=str(source),
             reason=why,
-            remedy="ask for the file again, or agree with --accept-changed-video",
+            remedy="ask for the file again, or agree (--accept-changed-video)",
         )
     return packed.sequence.title, list({source: None, packed.carrier: None})
 

@@ -43,8 +43,8 @@ WHEEL = Guide(
         "sideways."
     ),
     Message(
-        "Connect its USB cable and its power supply. axis=y chooses another axis, sign=- "
-        "reverses the direction."
+        "Connect its USB cable and its power supply. The settings choose another axis, or "
+        "reverse the direction."
     ),
     hold=Message("Hold it with both hands."),
     checks=_wheel,

@@ -63,11 +63,12 @@ class PowerGoal:
             raise UsageError("alpha and power must be between 0 and 1")
         if not 3 <= self.largest <= MOST_PARTICIPANTS:
             raise UsageError(
-                "--largest must be between 3 and {most}", most=MOST_PARTICIPANTS
+                "the largest number of participants must be between 3 and {most}",
+                most=MOST_PARTICIPANTS,
             )
         if not _BLOCK <= self.studies <= MOST_STUDIES:
             raise UsageError(
-                "--studies must be between {least} and {most}",
+                "the number of simulated studies must be between {least} and {most}",
                 least=_BLOCK,
                 most=MOST_STUDIES,
             )

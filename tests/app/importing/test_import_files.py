@@ -137,5 +137,5 @@ def test_without_opencv_the_estimate_cannot_be_chosen(
     wizard.take([plain])
     wait_for(wizard.files.suggestion.isVisible)
     assert not wizard.files.suggestion.choice.isEnabled()
-    assert "hapticplayer doctor" in wizard.files.suggestion.missing.text()
+    assert "System check" in wizard.files.suggestion.missing.text()
     assert wizard.files.suggestion.missing.isVisible()

@@ -184,7 +184,7 @@ def test_an_undecided_cut_is_a_question(method):
 def test_a_cut_gopro_clip_is_asked_about_and_then_right(tmp_path, case, name):
     video = case(f"gopro-cut/{name}.mp4")
     assert contradicted(read_recording(video), probe(video))
-    with pytest.raises(UsageError, match=r"the clip was cut.*give --offset 0\.000"):
+    with pytest.raises(UsageError, match=r"the clip was cut.*\(--offset 0\.000\)"):
         build_sequence(video, tmp_path / "asked")
     choices = Choices(sync=SyncChoices(offset_s=0.0))
     motion = open_sequence(

@@ -87,8 +87,8 @@ def test_video_without_motion_names_the_remedy(mute_clip):
     with pytest.raises(TelemetryError) as caught:
         read_recording(mute_clip)
     assert str(caught.value) == (
-        f"{mute_clip}: contains no motion data; give the log with --imu LOG, or have "
-        "the motion estimated from the picture with --suggest-motion"
+        f"{mute_clip}: contains no motion data; give the log, too (--imu LOG), or "
+        "have the motion estimated from the frames (--suggest-motion)"
     )
 
 

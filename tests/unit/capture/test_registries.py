@@ -43,18 +43,10 @@ def lists(monkeypatch):
 
 
 @pytest.mark.usefixtures("lists")
-@pytest.mark.parametrize(
-    ("command", "words"),
-    [
-        ("import", ("dummy (Dummy logger)", "dummy: a dummy method")),
-        ("sync", ("dummy (Dummy logger)", "dummy: a dummy method")),
-        ("process", ("dummy (Dummy logger)",)),
-    ],
-)
-def test_help_shows_a_new_entry(command, words, capsys):
+@pytest.mark.parametrize("command", ["import", "sync"])
+def test_help_shows_a_new_entry(command, capsys):
     assert main([command, "--help"]) == 0
-    shown = " ".join(capsys.readouterr().out.split())
-    assert all(word in shown for word in words), shown
+    assert "dummy: a dummy method" in " ".join(capsys.readouterr().out.split())
 
 
 @pytest.mark.usefixtures("lists")

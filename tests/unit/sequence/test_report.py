@@ -136,8 +136,8 @@ def test_a_bad_rendering_asks_for_no_other_recording():
 @pytest.mark.parametrize(
     ("synchronisation", "contradictions"),
     [
-        ({"method": "offset"}, ("not synchronised", "give --offset")),
-        ({"method": "pats"}, ("not synchronised", "give --offset", "three times")),
+        ({"method": "offset"}, ("not synchronised", "--offset")),
+        ({"method": "pats"}, ("not synchronised", "--offset", "three times")),
         (None, ()),
     ],
 )

@@ -65,8 +65,8 @@ def find_image() -> FirmwareImage:
         raise FirmwareMissingError(
             "the Falcon's firmware is missing ({path}); it may not be passed on "
             "with this program: take nvent_firmware.bin from a libnifalcon source "
-            "archive and install it with `hapticplayer device upload-firmware "
-            "FILE`, or in the window with Playback > Set up the device",
+            "archive and install it: Device > Set up the device "
+            "(`hapticplayer device upload-firmware FILE`)",
             path=path,
         )
     return read_image(path)

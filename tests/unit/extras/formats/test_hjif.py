@@ -285,7 +285,7 @@ def test_other_is_refused_with_the_option_that_reads_it(tmp_path, capsys):
     path.write_text(json.dumps(OTHER))
     assert cli.main(["convert", str(path), str(tmp_path / "a.csv")]) == 1
     said = capsys.readouterr().err
-    words = re.search(r"(--other-is force) or (--other-is vibration)", said)
+    words = re.search(r"(--other-is force), (--other-is vibration)", said)
     for number, option in enumerate(words.groups()):
         target = str(tmp_path / f"{number}.csv")
         assert cli.main(["convert", str(path), target, *option.split()]) == 0

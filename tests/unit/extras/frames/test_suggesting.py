@@ -175,7 +175,7 @@ def test_recorded_motion_is_not_estimated(suggest, tiny_clip, tmp_path, capsys):
     assert run(tiny_clip, tmp_path / "ride", *more) == 2
     words = capsys.readouterr().err
     assert "the motion of ride.mp4 was recorded" in words
-    assert "import it without --suggest-motion" in words
+    assert "import it without an estimate" in words
     assert run(tiny_clip, tmp_path / "ride", "--suggest-gain", "2") == 2
     assert "belongs to --suggest-motion" in capsys.readouterr().err
 
