@@ -20,8 +20,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
 
-from app.editor.commands import EDITOR_COMMANDS
 from app.bridge.languages import without_options
+from app.editor.commands import EDITOR_COMMANDS
 from app.player.command import CONTEXT as COMMANDS_CONTEXT
 from app.player.commands import COMMANDS
 

@@ -289,7 +289,8 @@ def build_parser(wanted: str | None) -> argparse.ArgumentParser:
 
 
 def _shown_examples(command: Command) -> str | None:
-    lines = (f"  hapticplayer {command.name} {words}" for words in command.examples)
+    words = (("  hapticplayer", command.name, one) for one in command.examples)
+    lines = map(" ".join, words)
     return "\n".join(("examples:", *lines)) if command.examples else None
 
 
