@@ -1,6 +1,7 @@
 """What is known of one sequence, and its force tracks."""
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from app.bridge.languages import translated
 from app.experimenter.quality_view import QualityView
 from app.experimenter.rendering_fields import preset_name
 from app.player.choices import feedbacks
+from app.player.question import choose
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog
@@ -28,11 +30,17 @@ from app.widgets.layout import (
     row_of,
 )
 from app.widgets.tables import plain_table
-from app.widgets.texts import local
+from app.widgets.texts import local, quoted
 from hapticplayer.errors import HapticPlayerError, Message, Progress, message_of
 from hapticplayer.model import Feedback
 from hapticplayer.sequence.editing import remove_track, rename_track
-from hapticplayer.sequence.force_files import ForceFormat, WriteChoices
+from hapticplayer.sequence.force_files import (
+    ASK,
+    ForceFormat,
+    ForceQuestion,
+    ReadChoices,
+    WriteChoices,
+)
 from hapticplayer.sequence.force_formats import (
     loss_line,
     read_formats,
@@ -173,22 +181,50 @@ class LibraryDetails(QWidget):
         dialog.fileSelected.connect(lambda path: self.add_force(Path(path)))
         dialog.open()
 
-    def add_force(self, path: Path) -> None:
-        """Add a force track that is named after its file."""
+    def add_force(self, path: Path, other_is: str = ASK) -> None:
+        """Add a force track that is named after its file, and ask what it does not say."""
         entry = self._entry
-        if entry is not None:
-            folder, name = entry.folder, path.name.split(".")[0][:40]
-            self._run(
-                self.tr("Adding {name}").format(name=path.name),
-                lambda progress: in_child(
-                    import_force, folder, name, path, progress=progress
-                ),
-                self._on_added,
-            )
+        if entry is None:
+            return
+        folder, name = entry.folder, path.name.split(".")[0][:40]
 
-    def _on_added(self, notes: tuple[Message, ...]) -> None:
+        def work(progress: Progress) -> tuple[Message, ...] | ForceQuestion:
+            choices = ReadChoices(other_is=other_is)
+            try:
+                return in_child(
+                    import_force, folder, name, path, choices=choices, progress=progress
+                )
+            except ForceQuestion as question:
+                return question
+
+        title = self.tr("Adding {name}").format(name=path.name)
+        self._run(title, work, lambda found: self._on_added(path, found))
+
+    def _on_added(self, path: Path, found: tuple[Message, ...] | ForceQuestion) -> None:
+        if isinstance(found, ForceQuestion):
+            self._ask_other(path, found)
+            return
         self.changed.emit()
-        self._show_notes([translated(note) for note in notes])
+        self._show_notes([translated(note) for note in found])
+
+    def _ask_other(self, path: Path, question: ForceQuestion) -> None:
+        """Let a person say what a file has as `Other`."""
+        text = self.tr(
+            "{name} does not say what its haptics are (modality Other, as the published "
+            "encoder writes it for sound and AHAP). What are they?"
+        )
+        answers = {self.tr("&Force"): "force", self.tr("&Vibration"): "vibration"}
+        if question.has_more:
+            answers[self.tr("&Leave them out")] = ""
+        choose(
+            self,
+            self.tr("Choose a force track"),
+            text.format(name=quoted(path.name)),
+            {
+                text: partial(self.add_force, path, meant)
+                for text, meant in answers.items()
+            },
+        )
 
     def _choose_target(self) -> None:
         entry, name = self._entry, self._track()

@@ -1,6 +1,6 @@
 """A question in a window of its own, which does not stop the event loop."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QDialog, QWidget
@@ -14,19 +14,21 @@ _WIDTH_PX = 460
 
 
 class Question(QDialog):
-    """A text with two answers."""
+    """A text with one answer or more, and Cancel."""
 
-    def __init__(self, parent: QWidget, title: str, text: str, yes: str) -> None:
+    def __init__(self, parent: QWidget, title: str, text: str, *answers: str) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(title)
         self.text = paragraph(text)
         self.text.setMinimumWidth(_WIDTH_PX)
-        self.yes = text_button(yes, "", "primary")
+        self.answers = [text_button(one, "", "primary") for one in answers]
+        self.yes = self.answers[0]
         self.no = text_button(translate("Question", "Cancel"), "")
-        self.yes.clicked.connect(self.accept)
+        for answer in self.answers:
+            answer.clicked.connect(self.accept)
         self.no.clicked.connect(self.reject)
-        fill_page(self, self.text, row_of(STRETCH, self.no, self.yes), spacing=14)
+        fill_page(self, self.text, row_of(STRETCH, self.no, *self.answers), spacing=14)
 
 
 def ask(
@@ -35,5 +37,16 @@ def ask(
     """Ask; `agreed` is called for the first answer."""
     question = Question(parent, title, text, yes)
     question.accepted.connect(agreed)
+    question.open()
+    return question
+
+
+def choose(
+    parent: QWidget, title: str, text: str, answers: Mapping[str, Callable[[], None]]
+) -> Question:
+    """Ask which of several; what belongs to the answer is called."""
+    question = Question(parent, title, text, *answers)
+    for button, chosen in zip(question.answers, answers.values(), strict=True):
+        button.clicked.connect(chosen)
     question.open()
     return question

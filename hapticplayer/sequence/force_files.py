@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO, NamedTuple
+from typing import Any, BinaryIO, NamedTuple
 
 from hapticplayer.errors import Message, UsageError
 from hapticplayer.model import ForceTrack, MotionTrack
@@ -47,6 +47,26 @@ class WriteChoices(AppliedAnswers):
     motion: MotionTrack | None = None
 
 
+ASK = "ask"
+"""The choice of who can be asked: where a file makes it necessary, a ForceQuestion is raised."""
+
+
+class ForceQuestion(UsageError):  # noqa: N818 - it asks
+    """What an hjif perception `Other` is has to be said.
+
+    Attributes:
+        has_more: the file holds something else, too, that is read.
+    """
+
+    def __init__(self, where: str, has_more: bool) -> None:
+        super().__init__("{file}: what is its perception Other?", file=where)
+        self.where, self.has_more = where, has_more
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Let it pass from one process to another."""
+        return type(self), (self.where, self.has_more)
+
+
 @dataclass(frozen=True, slots=True)
 class ReadChoices(AppliedAnswers):
     """What a file may not say itself.
@@ -56,7 +76,8 @@ class ReadChoices(AppliedAnswers):
         direction: unit vector in frame D of what has no direction.
         stiffness_n_per_m: of the spring whose set-point a position script moves.
         until_s: later force is not wanted, and may be left out.
-        other_is: what an hjif perception `Other` is: force, vibration, or unknown.
+        other_is: what an hjif perception `Other` is: force, vibration, "" where it is not
+            to be read, or ASK.
     """
 
     full_scale_n: float = 1.0
@@ -102,7 +123,7 @@ class Loss(NamedTuple):
 def refuse_untaken(choices: ReadChoices | WriteChoices, form: str, where: str) -> None:
     """Raise UsageError for a choice that had no effect on a file."""
     for name in choices.untaken():
-        if name in _OPTIONS:
+        if name in _OPTIONS and getattr(choices, name) != ASK:
             raise UsageError(
                 "{file}: {option} has no effect: {form} does not use it, or this file "
                 "says it itself; leave it out",

@@ -1,5 +1,6 @@
 """The library page over a folder of sequences, and what it changes in them."""
 
+import json
 import shutil
 
 import numpy as np
@@ -10,6 +11,7 @@ from PySide6.QtWidgets import QMessageBox
 from app.experimenter import library_details
 from app.experimenter.library_details import read_filter, write_filters
 from app.experimenter.library_page import LibraryPage
+from app.player.question import Question
 from hapticplayer.playback.phases import Phase
 from hapticplayer.sequence import open_sequence, verify_sequence
 from hapticplayer.sequence.editing import rename_sequence
@@ -165,6 +167,63 @@ def test_an_empty_list_says_why_and_nothing_about_quality(page, library):
         shutil.rmtree(folder)
     page.refresh()
     assert "Import a recording" in page.nothing.text()
+
+
+def perception(modality):
+    """Half of its largest force for a second, upwards."""
+    frames = [
+        {"relative_position": at_ms, "amplitude_modulation": 0.5} for at_ms in (0, 1000)
+    ]
+    effect = {"effect_type": "Basis", "position": 0, "keyframes": frames}
+    band = {"band_type": "Curve", "curve_type": "Linear", "effects": [effect]}
+    channel = {"bands": [band], "direction": {"Y": 1}}
+    device = {"id": 0, "maximum_amplitude": 4.0}
+    found = {"perception_modality": modality, "channels": [channel]}
+    return {**found, "reference_devices": [device]}
+
+
+def asked_about(page, tmp_path, wait_for, *modalities):
+    """The question about a file of the published encoder that is added."""
+    path = tmp_path / "of the encoder.hjif"
+    perceptions = [perception(one) for one in modalities]
+    path.write_text(json.dumps({"perceptions": perceptions}))
+    page.list.setCurrentRow(0)
+    page.details.add_force(path)
+    wait_for(lambda: page.details.findChildren(Question) != [])
+    (question,) = page.details.findChildren(Question)
+    assert path.name in question.text.text()
+    assert page.details.tracks.rowCount() == 2
+    return question
+
+
+@needs("formats")
+@pytest.mark.parametrize(("answer", "peak"), [(0, "2.00 N"), (1, "0.50 N")])
+def test_the_window_asks_what_other_haptics_are(page, wait_for, tmp_path, answer, peak):
+    question = asked_about(page, tmp_path, wait_for, "Other")
+    assert len(question.answers) == 2
+    question.answers[answer].click()
+    wait_for(lambda: page.details.tracks.rowCount() == 3)
+    assert page.details.tracks.item(2, 1).text() == peak
+    assert "Other was taken as" in page.details.notes.text()
+
+
+@needs("formats")
+def test_other_haptics_can_be_left_out_of_a_track(page, wait_for, tmp_path):
+    question = asked_about(page, tmp_path, wait_for, "Force", "Other")
+    assert len(question.answers) == 3
+    question.answers[2].click()
+    wait_for(lambda: page.details.tracks.rowCount() == 3)
+    assert page.details.tracks.item(2, 1).text() == "2.00 N"
+    assert "not read: perception Other (1)" in page.details.notes.text()
+
+
+@needs("formats")
+def test_a_track_that_is_not_decided_about_is_not_added(page, wait_for, tmp_path):
+    question = asked_about(page, tmp_path, wait_for, "Other")
+    question.no.click()
+    wait_for(lambda: page.details.findChildren(Question) == [])
+    assert page.details.tracks.rowCount() == 2
+    assert not page.jobs.is_busy
 
 
 @needs("formats")

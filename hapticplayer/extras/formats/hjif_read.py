@@ -27,7 +27,13 @@ from hapticplayer.extras.formats.hjif_signals import (
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import refuse_large_force
-from hapticplayer.sequence.force_files import Direction, ForceFile, ReadChoices
+from hapticplayer.sequence.force_files import (
+    ASK,
+    Direction,
+    ForceFile,
+    ForceQuestion,
+    ReadChoices,
+)
 from hapticplayer.untrusted import ANOTHER
 
 FORCE = ("Force", "Kinesthetic")
@@ -40,6 +46,9 @@ _MEANT = {"force": FORCE[0], "vibration": VIBRATION[0]}
 def read(path: Path, choices: ReadChoices) -> ForceFile:
     """Return the force of a file."""
     found = experience(path)
+    modalities = {one.perception_modality for one in found.perceptions}
+    if _OTHER in modalities and choices.other_is == ASK:
+        raise ForceQuestion(str(path), not modalities.isdisjoint(FORCE + VIBRATION))
     reader = _ChannelReader(choices, found.timescale)
     for row, perception in enumerate(found.perceptions):
         reader.add(perception, f"{path}, perceptions[{row}]")
