@@ -137,11 +137,17 @@ def test_opencv_may_be_missing(monkeypatch, lack, capsys) -> None:
 def test_cameras_that_are_not_read_are_named(monkeypatch, lack, capsys) -> None:
     lack()
     monkeypatch.setattr(doctor, "CAMERAS", "gone-package")
+    monkeypatch.setattr(doctor, "NEWEST_FOR_CAMERAS", sys.version_info[:2])
 
     assert doctor.main([]) == 0
     said = capsys.readouterr().out
     assert "Sony and Insta360 is not read" in said
     assert f"{sys.executable} -m pip install gone-package" in said
+
+    monkeypatch.setattr(doctor, "NEWEST_FOR_CAMERAS", (3, 10))
+    assert doctor.main([]) == 0
+    said = capsys.readouterr().out
+    assert "gone-package exists for Python up to 3.10 only" in said
 
 
 def test_python_packages_are_those_of_the_project() -> None:

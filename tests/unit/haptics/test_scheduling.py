@@ -63,7 +63,8 @@ def test_a_thread_is_hastened_and_what_it_starts_is_not():
     if seen["got"] is Scheduling.NORMAL:
         pytest.skip("this kernel gives no slices")
     assert seen["after"] == WINDOW_SLICE_NS
-    assert seen["child"] == seen["before"] != WINDOW_SLICE_NS
+    # 0 or the kernel's own, as a thread that never asked for one
+    assert WINDOW_SLICE_NS not in (seen["before"], seen["child"])
 
 
 def locked():
