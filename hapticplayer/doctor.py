@@ -32,18 +32,15 @@ CHECKS_GROUP = "checks"
 # What is imported, and the Python package that brings it.
 PYTHON_PACKAGES = {
     "PySide6": "PySide6-Essentials",
-    "av": "av",
-    "defusedxml": "defusedxml",
     "fpdf": "fpdf2",
-    "jeepney": "jeepney",
-    "matplotlib": "matplotlib",
-    "msgspec": "msgspec",
-    "numpy": "numpy",
-    "pyqtgraph": "pyqtgraph",
-    "scipy": "scipy",
-    "sounddevice": "sounddevice",
     "usb": "pyusb",
-    "vqf": "vqf",
+    **{
+        name: name
+        for name in (
+            *("av", "defusedxml", "jeepney", "matplotlib", "msgspec", "numpy"),
+            *("pyqtgraph", "scipy", "sounddevice", "vqf"),
+        )
+    },
 }
 OPENCV = "opencv-python-headless"  # of the extra vision
 CAMERAS = "telemetry-parser"  # of the extra cameras
@@ -77,16 +74,16 @@ class MachineCheck:
     Attributes:
         name: what was looked at, a package or a property of the machine.
         ok: it is there.
-        required: the program has no window without it.
         detail: what was found, in a few words.
         remedy: what a person can do, empty when there is nothing to do.
+        required: the program has no window without it.
     """
 
     name: str
     ok: bool
-    required: bool
     detail: str
     remedy: str = ""
+    required: bool = False
 
 
 def read_apt_list() -> list[AptPackage]:
@@ -150,8 +147,14 @@ def check() -> list[MachineCheck]:
         _check_python(),
         *_check_apt(),
         _check_python_packages(),
-        _check_opencv(),
-        _check_cameras(),
+        _check_optional(
+            *("OpenCV", "cv2", OPENCV, f"{_pip_install(OPENCV)} (150 MB)"),
+            "synchronising by frames is coarse, no motion is suggested from the picture",
+        ),
+        _check_optional(
+            *("cameras", "telemetry_parser", CAMERAS, how_to_get_cameras()),
+            "the motion in clips of Sony and Insta360 is not read",
+        ),
         _check_display(),
         _check_sound(),
         _check_scheduling(),
@@ -179,7 +182,6 @@ def _check_apt() -> list[MachineCheck]:
             MachineCheck(
                 "system packages",
                 ok=True,
-                required=False,
                 detail=f"not looked at: the list of them is not here ({APT_LIST})",
                 remedy="run the doctor of the source tree for this part",
             )
@@ -188,7 +190,7 @@ def _check_apt() -> list[MachineCheck]:
         MachineCheck(
             package.name,
             is_there(package.proof),
-            package.required,
+            required=package.required,
             detail=f"{package.purpose} ({package.proof})",
             remedy=f"{APT_INSTALL} {package.name}",
         )
@@ -232,18 +234,17 @@ def _check_python_packages() -> MachineCheck:
     )
 
 
-def _check_opencv() -> MachineCheck:
-    version = _version("cv2", OPENCV)
+def _check_optional(
+    name: str, module: str, package: str, remedy: str, without: str
+) -> MachineCheck:
+    version = _version(module, package)
+    detail = without if version is None else f"{package} {version}"
+    return MachineCheck(name, version is not None, detail=detail, remedy=remedy)
+
+
+def _pip_install(package: str) -> str:
     python = ROOT / ".venv/bin/python" if _is_beside_venv() else sys.executable
-    return MachineCheck(
-        "OpenCV",
-        version is not None,
-        required=False,
-        detail=f"{OPENCV} {version}"
-        if version
-        else "synchronising by frames is coarse, no motion is suggested from the picture",
-        remedy=f"{shlex.join([str(python), '-m', 'pip', 'install', OPENCV])} (150 MB)",
-    )
+    return shlex.join([str(python), "-m", "pip", "install", package])
 
 
 def how_to_get_cameras() -> str:
@@ -251,21 +252,7 @@ def how_to_get_cameras() -> str:
     if sys.version_info[:2] > NEWEST_FOR_CAMERAS:
         newest = "{}.{}".format(*NEWEST_FOR_CAMERAS)
         return f"{CAMERAS} exists for Python up to {newest} only"
-    python = ROOT / ".venv/bin/python" if _is_beside_venv() else sys.executable
-    return shlex.join([str(python), "-m", "pip", "install", CAMERAS])
-
-
-def _check_cameras() -> MachineCheck:
-    version = _version("telemetry_parser", CAMERAS)
-    return MachineCheck(
-        "cameras",
-        version is not None,
-        required=False,
-        detail=f"{CAMERAS} {version}"
-        if version
-        else "the motion in clips of Sony and Insta360 is not read",
-        remedy=how_to_get_cameras(),
-    )
+    return _pip_install(CAMERAS)
 
 
 def _answers(family: int, address: str | tuple[str, int]) -> bool:
@@ -307,7 +294,6 @@ def _check_display() -> MachineCheck:
     return MachineCheck(
         "display",
         any(ok for _, ok in tried),
-        required=False,
         detail=", ".join(words) or "neither DISPLAY nor WAYLAND_DISPLAY is set",
         remedy="start from a desktop session; --headless plays without a window",
     )
@@ -328,7 +314,6 @@ def _check_sound() -> MachineCheck:
     return MachineCheck(
         "sound",
         bool(ways),
-        required=False,
         detail=", ".join(ways) or "neither a sound server nor a sound card",
         remedy="clips play silently, led by the system clock, until there is one",
     )
@@ -345,10 +330,6 @@ def may_use_fifo() -> bool:
     return True
 
 
-def _kernel() -> tuple[int, ...]:
-    return tuple(map(int, re.findall(r"\d+", platform.release())[:2]))
-
-
 def _limits() -> str:
     import resource  # Unix only
 
@@ -362,18 +343,18 @@ def _limits() -> str:
 
 
 def _check_scheduling() -> MachineCheck:
+    kernel = tuple(map(int, re.findall(r"\d+", platform.release())[:2]))
     if not hasattr(os, "sched_setscheduler"):
         ok, detail = False, "normal: this system grants nothing else"
     elif may_use_fifo():
         ok, detail = True, f"fifo: priority {LOOP_PRIORITY} is granted ({_limits()})"
-    elif _kernel() >= OLDEST_SLICE_KERNEL:
+    elif kernel >= OLDEST_SLICE_KERNEL:
         ok, detail = True, f"slice: short slices, as fifo is not allowed ({_limits()})"
     else:
         ok, detail = False, f"normal: neither fifo nor short slices ({_limits()})"
     return MachineCheck(
         "scheduling",
         ok,
-        required=False,
         detail=detail,
         remedy=f"allow rtprio {LOOP_PRIORITY} and memlock in /etc/security/limits.d",
     )
@@ -389,7 +370,6 @@ def _check_wakefulness() -> MachineCheck:
     return MachineCheck(
         "processors",
         ok,
-        required=False,
         detail=detail,
         remedy="copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d",
     )
@@ -411,15 +391,13 @@ def _check_falcon() -> MachineCheck:
             ok = os.access(node, os.R_OK | os.W_OK)
             detail = f"{node}" if ok else f"{node}, but this user may not open it"
             remedy = "install the udev rule of packaging/ and plug it in again"
-    return MachineCheck("Falcon", ok, required=False, detail=detail, remedy=remedy)
+    return MachineCheck("Falcon", ok, detail=detail, remedy=remedy)
 
 
 def explain_import_error(error: ImportError | OSError) -> str:
     """Say in one sentence which package would have prevented an import error.
 
-    Args:
-        error: what an import of one of the program's dependencies raised; an OSError
-            is how sounddevice reports that PortAudio is missing.
+    An OSError is how sounddevice reports that PortAudio is missing.
     """
     text = str(error)
     if isinstance(error, ModuleNotFoundError) and error.name:
@@ -469,13 +447,6 @@ def _missing_of_need(need: str) -> list[str]:
     ]
 
 
-def _missing_or_nothing() -> list[str]:
-    try:
-        return missing_apt()
-    except OSError:
-        return []  # `check` has said so
-
-
 def main(argv: list[str]) -> int:
     """Report what is there and what is missing.
 
@@ -504,7 +475,7 @@ def main(argv: list[str]) -> int:
             return 1
         return 0
     checks = check()
-    missing = _missing_or_nothing()
+    missing = missing_apt() if APT_LIST.is_file() else []
     ok = all(each.ok for each in checks if each.required)
     if arguments.json:
         rows = [dataclasses.asdict(each) for each in checks]

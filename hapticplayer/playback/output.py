@@ -154,14 +154,13 @@ class Output:
     @property
     def takes_motion(self) -> bool:
         """Whether it is a rig."""
-        found = self.capabilities
-        return found is not None and found.signal is Signal.MOTION
+        return bool(self.capabilities and self.capabilities.signal is Signal.MOTION)
 
     @property
     def has_grip(self) -> bool:
         """Whether a hand holds it."""
         found = self.capabilities
-        return found is not None and bool(found.axes) and not self.takes_motion
+        return bool(found and found.axes) and not self.takes_motion
 
     @property
     def is_dead(self) -> bool:
@@ -332,9 +331,8 @@ class Output:
             return ""
         if feedback not in {*self._names, NO_TRACK, Feedback.NONE.value}:
             return NO_MOTION
-        if not self._is_unheard():
-            return ""
-        return Message(NOBODY_LISTENS, address=self._address)
+        unheard = Message(NOBODY_LISTENS, address=self._address)
+        return unheard if self._is_unheard() else ""
 
     def _is_unheard(self) -> bool:
         """Whether nobody listens now, or has listened to most of it."""
@@ -370,9 +368,8 @@ class Output:
         """
         mode, cause = self._last()
         is_stopped = self._latch.is_set
-        if self.processes.health in (*_DEAD, Health.NONE):
-            return mode, cause
-        if is_stopped is (mode is Mode.TRIPPED):
+        is_as_asked = is_stopped is (mode is Mode.TRIPPED)
+        if is_as_asked or self.processes.health in (*_DEAD, Health.NONE):
             return mode, cause
         return (Mode.TRIPPED, Cause.STOPPED) if is_stopped else (Mode.IDLE, Cause.NONE)
 
@@ -405,21 +402,17 @@ class Output:
         )
 
     def traces(self) -> SyncTraces:
-        """Return the last differences between force, frames and sound."""
         return SyncTraces(self.video.trace(), self.audio.trace())
 
     def summary(self) -> dict[str, Any]:
         """The figures of the loop, for the end of a log."""
         loop = self.history.total_stats()
         return {
-            "lateness_us": {
-                "p50": round(loop.lateness_p50_us, 1),
-                "p99": round(loop.lateness_p99_us, 1),
-                "p999": round(loop.lateness_p999_us, 1),
-                "max": round(loop.lateness_max_us, 1),
-            }
-            if loop
-            else None,
+            "lateness_us": loop
+            and {
+                name: round(getattr(loop, f"lateness_{name}_us"), 1)
+                for name in ("p50", "p99", "p999", "max")
+            },
             "ticks": loop.ticks if loop else 0,
             "missed": loop.missed if loop else 0,
             "haptic_minus_video_ms": described(self.video.total()),

@@ -112,7 +112,7 @@ class SessionRunner:
         self._is_first_frame_told = False
         self._mode, self._before_pause = StepMode.AT_PAGE, StepMode.AT_PAGE
         self._before_problem = StepMode.AT_PAGE
-        self._pending: Callable[[], None] | None = None
+        self._pending: list[Callable[[], None]] = []
         self._is_complete: bool | None = None
         self._number = 0
         self._shown_s = clock.now_s()
@@ -207,8 +207,7 @@ class SessionRunner:
             "response_s": round(self._clock.now_s() - self._shown_s, 3),
         }
         if self.condition is not None:
-            content["attempt"] = self.attempt
-            content["condition"] = describe(self.condition)
+            content |= self._trial_name()
         self._store("answers", self._complete_step, **content)
 
     def proceed(self) -> None:
@@ -333,10 +332,11 @@ class SessionRunner:
 
     def retry(self) -> None:
         """Retry what could not be stored."""
-        if self._pending is not None:
-            pending, self._pending = self._pending, None
+        if self._pending:
+            pending, self._pending = self._pending, []
             self.problem, self._mode = "", self._before_problem
-            pending()
+            for store in pending:
+                store()
 
     def close(self) -> None:
         """Close the journal; a session without an end can be resumed."""
@@ -380,12 +380,10 @@ class SessionRunner:
         """Show the problem until the operator has retried; nothing plays meanwhile."""
         self.stage.interrupt()
         self.problem = message_of(problem)
-        if self._mode is StepMode.PROBLEM and self._pending is not None:
-            self._pending = _both(self._pending, again)
-            return
-        self._pending = again
-        self._before_problem, self._mode = self._mode, StepMode.PROBLEM
-        self._next_page()
+        self._pending.append(again)
+        if self._mode is not StepMode.PROBLEM:
+            self._before_problem, self._mode = self._mode, StepMode.PROBLEM
+            self._next_page()
 
     def _enter(self) -> None:
         """Show the first page of the current step."""
@@ -491,11 +489,3 @@ class SessionRunner:
     def _mark(self, text: str) -> None:
         if self._observer is not None:
             self._observer.marker(text, self._clock.now_s())
-
-
-def _both(first: Callable[[], None], second: Callable[[], None]) -> Callable[[], None]:
-    def call() -> None:
-        first()
-        second()
-
-    return call

@@ -297,7 +297,8 @@ def test_the_scheduling_that_can_be_had_is_named(
     monkeypatch, fifo, kernel, word
 ) -> None:
     monkeypatch.setattr(doctor, "may_use_fifo", lambda: fifo)
-    monkeypatch.setattr(doctor, "_kernel", lambda: kernel)
+    release = ".".join(map(str, kernel))
+    monkeypatch.setattr(doctor.platform, "release", lambda: f"{release}.3-amd64")
 
     check = _by_name("scheduling")
 

@@ -64,7 +64,9 @@ def test_every_format_is_made_of_a_csv(name, report_of, tmp_path):
     assert set(report) >= {"kbit_s", "kbit_s_compressed", "track_kbit_s", "notes"}
 
 
-@pytest.mark.parametrize("command", ["export", "convert"])
+@pytest.mark.parametrize(
+    "command", ["export", pytest.param("convert", marks=needs("formats"))]
+)
 def test_a_command_says_what_is_left_out(command, sequence_folder, tmp_path, capsys):
     source, target = tmp_path / "in.csv", str(tmp_path / "out.csv")
     source.write_text("time_s,fx_n,fy_n,fz_n\n-1,0,1,0\n0.5,0,1.5,0\n1.5,0,0,0\n")

@@ -19,6 +19,7 @@ from hapticplayer.sequence import mounting_by_frames, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence, write_sequence
 from hapticplayer.sequence.synchronizing import SyncChoices
 from hapticplayer.untrusted import HeldFile
+from tests.needed_extras import needs
 
 
 @pytest.fixture
@@ -69,6 +70,7 @@ def test_following_frames_moves_the_bar_for_most_of_it(
     assert (fractions[0], fractions[-1]) == (0.0, 1.0)
 
 
+@needs("loggers")
 def test_a_log_in_two_files_becomes_a_sequence(tmp_path, tiny_clip, still_log):
     tables = (still_log.specific_force_mps2, still_log.angular_rate_radps)
     logs = [tmp_path / "acc.csv", tmp_path / "gyr.csv"]

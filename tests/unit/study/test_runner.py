@@ -64,30 +64,47 @@ class FakeStage:
         self.is_stopped = False
 
 
+class Heard:
+    """An observer that keeps what it is told."""
+
+    def __init__(self):
+        self.markers = []
+
+    def marker(self, text, monotonic_s):
+        self.markers.append((text, monotonic_s))
+
+
 class RunningSession:
     """A participant and an operator in front of a runner."""
 
-    def __init__(self, study, clock, code=None, observer=None):
+    def __init__(self, study, clock, code=None):
         self.study, self.clock, self.stage = study, clock, FakeStage()
+        self.heard = Heard()
         self.stage.clock = clock
         self.code = code or begin_session(study, "en", {}, clock).code
-        self.runner = SessionRunner(study, self.code, self.stage, clock, observer)
+        self.runner = SessionRunner(study, self.code, self.stage, clock, self.heard)
 
     @property
     def kind(self):
         return self.runner.page.kind
 
-    def to_trials(self):
+    def to_demonstration(self):
         self.runner.consent(given=True)
         self.runner.answer(SHEET)
+
+    def to_trials(self):
+        self.to_demonstration()
         self.runner.proceed()
+
+    def end_clip(self):
+        self.stage.ended = True
+        self.runner.poll()
 
     def play(self):
         self.runner.proceed()
         assert self.kind is PageKind.PLAYING
         self.clock.advance(60.0)
-        self.stage.ended = True
-        self.runner.poll()
+        self.end_clip()
 
     def trial(self, **values):
         self.play()
@@ -96,6 +113,9 @@ class RunningSession:
 
     def records(self):
         return read_journal(self.study.session_folder(self.code) / "answers.jsonl")
+
+    def contents(self, kind):
+        return [one.content for one in self.records().intact if one.kind == kind]
 
     def again(self):
         """Crash, and open the session again."""
@@ -130,11 +150,8 @@ def test_a_whole_session_goes_from_consent_to_thanks(running):
     assert [q.name for q in page.questions if "@" in q.name] == [
         f"label@{name}" for name in running.runner.plan.labels
     ]
-    assert [q.heading for q in page.questions if q.heading] == [
-        "Feedback 1",
-        "Feedback 2",
-        "Feedback 3",
-    ]
+    headings = ["Feedback 1", "Feedback 2", "Feedback 3"]
+    assert [q.heading for q in page.questions if q.heading] == headings
     running.runner.answer({"tiring": "no"})
     assert seen == [PageKind.CONSENT, PageKind.QUESTIONS]
     assert running.kind is PageKind.THANKS
@@ -206,9 +223,8 @@ def test_refused_consent_ends_the_session_without_answers(running):
 def test_how_long_an_answer_took_is_kept(running):
     running.to_trials()
     running.trial()
-    last = [r for r in running.records().intact if r.kind == "answers"][-1]
-    assert last.content["response_s"] == pytest.approx(7.0)
-    assert last.content["attempt"] == 1
+    last = running.contents("answers")[-1]
+    assert (last["response_s"], last["attempt"]) == (pytest.approx(7.0), 1)
 
 
 def test_pausing_a_clip_makes_it_begin_again(running):
@@ -222,21 +238,11 @@ def test_pausing_a_clip_makes_it_begin_again(running):
     assert running.kind is PageKind.READY
     assert running.runner.page.position == 1
     running.trial()
-    trials = [r.content for r in running.records().intact if r.kind == "trial"]
+    trials = running.contents("trial")
     assert [(t["attempt"], t["is_valid"], t["reasons"]) for t in trials] == [
         (1, False, ["paused"]),
         (2, True, []),
     ]
-
-
-def test_pausing_at_the_questions_comes_back_to_them(running):
-    running.to_trials()
-    running.play()
-    running.runner.pause()
-    running.runner.resume()
-    assert running.kind is PageKind.QUESTIONS
-    running.runner.answer(VALUES)
-    assert running.runner.page.position == 2
 
 
 def test_a_repeated_trial_counts_with_its_last_answers(running):
@@ -309,13 +315,11 @@ def test_a_grip_button_in_a_trial_pauses_the_session(running):
     running.stage.is_stopped = True
     running.runner.poll()
     assert running.kind is PageKind.PAUSED
-    trial = next(r for r in running.records().intact if r.kind == "trial")
-    assert "force_stopped" in trial.content["reasons"]
+    assert "force_stopped" in running.contents("trial")[0]["reasons"]
 
 
 def test_a_replay_or_demonstration_waits_for_the_re_arming(running):
-    running.runner.consent(given=True)
-    running.runner.answer(SHEET)
+    running.to_demonstration()
     running.runner.halt("escape")
     running.runner.resume()
     running.stage.is_stopped = True
@@ -349,10 +353,8 @@ def test_after_a_crash_the_next_planned_trial_comes(running):
     assert back.runner.page.position == 5
     back.trial()
     assert back.runner.page.position == 6
-    record = next(r for r in back.records().intact if r.kind == "resume")
-    assert record.content["step"] == "trial-05"
-    answers = [r for r in back.records().intact if r.kind == "answers"]
-    assert answers[-1].content["attempt"] == 2
+    assert back.contents("resume")[0]["step"] == "trial-05"
+    assert back.contents("answers")[-1]["attempt"] == 2
     back.runner.close()
 
 
@@ -389,8 +391,15 @@ def test_a_full_disk_stops_the_session_before_an_answer_counts(
     assert sum(r.value is not None for r in ratings) == 4
 
 
-@pytest.mark.parametrize("at", ["trial-begin", "trial", "answers"])
-def test_once_the_disk_has_room_again_the_force_is_back(running, monkeypatch, at):
+@pytest.mark.parametrize(
+    ("at", "page"),
+    [
+        ("trial-begin", PageKind.PLAYING),
+        ("trial", PageKind.QUESTIONS),
+        ("answers", PageKind.READY),
+    ],
+)
+def test_once_the_disk_has_room_again_the_force_is_back(running, monkeypatch, at, page):
     running.to_trials()
     if at != "trial-begin":
         running.play() if at == "answers" else running.runner.proceed()
@@ -399,22 +408,14 @@ def test_once_the_disk_has_room_again_the_force_is_back(running, monkeypatch, at
         if at == "answers":
             running.runner.answer(VALUES)
         elif at == "trial":
-            running.stage.ended = True
-            running.runner.poll()
+            running.end_clip()
         else:
             running.runner.proceed()
         assert running.kind is PageKind.PROBLEM
         assert not running.stage.playing
     running.runner.retry()
     assert not running.stage.is_stopped
-    assert (
-        running.kind
-        is {
-            "trial-begin": PageKind.PLAYING,
-            "trial": PageKind.QUESTIONS,
-            "answers": PageKind.READY,
-        }[at]
-    )
+    assert running.kind is page
 
 
 def test_a_note_while_nothing_can_be_saved_takes_no_answer_away(running, monkeypatch):
@@ -442,8 +443,7 @@ def test_half_a_character_in_a_text_does_not_stop_the_session(running):
 def test_a_note_of_any_length_is_kept_whole(running):
     text = "\x07" + "\u20ac" * 1_100_000
     running.runner.note(text)
-    notes = [r.content["text"] for r in running.records().intact if r.kind == "note"]
-    assert "".join(notes) == text
+    assert "".join(one["text"] for one in running.contents("note")) == text
     with pytest.raises(StudyError, match=r"too long .* 1024 KB"):
         running.runner._journal.append("note", text=text)
     running.runner.note("after")
@@ -474,12 +474,10 @@ def test_consent_that_cannot_be_kept_is_no_consent(running):
 
 
 def test_the_demonstration_and_replays_come_back_to_their_page(running):
-    running.runner.consent(given=True)
-    running.runner.answer(SHEET)
+    running.to_demonstration()
     running.runner.demonstrate()
     assert running.kind is PageKind.PLAYING
-    running.stage.ended = True
-    running.runner.poll()
+    running.end_clip()
     assert running.kind is PageKind.DEMONSTRATION
     running.runner.proceed()
     for _ in range(12):
@@ -491,57 +489,39 @@ def test_the_demonstration_and_replays_come_back_to_their_page(running):
     played = running.stage.prepared[-1]
     assert played.sequence == "car-turning"
     assert played.feedback == running.runner.plan.labels[1]
-    running.stage.ended = True
-    running.runner.poll()
+    running.end_clip()
     assert running.kind is PageKind.QUESTIONS
 
 
-class Heard:
-    """An observer that keeps what it is told."""
-
-    def __init__(self):
-        self.markers = []
-
-    def marker(self, text, monotonic_s):
-        self.markers.append((text, monotonic_s))
-
-
-def test_an_observer_hears_markers_but_no_answers_and_no_code(study, manual_clock):
-    heard = Heard()
-    running = RunningSession(study, manual_clock, observer=heard)
+def test_an_observer_hears_markers_but_no_answers_and_no_code(running):
     running.to_trials()
     running.trial()
-    running.runner.close()
-    texts = [text for text, _ in heard.markers]
+    texts = [text for text, _ in running.heard.markers]
     begins = [text for text in texts if text.startswith("trial-01 begin")]
     assert len(begins) == 1
     assert f"trial-01 end {running.runner.plan.order[0].key}" in texts
     assert not any(running.code in text for text in texts)
-    times = [at for _, at in heard.markers]
+    times = [at for _, at in running.heard.markers]
     assert times == sorted(times)
 
 
-def test_live_markers_are_those_of_the_records(study, manual_clock):
-    heard = Heard()
-    running = RunningSession(study, manual_clock, observer=heard)
+def test_live_markers_are_those_of_the_records(running):
     running.to_trials()
     running.trial()
     running.runner.pause()
     running.runner.resume()
     running.trial()
     running.runner.stop("ill")
-    running.runner.close()
-    stored = markers_of(study.session(running.code))
+    stored = markers_of(running.study.session(running.code))
     pages = (" page", " questions")  # no record is written for these
-    live = [(text, at) for text, at in heard.markers if not text.endswith(pages)]
+    live = [
+        (text, at) for text, at in running.heard.markers if not text.endswith(pages)
+    ]
     assert live == [(one.text, one.monotonic_s) for one in stored]
     key = running.runner.plan.order[0].key
-    begin, first = (live[i] for i in (0, 1))
-    assert (begin[0], first[0]) == (
-        f"trial-01 begin {key}",
-        f"trial-01 first frame {key}",
-    )
-    assert begin[1] <= first[1]
+    (begin, begin_s), (first, first_s), *_ = live
+    assert (begin, first) == (f"trial-01 begin {key}", f"trial-01 first frame {key}")
+    assert begin_s <= first_s
 
 
 def test_the_operator_s_notes_and_checks_are_kept(running):
