@@ -84,7 +84,7 @@ def _check(options: argparse.Namespace) -> int:
     report: dict[str, Any] = {
         "file": str(path),
         "format": form.name,
-        "end_s": found.track.end_s,
+        "end_s": float(found.track.time_s[-1]),
         "peak_n": found.track.peak_n(),
         "assumed": [to_json(note) for note in found.assumed],
         "unread": [to_json(note) for note in found.unread],

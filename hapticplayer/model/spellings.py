@@ -141,4 +141,4 @@ def column_names(line: str, separator: str = ",") -> tuple[str, ...]:
 
 
 def find_separator(line: str) -> str:
-    return max((",", ";", "\t"), key=line.count)
+    return max((",", ";", "\t", "|"), key=line.count)

@@ -2,12 +2,13 @@
 
 Each force holds from its time until the next one's. A column `is_estimated` of ones is
 added where nothing measured the motion. Separators and numbers may be those of a
-spreadsheet, see `model.spellings`.
+spreadsheet, see `model.spellings`; comments and `sep=` may stand before the header.
 """
 
 import io
 import math
 import os
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
@@ -28,6 +29,10 @@ CHUNK_BYTES = 1 << 22
 # The haptic loop takes a value every millisecond; denser rows cost memory only.
 _STEP_S = 1e-4
 _MAX_LINE_BYTES = 4096
+_MOST_BEFORE = 100
+_BEFORE = re.compile(r"#|//|%|sep=", re.IGNORECASE)
+"""Lines before the header."""
+
 _REMOVE = Message("remove the line or correct the number")
 
 
@@ -70,9 +75,9 @@ class _Rows:
 
     def read(self, stream: BinaryIO) -> Iterator[Floats]:
         """Yield time, force and mark of the rows that are kept."""
-        self._check_header(stream.readline(_MAX_LINE_BYTES))
+        begin = self._read_header(stream)
         kept_s = math.nan
-        for chunk, number in _chunks(stream):
+        for chunk, number in _chunks(stream, begin):
             part = self._kept(*self._parsed(chunk, number))
             if len(part):
                 kept_s = part[-1, 0]
@@ -84,17 +89,40 @@ class _Rows:
         if kept_s != self._last[0, 0]:
             yield self._last
 
-    def _check_header(self, line: bytes) -> None:
-        text = line.removeprefix(b"\xef\xbb\xbf").decode(errors="replace")
+    def _read_header(self, stream: BinaryIO) -> int:
+        """Read the names of the columns; the number of the line behind them."""
+        number, line, text, bare = 0, b"", "", "#"
+        while number < _MOST_BEFORE and (not bare or _BEFORE.match(bare)):
+            line, number = stream.readline(_MAX_LINE_BYTES), number + 1
+            text = line.removeprefix(b"\xef\xbb\xbf").decode(errors="replace")
+            bare = text.strip(" ,;|\t\r\n").removeprefix('"')
+            if not line:
+                break
+        if b"\0" in line or line.startswith((b"\xff\xfe", b"\xfe\xff")):
+            remedy = Message("save it as text in UTF-8")
+            raise self._fault(None, "", Message("is text in UTF-16"), remedy)
+        if "\r" in bare:
+            remedy = Message("save it with the line ends of Unix or Windows")
+            raise self._fault(None, "", Message("its lines end with CR alone"), remedy)
+        self._check_header(text, number)
+        return number + 1
+
+    def _check_header(self, text: str, number: int) -> None:
         self._separator = find_separator(text)
-        names = column_names(text.rstrip(" ,;\t\r\n"), self._separator)
+        if self._separator not in text:
+            self._separator, text = " ", " ".join(text.split())
+        names = column_names(text.rstrip(" ,;|\t\r\n").lower(), self._separator)
         known = (*FORCE_COLUMNS, ESTIMATED_COLUMN)
+        more = [one for one in names if one not in known]
+        if more and {*FORCE_COLUMNS} <= {*names}:
+            what = Message("the column {name!r} is not of a force", name=more[0][:30])
+            raise self._fault(number, "", what, Message("remove the column"))
         if set(FORCE_COLUMNS) - set(names) or sorted({*names} & {*known}) != sorted(
             names
         ):
             header = f"{','.join(FORCE_COLUMNS)}[,{ESTIMATED_COLUMN}]"
             raise self._fault(
-                1,
+                number,
                 "",
                 Message("the header is {header!r}", header=text.strip()[:80]),
                 Message("begin the file with {header}", header=header),
@@ -220,9 +248,9 @@ class _Rows:
         return InputError(what, where=where, remedy=remedy)
 
 
-def _chunks(stream: BinaryIO) -> Iterator[tuple[bytes, int]]:
+def _chunks(stream: BinaryIO, number: int) -> Iterator[tuple[bytes, int]]:
     """Yield whole lines after the header, and the number of the first of them."""
-    rest, number = b"", 2
+    rest = b""
     while content := stream.read(CHUNK_BYTES):
         whole, newline, rest = (rest + content).rpartition(b"\n")
         if newline:

@@ -124,6 +124,12 @@ def test_a_check_says_which_parts_of_a_file_would_be_lost(capsys, tmp_path):
     assert "only a part of it would be read" in said
 
 
+def test_a_check_of_a_table_says_when_it_ends(report_of, tmp_path):
+    path = tmp_path / "in.csv"
+    path.write_text("time_s,fx_n,fy_n,fz_n\n0,0,1,0\n2.5,0,0,0\n")
+    assert report_of("import-force", "--check", path)["end_s"] == 2.5
+
+
 @needs("formats")
 def test_a_check_refuses_what_an_import_would_refuse(capsys, tmp_path):
     path = tmp_path / "bad.hjif"

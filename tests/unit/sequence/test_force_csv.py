@@ -84,6 +84,13 @@ def test_times_beyond_any_clip_are_refused(tmp_path, line):
         ("time_s,fx_n,fy_n,fz_n,,", ["0,1.5,0,0,,", "1.25,0,0,0,,"]),
         ("time_s\tfx_n\tfy_n\tfz_n", ["0\t1.5\t0\t0", "1.25\t0\t0\t0"]),
         ("time_s,fx_n,fy_n,fz_n", ['"0","1.5","0","0"', "1.25,0,0,0,"]),
+        ("sep=;\ntime_s;fx_n;fy_n;fz_n", ["0;1,5;0;0", "1,25;0;0;0"]),
+        ('"sep=;"\r\n"time_s";"fx_n";"fy_n";"fz_n"', ["0;1,5;0;0", "1,25;0;0;0"]),
+        ("# mine\n\n;;;\ntime_s;fx_n;fy_n;fz_n", ["0;1,5;0;0", "1,25;0;0;0"]),
+        ("\ufeffTime_s,FX_N,Fy_n,FZ_n", ["0,1.5,0,0", "1.25,0,0,0"]),
+        ("time_s|fx_n|fy_n|fz_n", ["0|1.5|0|0", "1.25|0|0|0"]),
+        ("time_s  fx_n fy_n   fz_n", ["0   1.5 0 0", " 1.25 0\t0 0"]),
+        ("\ufeff% of Octave\ntime_s fx_n fy_n fz_n", ["0 1.5 0 0", "1.25 0 0 0"]),
     ],
 )
 def test_force_that_a_spreadsheet_wrote_is_read(tmp_path, head, rows):
@@ -98,6 +105,12 @@ def test_force_that_a_spreadsheet_wrote_is_read(tmp_path, head, rows):
         (["time_s,fx_n,fy_n,fz_n"], "has no rows"),
         (["time_s,fx,fy,fz", "0,1,0,0"], "begin the file with time_s,fx_n,fy_n,fz_n"),
         (["time_s,fx_n,fy_n,fz_n", "0,1,0,0", "0,1,0,0"], "line 3, column time_s"),
+        (["sep=,", FORCE_HEADER, "0,1,0,0", "0,1,0,0"], "line 4, column time_s"),
+        (["# a", "#", "time_s,fx,fy,fz"], "line 3: the header is"),
+        (["#"] * 200, "the header is"),
+        ([""] * 3, "the header is ''"),
+        ([f"{FORCE_HEADER},note", "0,1,0,0,a"], "'note' is not of a force; remove"),
+        ([f"{FORCE_HEADER}\r0,1,0,0"], "CR alone; save it"),
         (["time_s,fx_n,fy_n,fz_n", "0,1,0,1e5"], "beyond any device"),
         (["time_s,fx_n,fy_n,fz_n", "0,1,0,1e39"], "beyond any device"),
     ],
@@ -105,6 +118,16 @@ def test_force_that_a_spreadsheet_wrote_is_read(tmp_path, head, rows):
 def test_bad_force_track_is_refused(tmp_path, lines, sentence):
     with pytest.raises(InputError, match=sentence):
         read_force_csv(write(tmp_path / "force.csv", lines))
+
+
+@pytest.mark.parametrize("coding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_force_in_utf_16_is_named_with_the_remedy(tmp_path, coding):
+    path, text = tmp_path / "force.csv", f"{FORCE_HEADER}\n0,1,0,0\n1,0,0,0\n"
+    path.write_text(text, encoding=coding)
+    with pytest.raises(InputError, match="UTF-16; save it as text in UTF-8"):
+        read_force_csv(path)
+    path.write_text(text, encoding="utf-8")
+    assert read_force_csv(path).time_s.tolist() == [0.0, 1.0]
 
 
 def test_the_player_reads_force_without_the_room_of_recordings(tmp_path):
