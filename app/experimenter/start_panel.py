@@ -32,6 +32,9 @@ def reason_text(reason: str) -> str:
         texts = {cause.name.lower(): what for cause, what in CAUSE_TEXTS.items()}
         text = translate("SessionWords", "safety stop ({0})")
         return text.format(translated(texts.get(more, more)))
+    if kind == "output_fault":
+        text = translate("SessionWords", "an output did not play ({0})")
+        return text.format(more)
     if kind == "sync":
         return {
             "video": translate("SessionWords", "force and video out of sync"),
@@ -54,7 +57,6 @@ def reason_text(reason: str) -> str:
         "sound_missing": translate("SessionWords", "gaps in the sound"),
         "no_device": translate("SessionWords", "no device"),
         "device_lost": translate("SessionWords", "device lost"),
-        "output_fault": translate("SessionWords", "an output did not play"),
         "periods_missed": translate(
             "SessionWords", "missed periods in the haptic loop"
         ),

@@ -327,12 +327,14 @@ class Output:
     def _note(self, feedback: str) -> Message | str:
         if self.is_lent:
             return LENT
-        if not self.takes_motion:
-            return ""
-        if feedback not in {*self._names, NO_TRACK, Feedback.NONE.value}:
+        known = {*self._names, NO_TRACK, Feedback.NONE.value}
+        if self.takes_motion and feedback not in known:
             return NO_MOTION
-        unheard = Message(NOBODY_LISTENS, address=self._address)
-        return unheard if self._is_unheard() else ""
+        return self._unheard_text()
+
+    def _unheard_text(self) -> Message | str:
+        is_unheard = self._is_unheard()
+        return Message(NOBODY_LISTENS, address=self._address) if is_unheard else ""
 
     def _is_unheard(self) -> bool:
         """Whether nobody listens now, or has listened to most of it."""
@@ -420,7 +422,10 @@ class Output:
             "scheduling": self.processes.scheduling,
             "device": self.processes.device,
             "channels": self.loudest.described(),
-            "fault": str(self.processes.problem or self.faults.sentence) or None,
+            "fault": str(
+                self.processes.problem or self.faults.sentence or self._unheard_text()
+            )
+            or None,
         }
 
     def _read(self) -> None:

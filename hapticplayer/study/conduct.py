@@ -24,6 +24,7 @@ class AnsweredPlayback:
         figures: of the playback, see `stage`; empty if there are none.
         trial: code of the participant, position and condition, for people.
         trial_force: what the hand got; None without a record, or if it was not read.
+        reasons: why it was not valid.
     """
 
     feedback: str
@@ -33,6 +34,7 @@ class AnsweredPlayback:
     figures: Mapping[str, Any] = field(default_factory=dict)
     trial: str = ""
     trial_force: TrialForce | None = None
+    reasons: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +103,7 @@ def conduct_of(
                 trial.playback if isinstance(trial.playback, dict) else {},
                 f"{one.code} {trial.position} ({trial.condition.key})",
                 by_code.get(one.code, {}).get((trial.position, trial.attempt)),
+                trial.reasons,
             )
             for one in sessions
             for trial in answered_trials(one.records)

@@ -60,6 +60,7 @@ class _Playback(Struct):
     force_rms_n: tuple[Amount, ...] = ()
     faults: tuple[dict[str, Any], ...] = ()
     outputs: tuple[str, ...] = ()
+    output_faults: dict[str, str] = {}
     scheduling: str = ""
     record: str = ""
 

@@ -302,8 +302,11 @@ class _PlaybackMonitor:
         found = []
         if any(one.health in (Health.FAILED, Health.GONE) for one in after.outputs):
             found.append("device_lost")
-        if any(one.fault or one.is_unheard for one in after.outputs):
-            found.append("output_fault")
+        found += [
+            f"output_fault:{one.name}"
+            for one in after.outputs
+            if one.fault or one.is_unheard
+        ]
         if self._missed > limits.missed_share * max(1, self._ticks):
             found.append("periods_missed")
         if not self._ticks:

@@ -1,6 +1,7 @@
 """A whole session in the real windows, by keys, by mouse, and interrupted."""
 
 import json
+import socket
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -10,12 +11,15 @@ from sitting import KEYS, Person
 
 from app.participant.pages import QuestionsPage, TextPage
 from app.participant.questions import ButtonsRow, NumberRow
+from hapticplayer.study.analysis.blocks import ReportTable
+from hapticplayer.study.analysis.conduct_report import playback as reported
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.journal import read_journal
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.study_folder import open_study
+from tests.needed_extras import needs
 
 CLIP_S = 2.0
 EVERY_PAGE = (
@@ -272,6 +276,32 @@ def test_the_operator_repeats_skips_and_notes(make_study, sit, wait_for):
     ]
     assert kinds.count("note") == 1
     assert kinds.count("repeat") == 1
+
+
+@needs("rigs")
+def test_a_faulty_second_output_is_in_record_and_report(make_study, sit, wait_for):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unused:
+        unused.bind(("127.0.0.1", 0))
+        rig = f"rig:outsim,127.0.0.1:{unused.getsockname()[1]}"
+    feedbacks = ["realistic"]
+    session = sit(make_study(feedbacks=feedbacks), ("simulated", rig))
+    person = Person(session, wait_for)
+    person.to_trials()
+    person.trial(end_s=1.0)
+    person.wait_page(PageKind.READY, "trial-02")
+    wait_for(lambda: rig in session.control.played.text())
+    assert "an output did not play (rig:" in session.control.played.text()
+    said = "nobody listens at 127.0.0.1:"
+    trial = session.runner.last_trial
+    assert trial.playback["output_faults"][rig].startswith(said)
+    blocks = reported(read_answers(session.study.folder), feedbacks)
+    tables = {one.title: one.rows for one in blocks if isinstance(one, ReportTable)}
+    assert (f"output fault: {rig}", "1") in tables[
+        "Reasons why a playback was not valid"
+    ]
+    ((output, what, count),) = tables["What kept outputs from playing"]
+    assert (output, count) == (rig, "1")
+    assert what.startswith(said)
 
 
 def test_a_blind_operator_is_told_neither_condition_nor_force(

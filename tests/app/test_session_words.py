@@ -22,7 +22,7 @@ REASONS = [
     "sound_missing",
     "no_device",
     "device_lost",
-    "output_fault",
+    "output_fault:rig",
     "periods_missed",
     "no_ticks",
     "record_incomplete",

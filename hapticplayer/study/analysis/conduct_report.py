@@ -25,6 +25,7 @@ _ORDERS = {
     "williams": "of a Williams design",
     "list": "of a list",
 }
+_SHOWN = 200
 COUNTED = ("frames_shown", "frames_dropped", "silence_s", "missed", "ticks")
 """Figures of a playback that are summed, see `stage`."""
 SYNC = {
@@ -133,6 +134,37 @@ def playback(answers: Answers, feedbacks: Sequence[str]) -> Iterator[ReportBlock
         if any(one.figures for one in trials)
         else "The playback was not recorded.",
     )
+    yield from _faults(trials)
+
+
+def _faults(trials: Sequence[AnsweredPlayback]) -> Iterator[ReportBlock]:
+    """Why trials were not valid, and what kept their outputs from playing."""
+    reasons = Counter(
+        _worded(reason)
+        for one in trials
+        if not one.is_valid
+        for reason in dict.fromkeys(one.reasons)
+    )
+    if reasons:
+        rows = tuple((what, str(count)) for what, count in reasons.most_common())
+        title = "Reasons why a playback was not valid"
+        yield ReportTable(title, ("reason", "trials"), rows)
+    found = [one.figures.get("output_faults") for one in trials]
+    faults = Counter(
+        (str(name)[:_SHOWN], str(what)[:_SHOWN])
+        for each in found
+        if isinstance(each, Mapping)
+        for name, what in each.items()
+    )
+    if faults:
+        heads = ("output", "what", "trials")
+        lines = tuple((*key, str(count)) for key, count in faults.most_common())
+        yield ReportTable("What kept outputs from playing", heads, lines)
+
+
+def _worded(reason: str) -> str:
+    kind, colon, more = reason[:_SHOWN].partition(":")
+    return kind.replace("_", " ") + (f"{colon} {more}" if more else "")
 
 
 def _times(trials: Sequence[AnsweredPlayback]) -> tuple[str, ...]:

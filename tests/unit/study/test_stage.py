@@ -137,7 +137,7 @@ def test_a_fault_of_a_second_output_is_in_the_record(
         both = replace(now, outputs=(now.leading, second))
         monkeypatch.setattr(stage.player, "snapshot", lambda: both)
         played = stage.played()
-        assert ("output_fault" not in played.reasons) is is_valid
+        assert ("output_fault:rig" not in played.reasons) is is_valid
         assert list(played.playback["output_faults"]) == ["rig"]
     finally:
         stage.player.close()

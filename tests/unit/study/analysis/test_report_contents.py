@@ -39,6 +39,9 @@ def text_of(blocks) -> str:
     return "\n".join(one.text for one in blocks if isinstance(one, Paragraph))
 
 
+SECOND = {"rig:outsim": "nobody listens at 127.0.0.1:4123: start the rig's software"}
+
+
 @pytest.fixture(scope="module")
 def answers(make_answers):
     made = make_answers(5, 8, sequences=2)
@@ -75,7 +78,12 @@ def answers(make_answers):
         (
             AnsweredPlayback("none", 1, True, 10.0, figures),
             AnsweredPlayback(
-                "none", 2, False, 14.0, {**figures, "force_minus_video_ms": later}
+                "none",
+                2,
+                False,
+                14.0,
+                {**figures, "force_minus_video_ms": later, "output_faults": SECOND},
+                reasons=("output_fault", "fault:reply_lost"),
             ),
             AnsweredPlayback("random", 1, True, 30.0),
         ),
@@ -119,6 +127,21 @@ def test_the_report_has_times_and_quality_of_playback(made):
     expected = ("2", "1", "1", "20 of 200", "0.50", "6 of 2000", "3.0 [-1.0, 8.0]", "-")
     assert quality["none"] == expected
     assert quality["random"][:4] == ("1", "0", "0", "-")
+
+
+def test_the_report_names_reasons_and_faulty_outputs(made):
+    reasons = table(made.blocks, "Reasons why a playback").rows
+    assert reasons == (("output fault", "1"), ("fault: reply_lost", "1"))
+    faults = table(made.blocks, "What kept outputs").rows
+    assert faults == (("rig:outsim", SECOND["rig:outsim"], "1"),)
+
+
+@pytest.mark.parametrize("odd", [None, [1], "x", {"rig": 7}])
+def test_damaged_faults_of_outputs_are_no_traceback(answers, odd):
+    trial = AnsweredPlayback("none", 1, False, 1.0, {"output_faults": odd})
+    conduct = replace(answers.conduct, playbacks=(trial,))
+    blocks = list(playback(replace(answers, conduct=conduct), ["none"]))
+    assert any(isinstance(one, ReportTable) for one in blocks)
 
 
 def test_damaged_figures_of_a_playback_are_left_out(answers):
