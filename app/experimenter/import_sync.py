@@ -130,11 +130,11 @@ class SyncPage(QWidget):
             row_of(*buttons, *offset, STRETCH, spacing=4),
             self._sound_delay,
             row_of(*how, (self.method_text, 1)),
-            row_of(*slow, STRETCH),
             *(self.looked, self.problem, STRETCH),
         )
         self._body = QWidget()
-        column_of((self.strip, 1), row_of((texts, 1), self.frame), of=self._body)
+        aside = column_of(self.frame, row_of(*slow), STRETCH)
+        column_of((self.strip, 1), row_of((texts, 1), aside), of=self._body)
         column_of(self.verdict, (self._body, 1), of=self).addStretch(0)
 
     def _show_method(self, row: int) -> None:

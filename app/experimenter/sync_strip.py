@@ -27,7 +27,7 @@ from app.widgets.texts import local, time_text
 from hapticplayer.media.thumbnails import Thumbnail, thumbnails
 from hapticplayer.model import ClockMap
 
-HEIGHT_PX = 150
+HEIGHT_PX = 132
 
 
 class ClipFrame(QWidget):
