@@ -198,6 +198,8 @@ def _reworded(said: str, kind: Any) -> Refusal:
     if what == "Expected " and KEY in said:
         remedy = Message("use at most {most} of a-z, 0-9, _ and -", most=40)
         return Message("is not a valid key"), remedy
+    if what == "Expected " and FILLED in said:
+        return Message("is empty"), _CORRECT
     return _expected(named) if what == "Expected " else Message(
         said[:_MAX_SAID]
     ), _CORRECT
@@ -211,8 +213,6 @@ def _expected(named: list[str]) -> Message:
         return Message(
             "must be {wanted}, not {kind}", kind=found, wanted=_kinds(wanted)
         )
-    if FILLED in more:
-        return Message("must have 1 to {most} characters", most=MAX_TEXT)
     limited, limit = re.findall(r"(\D+?)(-?\d[\d.e+-]*)", more)[0]
     text = _LIMITS.get(wanted + limited) or _LIMITS[limited]
     return Message(text.template, limit=f"{float(limit):g}")
@@ -228,7 +228,7 @@ def _entry(value: Any, kind: Any, place: str) -> tuple[str, Any]:
     """Return field and type of an entry; msgspec does not name the keys of dicts."""
     field = ""
     for name, number in re.findall(r"\.(\w+)|\[([\d.]+)\]", place):
-        kind = _meant(kind, value)
+        kind = meant(kind, value)
         if name:
             kind, value = _hint(kind, name), value[name]
             field = f"{field}.{name}" if field else name
@@ -244,7 +244,7 @@ def _entry(value: Any, kind: Any, place: str) -> tuple[str, Any]:
             is_alike = len(kinds) == 1 or kinds[1] is ...
             kind, value = kinds[0 if is_alike else int(number)], value[int(number)]
             field = f"{field}[{number}]"
-    return field, _meant(kind, value)
+    return field, meant(kind, value)
 
 
 def _hint(kind: Any, name: str) -> Any:
@@ -263,13 +263,13 @@ def _fits(value: Any, kind: Any) -> bool:
     return True
 
 
-def _meant(kind: Any, value: Any) -> Any:
+def meant(kind: Any, value: Any) -> Any:
     """Return the type, of a union the one that a value is to have."""
     if get_origin(kind) is Annotated:
-        return _meant(get_args(kind)[0], value)
+        return meant(get_args(kind)[0], value)
     if get_origin(kind) not in (Union, UnionType):
         return kind
-    kinds = [_meant(one, value) for one in get_args(kind)]
+    kinds = [meant(one, value) for one in get_args(kind)]
     return next((one for one in kinds if _is_like(one, value)), kinds[0])
 
 

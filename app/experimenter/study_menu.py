@@ -5,13 +5,14 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QSocketNotifier, Signal
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow, QMenu
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QMenu
 
 from app.bridge.errors import Attempts, IsOver
-from app.bridge.settings import Settings
+from app.bridge.settings import Settings, library_folder
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import HapticPlayerError, StudyError
@@ -116,26 +117,22 @@ class StudyMenu(QObject):
             menu.addAction(text).triggered.connect(lambda _on, slot=slot: slot())
 
     def new(self) -> None:
-        """Ask for a name and a template, and open the editor."""
-        from hapticplayer.study.creation import create_study, template_names
+        """Ask for what a new study is, make it, and open the editor."""
+        from app.experimenter.study.new_study import NewStudyDialog
 
-        title = translate("StudyMenu", "New study")
-        before = self._settings.text(FOLDER)
-        path, _ = QFileDialog.getSaveFileName(self._window, title, before)
-        if not path:
-            return
-        self._settings.keep(FOLDER, str(Path(path).parent))
-        template, is_meant = QInputDialog.getItem(
-            self._window,
-            title,
-            translate("StudyMenu", "Template"),
-            template_names()[::-1],
-            editable=False,
-        )
-        if is_meant:
-            self._try(
-                lambda: self._open_editor(create_study(Path(path), template).folder)
-            )
+        dialog = NewStudyDialog(self.place(), self._window)
+        dialog.made.connect(self._on_made)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def _on_made(self, folder: Path) -> None:
+        self._settings.keep(FOLDER, str(folder.parent))
+        self._try(lambda: self._open_editor(folder))
+
+    def place(self) -> Path:
+        """Where studies are."""
+        kept = self._settings.text(FOLDER)
+        return Path(kept) if kept else library_folder(self._settings).parent
 
     def edit(self) -> None:
         folder = self.ask_folder()
@@ -143,10 +140,10 @@ class StudyMenu(QObject):
             self._try(lambda: self._open_editor(folder))
 
     def _open_editor(self, folder: Path) -> None:
-        from app.experimenter.study_editor import StudyEditor
-        from hapticplayer.study.study_folder import open_study
+        from app.experimenter.study.editor import StudyEditor
 
-        editor = StudyEditor(open_study(folder), self._window)
+        library = partial(library_folder, self._settings)
+        editor = StudyEditor(folder, library, self._window)
         editor.finished.connect(editor.deleteLater)
         editor.open()
 

@@ -17,7 +17,7 @@ from app.participant.questions import (
 )
 from app.widgets.buttons import Button, set_role
 from app.widgets.layout import STRETCH, row_of
-from hapticplayer.study.pages import Page
+from hapticplayer.study.pages import Page, PageKind, PageMaker
 
 Word = Callable[[str], str]
 _APART_PX = 16
@@ -187,3 +187,31 @@ class QuestionsPage(FittedPage):
         for place, row in enumerate(self.rows):
             row.show_current(is_current=place == number)
         self.ensureWidgetVisible(self.rows[number])
+
+
+_BUTTONS: dict[PageKind, tuple[str, ...]] = {
+    PageKind.CONSENT: ("decline", "agree"),
+    PageKind.DEMONSTRATION: ("feel", "next"),
+    PageKind.READY: ("start",),
+    PageKind.PAUSED: ("leave", "resume"),
+}
+
+
+def make_page(
+    page: Page, maker: PageMaker, draft: Mapping[str, Any], *, has_felt: bool
+) -> TextPage | QuestionsPage:
+    """Return the widget of a page, with what was answered on it before.
+
+    Args:
+        page: to be shown.
+        maker: of the session's pages.
+        draft: what was typed before.
+        has_felt: whether the demonstration may be passed over by Enter.
+    """
+    if page.kind is PageKind.QUESTIONS:
+        return QuestionsPage(page, maker.word, maker.scale(), draft)
+    names = _BUTTONS.get(page.kind, ())
+    if page.kind is PageKind.DEMONSTRATION and not has_felt:
+        names = names[::-1]  # nothing is skipped by Enter
+    buttons = [(name, maker.word(name)) for name in names]
+    return TextPage(page, buttons, decides=page.kind is PageKind.CONSENT)

@@ -1,6 +1,6 @@
 """The participant's screen: one page or the clip, nothing else."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -8,7 +8,7 @@ from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from app.participant.fitted_page import style
-from app.participant.pages import QuestionsPage, TextPage
+from app.participant.pages import QuestionsPage, TextPage, make_page
 from app.player.fullscreen import EscapeFilter
 from app.player.video_surface import VideoSurface
 from app.widgets.layout import column_of
@@ -111,20 +111,14 @@ class ParticipantWindow(QWidget):
 
     def _make(self, page: Page) -> TextPage | QuestionsPage:
         assert self._runner is not None
-        maker = self._runner.maker
-        if page.kind is PageKind.QUESTIONS:
-            draft: Mapping[str, Any] = self._drafts.get(page.step, {})
-            questions = QuestionsPage(page, maker.word, maker.scale(), draft)
-            questions.finished.connect(self._answer)
-            questions.replay_wanted.connect(self._replay)
-            return questions
-        names = _BUTTONS.get(page.kind, ())
-        if page.kind is PageKind.DEMONSTRATION and not self._has_felt:
-            names = names[::-1]  # nothing is skipped by Enter
-        buttons = [(name, maker.word(name)) for name in names]
-        text = TextPage(page, buttons, decides=page.kind is PageKind.CONSENT)
-        text.pressed.connect(self._press)
-        return text
+        draft = self._drafts.get(page.step, {})
+        made = make_page(page, self._runner.maker, draft, has_felt=self._has_felt)
+        if isinstance(made, QuestionsPage):
+            made.finished.connect(self._answer)
+            made.replay_wanted.connect(self._replay)
+        else:
+            made.pressed.connect(self._press)
+        return made
 
     # --- what a person does ---------------------------------------------------
 
@@ -211,11 +205,3 @@ class ParticipantWindow(QWidget):
         if event.type() == QEvent.Type.WindowStateChange and self.isMinimized():
             self.showFullScreen()
         super().changeEvent(event)
-
-
-_BUTTONS: dict[PageKind, tuple[str, ...]] = {
-    PageKind.CONSENT: ("decline", "agree"),
-    PageKind.DEMONSTRATION: ("feel", "next"),
-    PageKind.READY: ("start",),
-    PageKind.PAUSED: ("leave", "resume"),
-}

@@ -1,8 +1,9 @@
 """Chooses a feedback condition and its parameters, as the registry lists them."""
 
 from collections.abc import Callable, Iterable
+from typing import Any
 
-from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtCore import QCoreApplication, Signal, SignalInstance
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -45,11 +46,15 @@ _STEP = 0.1
 class ConditionForm(QWidget):
     """A list of conditions, and a field for each parameter of the one chosen.
 
+    `changed` means that a person has chosen something else.
+
     Args:
         tracks: further tracks that can be chosen by name.
         clips: names of the other sequences; None asks for a folder.
         offered: conditions to choose from.
     """
+
+    changed = Signal()
 
     def __init__(
         self,
@@ -67,7 +72,8 @@ class ConditionForm(QWidget):
         self._form.addRow(translate("ConditionForm", "Feedback"), self.condition)
         self._form.addRow("", self.meaning)
         self._read: dict[str, Callable[[], Value]] = {}
-        self.condition.currentIndexChanged.connect(lambda _row: self._show())
+        self._write: dict[str, Callable[[Any], object]] = {}
+        self.condition.currentIndexChanged.connect(lambda _row: self._on_condition())
         self._show()
 
     def chosen(self) -> ChosenFeedback:
@@ -76,10 +82,25 @@ class ConditionForm(QWidget):
         given = {name: value for name, value in values.items() if value != ""}
         return ChosenFeedback(self.condition.currentData(), given)
 
+    def show_chosen(self, chosen: ChosenFeedback) -> None:
+        """Show a condition with its parameters."""
+        if chosen == self.chosen():
+            return
+        self.blockSignals(True)
+        self.condition.setCurrentIndex(self.condition.findData(chosen.name))
+        for name, value in chosen.parameters.items():
+            if name in self._write:
+                self._write[name](value)
+        self.blockSignals(False)
+
+    def _on_condition(self) -> None:
+        self._show()
+        self.changed.emit()
+
     def _show(self) -> None:
         while self._form.rowCount() > 2:
             self._form.removeRow(2)
-        self._read = {}
+        self._read, self._write = {}, {}
         condition = condition_named(self.condition.currentData())
         assert condition is not None
         text = capitalised(translated(condition.meaning))
@@ -94,12 +115,26 @@ class ConditionForm(QWidget):
             make(parameter)
 
     def _add(
-        self, parameter: Parameter, field: QWidget, read: Callable[[], Value]
+        self,
+        parameter: Parameter,
+        field: QWidget,
+        read: Callable[[], Value],
+        write: Callable[[Any], object],
+        edited: SignalInstance,
     ) -> None:
+        edited.connect(lambda *_: self.changed.emit())
+        self._write[parameter.name] = write
         field.setObjectName(parameter.name)
         field.setAccessibleName(translated(parameter.text))
         self._read[parameter.name] = read
         self._form.addRow(translated(parameter.text), field)
+
+    def _add_combo(self, parameter: Parameter, combo: QComboBox) -> None:
+        def choose(value: Any) -> None:
+            combo.setCurrentIndex(combo.findData(value))
+
+        changed = combo.currentIndexChanged
+        self._add(parameter, combo, combo.currentData, choose, changed)
 
     def _number(self, parameter: Parameter) -> None:
         limits, spin = parameter.range or Range(0.0, 0.0), QDoubleSpinBox()
@@ -109,26 +144,26 @@ class ConditionForm(QWidget):
         spin.setSuffix(f" {limits.unit}" if limits.unit else "")
         spin.setValue(float(parameter.default))
         indent(spin)
-        self._add(parameter, spin, spin.value)
+        self._add(parameter, spin, spin.value, spin.setValue, spin.valueChanged)
 
     def _word(self, parameter: Parameter) -> None:
         combo = QComboBox()
         combo.addItem(translate("ConditionForm", "As rendered"), "")
         for choice in parameter.choices:
             combo.addItem(choice, choice)
-        self._add(parameter, combo, combo.currentData)
+        self._add_combo(parameter, combo)
 
     def _track(self, parameter: Parameter) -> None:
         if not self._tracks:  # of sequences that are not known here
             line = QLineEdit()
             line.setPlaceholderText(self._own_effects())
-            self._add(parameter, line, line.text)
+            self._add(parameter, line, line.text, line.setText, line.textEdited)
             return
         combo = QComboBox()
         combo.addItem(self._own_effects(), "")
         for name in self._tracks:
             combo.addItem(name, name)
-        self._add(parameter, combo, combo.currentData)
+        self._add_combo(parameter, combo)
 
     @staticmethod
     def _own_effects() -> str:
@@ -142,7 +177,7 @@ class ConditionForm(QWidget):
         combo.addItem(translate("ConditionForm", "The next one"), "")
         for name in self._clips:
             combo.addItem(name, name)
-        self._add(parameter, combo, combo.currentData)
+        self._add_combo(parameter, combo)
 
     def _folder(self, parameter: Parameter) -> None:
         row, line = QWidget(), QLineEdit()
@@ -162,7 +197,7 @@ class ConditionForm(QWidget):
         both.setContentsMargins(0, 0, 0, 0)
         both.addWidget(line, 1)
         both.addWidget(browse)
-        self._add(parameter, row, line.text)
+        self._add(parameter, row, line.text, line.setText, line.textChanged)
 
 
 class ConditionDialog(QDialog):

@@ -65,7 +65,7 @@ LATER = (
     "app.experimenter.import_wizard",
     "app.experimenter.library_page",
     "app.experimenter.rendering_page",
-    "app.experimenter.study_editor",
+    "app.experimenter.study.editor",
     "app.player.condition_form",
     "app.player.device_page",
     "app.player.keys_dialog",

@@ -50,13 +50,17 @@ class RenderingPicture(QWidget):
     """Force along three axes and the excursion of a relaxed hand, for the whole clip.
 
     What is there now is a grey band with its outline, what would come a coloured one.
+
+    Args:
+        names: of both, in place of "Before" and "After".
     """
 
-    def __init__(self) -> None:
+    def __init__(self, names: tuple[str, str] | None = None) -> None:
         super().__init__()
-        self.setAccessibleName(
-            self.tr("Force and predicted excursion, before and after")
-        )
+        self.names = names or (self.tr("Before"), self.tr("After"))
+        title = self.tr("Force and predicted excursion: {before}, {after}")
+        before, after = self.names
+        self.setAccessibleName(title.format(before=before, after=after))
         self.setToolTip(
             self.tr(
                 "Excursion from the centre: beyond {far} mm outward force is reduced, "
@@ -143,8 +147,8 @@ class RenderingPicture(QWidget):
         x, base = float(_EDGE_PX), _EDGE_PX + metrics.ascent()
         middle = base - metrics.xHeight() / 2
         for text, colours in (
-            (self.tr("Before"), (theme.DIM,)),
-            (self.tr("After"), (*theme.AXIS_COLOURS, theme.ACCENT)),
+            (self.names[0], (theme.DIM,)),
+            (self.names[1], (*theme.AXIS_COLOURS, theme.ACCENT)),
         ):
             wide = _KEY_PX / len(colours)
             for number, colour in enumerate(colours):

@@ -22,7 +22,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from app.bridge.settings import choose_library
-from app.experimenter.study_editor import StudyEditor
+from app.experimenter.study.editor import StudyEditor
 from app.player.remake import OpenWindow
 from app.player.window import PlayerWindow
 from benchmarks.common import ROOT, Report
@@ -169,7 +169,11 @@ class Tour(Person):
 
     def edit_study(self) -> Steps:
         """Look at a new study."""
-        editor = StudyEditor(create_study(self.folder / "study"), self._window)
+        editor = StudyEditor(
+            create_study(self.folder / "study").folder,
+            lambda: self.folder,
+            self._window,
+        )
         editor.open()
         yield 1.0
         editor.reject()

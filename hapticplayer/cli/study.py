@@ -17,8 +17,9 @@ from hapticplayer.study.answers import (
     save_reviewed,
     text_digest,
 )
-from hapticplayer.study.creation import create_study, sequence_folder, template_names
+from hapticplayer.study.creation import create_study, template_names
 from hapticplayer.study.merging import merge_sessions
+from hapticplayer.study.sequence_folders import sequence_folder
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.steps import answered_trials
 from hapticplayer.study.study_export import export_study, study_exporters

@@ -5,19 +5,18 @@ import re
 import secrets
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 
 from hapticplayer import storage
-from hapticplayer.errors import Message, StudyError, entry_named
+from hapticplayer.errors import Message, StudyError, UsageError, entry_named
 from hapticplayer.rendering import chosen_feedback
 from hapticplayer.storage import json_text
 from hapticplayer.study.definition import StudyFeedback, read_file
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
 from hapticplayer.study.estimates import refuse_estimates
 from hapticplayer.study.plan import LETTERS
-from hapticplayer.study.session_folder import sha256
 from hapticplayer.study.study_folder import Study, open_study
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "studies"
@@ -25,8 +24,44 @@ _ID_LETTERS = 10
 _KEY_OF = re.compile(r"(?:([a-z0-9_-]+)=)?(.*)", re.DOTALL)
 
 
+class StudyTemplate(NamedTuple):
+    """A study to begin with; its definition is the file of its name in TEMPLATES."""
+
+    name: str
+    title: Message
+    text: Message
+
+
+STUDY_TEMPLATES = (
+    StudyTemplate(
+        "qoe2012",
+        Message("Quality of experience"),
+        Message(
+            "The protocol of Danieau et al. (2012): each clip with the recorded force, "
+            "without force and with a random one; four questions after each."
+        ),
+    ),
+    StudyTemplate(
+        "controls",
+        Message("Recorded force and controls"),
+        Message(
+            "The same questions; the recorded force beside no force, the force of "
+            "another clip, and the recorded force half a second late."
+        ),
+    ),
+    StudyTemplate(
+        "consistency",
+        Message("Consistency of force and video"),
+        Message(
+            "The recorded force earlier or later than the video; after each clip, "
+            "whether both went together."
+        ),
+    ),
+)
+
+
 def template_names() -> list[str]:
-    return sorted(path.stem for path in TEMPLATES.glob("*.json"))
+    return [one.name for one in STUDY_TEMPLATES]
 
 
 def chosen_text(text: str) -> StudyFeedback:
@@ -41,9 +76,11 @@ def create_study(
     template: str = "qoe2012",
     folders: Mapping[str, Path] | None = None,
     feedbacks: Sequence[str] = (),
+    languages: Sequence[str] = (),
+    title: str = "",
 ) -> Study:
     """Make a study's folder, which must not exist yet; see `new_definition`."""
-    text = new_definition(template, folders, feedbacks)
+    text = new_definition(template, folders, feedbacks, languages, title)
     refuse_estimates(parse_definition(text, template), template, folder)
     with storage.folder_written_aside(folder, storage.PRIVATE_FOLDER) as aside:
         storage.write_private(aside / DEFINITION, text)
@@ -54,6 +91,8 @@ def new_definition(
     template: str = "qoe2012",
     folders: Mapping[str, Path] | None = None,
     feedbacks: Sequence[str] = (),
+    languages: Sequence[str] = (),
+    title: str = "",
 ) -> bytes:
     """The definition of a new study, from a template.
 
@@ -61,6 +100,8 @@ def new_definition(
         template: one of `template_names()`.
         folders: of the sequences, by key; others stay empty.
         feedbacks: in place of the template's, see `chosen_text`.
+        languages: of those that the template has; all by default.
+        title: for people, in place of the template's.
     """
     content = _template(template)
     letters = LETTERS.lower()
@@ -70,11 +111,52 @@ def new_definition(
         sequence = entry_named(known, key, Message("sequence"))
         sequence["folder"] = str(path.resolve())
     if feedbacks:
-        content["feedbacks"] = [_described(chosen_text(text)) for text in feedbacks]
+        content["feedbacks"] = [described(chosen_text(text)) for text in feedbacks]
+    if title:
+        content["title"] = title
+    if languages:
+        content = with_languages(content, languages)
     return definition_text(content)
 
 
-def _described(feedback: StudyFeedback) -> str | dict[str, Any]:
+def with_languages(content: dict[str, Any], languages: Sequence[str]) -> dict[str, Any]:
+    """The definition in these languages.
+
+    A text that lacks one has that of its template, else it is empty: to be written.
+    """
+    try:
+        template = _template(content["template"])
+    except UsageError:
+        template = {}
+    before = set(content["languages"])
+
+    def changed(part: Any, old: Any) -> Any:
+        if isinstance(part, list):
+            known = _by_key(old)
+            return [changed(one, known.get(_key_in(one))) for one in part]
+        if not isinstance(part, dict):
+            return part
+        of = old if isinstance(old, dict) else {}
+        if part.keys() and part.keys() <= before:
+            return {one: part.get(one, of.get(one, "")) for one in languages}
+        made = {name: changed(one, of.get(name)) for name, one in part.items()}
+        if isinstance(made.get("published"), dict):  # need not have all
+            made["published"] = {k: v for k, v in made["published"].items() if v}
+        return made
+
+    return {**changed(content, template), "languages": list(languages)}
+
+
+def _by_key(old: Any) -> dict[str, Any]:
+    parts = old if isinstance(old, list) else []
+    return {key: one for one in parts if (key := _key_in(one))}
+
+
+def _key_in(part: Any) -> str:
+    return str(part.get("key", "")) if isinstance(part, dict) else ""
+
+
+def described(feedback: StudyFeedback) -> str | dict[str, Any]:
     """Return a feedback as the definition holds it, without what is not needed."""
     if not feedback.parameters and feedback.key in (None, feedback.condition):
         return feedback.condition
@@ -103,32 +185,6 @@ def change_definition(study: Study, content: Mapping[str, Any]) -> Study:
 
 def definition_text(content: Mapping[str, Any]) -> bytes:
     return json_text(content)
-
-
-def sequence_folder(study: Study, key: str) -> Path:
-    """Return the folder of a sequence.
-
-    Raises:
-        StudyError: when the definition has none or it does not exist.
-    """
-    entry = next(s for s in study.definition.sequences if s.key == key)
-    folder = study.folder / entry.folder
-    if not entry.folder or not (folder / "sequence.json").is_file():
-        raise StudyError(
-            "the sequence {key!r} has no folder with a sequence",
-            where=str(study.folder / DEFINITION),
-            remedy="choose its folder (`hapticplayer study new --sequence KEY=FOLDER`)",
-            key=key,
-        )
-    return folder
-
-
-def clip_checksums(study: Study) -> dict[str, str]:
-    """Return the SHA-256 of each sequence's description."""
-    return {
-        s.key: sha256(read_file(sequence_folder(study, s.key) / "sequence.json"))
-        for s in study.definition.sequences
-    }
 
 
 def _template(name: str) -> dict[str, Any]:

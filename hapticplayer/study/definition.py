@@ -16,7 +16,7 @@ from hapticplayer.structures import FILLED, KEY, MAX_JSON_BYTES, MAX_TEXT
 from hapticplayer.untrusted import read_regular
 
 GIVE_STUDY = Message("give the folder of a study")
-_CORRECT = Message("correct it")
+CORRECT = Message("correct it")
 SCHEMA = "hapticplayer.study"
 VERSION = 1
 LIKERT = (1, 2, 3, 4, 5)
@@ -394,8 +394,6 @@ def read_file(path: Path, max_bytes: int = MAX_JSON_BYTES) -> bytes:
     return read_regular(path, max_bytes, StudyError, GIVE_STUDY)
 
 
-def refuse(
-    path: str, field: str, what: Message, remedy: Message = _CORRECT
-) -> NoReturn:
+def refuse(path: str, field: str, what: Message, remedy: Message = CORRECT) -> NoReturn:
     """Raise StudyError for a place in a file, such as `sequences[2].key`."""
     raise StudyError(what, where=f"{path}, {field}" if field else path, remedy=remedy)

@@ -1,6 +1,6 @@
 """Reads and checks `study.json`."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from msgspec import Struct
@@ -14,6 +14,7 @@ from hapticplayer.rendering import (
 )
 from hapticplayer.structures import check_schema, convert, decode, missing, unknown
 from hapticplayer.study.definition import (
+    CORRECT,
     GIVE_STUDY,
     MAX_CONDITIONS,
     SCHEMA,
@@ -29,6 +30,8 @@ from hapticplayer.study.definition import (
 )
 
 DEFINITION = "study.json"
+Fault = tuple[str, Message, Message]
+"""The field, what is wrong there, and what to do."""
 
 
 def parse_definition(content: bytes, path: str) -> Definition:
@@ -37,24 +40,30 @@ def parse_definition(content: bytes, path: str) -> Definition:
     other = Message("is not the definition of a study"), GIVE_STUDY
     check_schema(value, (SCHEMA, VERSION), path, other, StudyError)
     made = convert(value, Definition, path, StudyError)
-    _check_texts(made, path)
-    _check_keys(made, path)
-    _check_feedbacks(made, path)
-    _check_questions(made, path)
-    _check_used(made, path)
-    if made.order.no_sequence_twice_in_a_row:
-        _check_constraint(made, path)
+    for field, what, remedy in faults_of(made):
+        refuse(path, field, what, remedy)
     return made
 
 
-def _check_texts(made: Definition, path: str) -> None:
-    """Refuse texts that lack a language of the study."""
+def faults_of(made: Definition) -> Iterator[Fault]:
+    """The contradictions in a definition."""
+    yield from _text_faults(made)
+    yield from _key_faults(made)
+    yield from _feedback_faults(made)
+    yield from _question_faults(made)
+    yield from _unused(made)
+    if made.order.no_sequence_twice_in_a_row:
+        yield from _constraint_faults(made)
+
+
+def _text_faults(made: Definition) -> Iterator[Fault]:
+    """Texts that lack a language of the study, or have another one."""
     known = set(made.languages)
     for field, text in _texts(made):
-        if not field.endswith("published") and (lacking := known - text.keys()):
-            refuse(path, field, *missing(min(lacking)))
-        if foreign := text.keys() - known:
-            refuse(path, field, *unknown(min(foreign), made.languages))
+        for lacking in () if field.endswith("published") else known - text.keys():
+            yield field, *missing(lacking)
+        for foreign in text.keys() - known:
+            yield field, *unknown(foreign, made.languages)
 
 
 def _texts(part: Any, field: str = "") -> Iterator[tuple[str, Text]]:
@@ -70,66 +79,64 @@ def _texts(part: Any, field: str = "") -> Iterator[tuple[str, Text]]:
             yield from _texts(getattr(part, name), place)
 
 
-def _check_keys(made: Definition, path: str) -> None:
-    _differ(path, "languages", made.languages)
-    _differ(path, "feedbacks", made.feedback_keys)
+def _key_faults(made: Definition) -> Iterator[Fault]:
+    yield from _alike("languages", made.languages, "")
+    yield from _alike("feedbacks", made.feedback_keys)
     for field in ("sequences", "factors", "sheet", "post_test"):
-        _differ(path, field, (one.key for one in getattr(made, field)))
+        yield from _alike(field, [one.key for one in getattr(made, field)])
 
 
-def _differ(path: str, field: str, keys: Iterable[str]) -> None:
-    seen: set[str] = set()
-    for key in keys:
-        if key in seen:
+def _alike(field: str, keys: Sequence[str], place: str = ".key") -> Iterator[Fault]:
+    for number, key in enumerate(keys):
+        if key in keys[:number]:
             what = Message("duplicate key {key!r}", key=key)
-            refuse(path, field, what, Message("rename one of them"))
-        seen.add(key)
+            remedy = Message("rename one of them")
+            yield f"{field}[{number}]{place}", what, remedy
 
 
-def _check_feedbacks(made: Definition, path: str) -> None:
-    """Refuse parameters that a condition does not have, or values out of range."""
+def _feedback_faults(made: Definition) -> Iterator[Fault]:
+    """Parameters that a condition does not have, or values out of range."""
     for number, one in enumerate(made.chosen_feedbacks):
         field, found = f"feedbacks[{number}]", condition_named(one.condition)
         if one.key not in (None, one.condition) and condition_named(str(one.key)):
             what = Message("{key!r} is the name of another condition", key=str(one.key))
-            refuse(path, f"{field}.key", what, Message("choose another key"))
+            yield f"{field}.key", what, Message("choose another key")
         if found is None:  # a track of each sequence, which is looked for there
             if one.parameters:
                 what = Message("{name!r} has no parameters", name=one.condition)
                 known = ", ".join(c.name for c in FEEDBACKS if c.parameters)
                 remedy = Message("choose one of {known}", known=known)
-                refuse(path, f"{field}.condition", what, remedy)
+                yield f"{field}.condition", what, remedy
             continue
         known_names = [parameter.name for parameter in found.parameters]
         for name, value in one.parameters.items():
             if name not in known_names:
-                refuse(path, f"{field}.parameters", *unknown(name, known_names))
-            _check_parameter(
-                made, path, f"{field}.parameters.{name}", found.parameter(name), value
-            )
+                yield f"{field}.parameters", *unknown(name, known_names)
+                continue
+            place = f"{field}.parameters.{name}"
+            yield from _parameter_faults(made, place, found.parameter(name), value)
         needs_other = any(p.kind is ParameterKind.CLIP for p in found.parameters)
         if needs_other and len(made.sequences) < 2:
             what = Message("needs a second sequence, whose force is felt")
-            refuse(path, field, what, Message("add a sequence"))
+            yield field, what, Message("add a sequence")
 
 
-def _check_parameter(
-    made: Definition, path: str, field: str, parameter: Parameter, value: object
-) -> None:
+def _parameter_faults(
+    made: Definition, field: str, parameter: Parameter, value: object
+) -> Iterator[Fault]:
     try:
         parameter.check(value)
     except UsageError as problem:
-        refuse(path, field, message_of(problem))
+        yield field, message_of(problem), CORRECT
+        return
     keys = [sequence.key for sequence in made.sequences]
     if parameter.kind is ParameterKind.CLIP and value and value not in keys:
         what = Message("{value!r} is not a sequence of this study", value=str(value))
-        refuse(
-            path, field, what, Message("choose one of {known}", known=", ".join(keys))
-        )
+        yield field, what, Message("choose one of {known}", known=", ".join(keys))
 
 
-def _check_questions(made: Definition, path: str) -> None:
-    """Refuse combinations of entries that do not make a study."""
+def _question_faults(made: Definition) -> Iterator[Fault]:
+    """Combinations of entries that do not make a study."""
     count = len(made.conditions)
     if not 2 <= count <= MAX_CONDITIONS:
         what = Message(
@@ -137,19 +144,19 @@ def _check_questions(made: Definition, path: str) -> None:
             count=count,
             most=MAX_CONDITIONS,
         )
-        refuse(path, "", what)
+        yield "", what, CORRECT
     if not made.trial_questions:
         page = "factors" if made.trial is TrialKind.RATING else "consistency"
         what = Message("has no question after a clip")
-        refuse(path, "", what, Message("add a question to {page!r}", page=page))
+        yield "", what, Message("add a question to {page!r}", page=page)
     for number, question in enumerate(made.factors):
         if question.kind is not QuestionKind.LIKERT:
             what = Message("{value!r} is not allowed", value=question.kind.value)
             known = Message("choose one of {known}", known=QuestionKind.LIKERT.value)
-            refuse(path, f"factors[{number}].kind", what, known)
+            yield f"factors[{number}].kind", what, known
     asked = made.consistency
     if asked is not None and asked.kind is not QuestionKind.YES_NO:
-        refuse(path, "consistency", Message("must be a yes-no question"))
+        yield "consistency", Message("must be a yes-no question"), CORRECT
 
 
 _REMOVE = Message("remove it")
@@ -165,28 +172,26 @@ _USED = {
 """Which of these a kind of question uses."""
 
 
-def _check_used(made: Definition, path: str) -> None:
-    """Refuse entries that would change nothing: their author expects them to."""
+def _unused(made: Definition) -> Iterator[Fault]:
+    """Entries that would change nothing: their author expects them to."""
     for name, unused in _OF_OTHER_TRIALS[made.trial].items():
         if getattr(made, name) != unused:
             what = Message("is not used in {kind} trials", kind=made.trial.value)
-            refuse(path, name, what, _REMOVE)
+            yield name, what, _REMOVE
     if len(set(made.levels)) < len(made.levels):
-        what = Message("holds a level twice")
-        refuse(path, "levels", what, Message("use 'repeats'"))
+        yield "levels", Message("holds a level twice"), Message("use 'repeats'")
     for field, question in _questions(made):
         for name in ("least", "most", "choices"):
             if getattr(question, name) and name not in _USED.get(question.kind, ()):
                 kind = question.kind.value
                 what = Message("is not used in {kind} questions", kind=kind)
-                refuse(path, f"{field}.{name}", what, _REMOVE)
-    for field, question in _questions(made):
+                yield f"{field}.{name}", what, _REMOVE
         if question.for_each_feedback and not field.startswith("post_test"):
             what = Message("is only used after the last trial")
-            refuse(path, f"{field}.for_each_feedback", what, _REMOVE)
+            yield f"{field}.for_each_feedback", what, _REMOVE
     if made.use_published and not any(one.published for _, one in _questions(made)):
         what = Message("no question has a published wording")
-        refuse(path, "use_published", what, Message("enter one, or set it to false"))
+        yield "use_published", what, Message("enter one, or set it to false")
 
 
 def _questions(made: Definition) -> Iterator[tuple[str, Question]]:
@@ -198,16 +203,13 @@ def _questions(made: Definition) -> Iterator[tuple[str, Question]]:
         yield "consistency", made.consistency
 
 
-def _check_constraint(made: Definition, path: str) -> None:
+def _constraint_faults(made: Definition) -> Iterator[Fault]:
     if made.order.method is OrderMethod.WILLIAMS:
-        refuse(
-            path,
-            "order",
-            Message(
-                "a Williams design contains every pair of neighbours, also of one sequence"
-            ),
-            Message("remove the constraint or choose random or latin-square"),
+        what = Message(
+            "a Williams design contains every pair of neighbours, also of one sequence"
         )
+        remedy = Message("remove the constraint or choose random or latin-square")
+        yield "order", what, remedy
     if len(made.sequences) < 2:
         what = Message("a single sequence always follows itself")
-        refuse(path, "order", what, Message("remove the constraint"))
+        yield "order", what, Message("remove the constraint")

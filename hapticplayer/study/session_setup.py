@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, StudyError, UsageError, message_of
 from hapticplayer.model import Feedback, ForceTrack
-from hapticplayer.playback.conditions import feedback_track
+from hapticplayer.playback.conditions import Other, feedback_track
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict
-from hapticplayer.study.creation import clip_checksums, sequence_folder
 from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.demonstration import demonstration_source
 from hapticplayer.study.estimates import refuse_estimates
+from hapticplayer.study.sequence_folders import clip_checksums, sequence_folder
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.stage import PlayerStage
 from hapticplayer.study.study_folder import Study
@@ -64,19 +64,11 @@ def _tracks(
     study: Study, key: str, opened: Mapping[str, Source]
 ) -> dict[str, ForceTrack]:
     """Return the tracks of a sequence by the names of the study's feedbacks."""
-
-    def other(wanted: str) -> ForceTrack:
-        """Return the force of a sequence; of itself or if none is wanted, the next."""
-        keys = [*opened, *opened]
-        after = keys[keys.index(key) + 1]
-        found = after if wanted in ("", key) else wanted
-        return opened[found].tracks[Feedback.REALISTIC]
-
     made = {}
     for number, one in enumerate(study.definition.chosen_feedbacks):
         try:
             made[one.name] = feedback_track(
-                opened[key], one.condition, one.parameters, other
+                *(opened[key], one.condition, one.parameters), others_of(opened, key)
             )
         except (InputError, UsageError) as problem:
             raise StudyError(
@@ -87,6 +79,18 @@ def _tracks(
             ) from problem
     _check_edited(study, key, made)
     return made
+
+
+def others_of(opened: Mapping[str, Source], key: str) -> Other:
+    """What returns the force of another sequence; the next if none is wanted."""
+
+    def other(wanted: str) -> ForceTrack:
+        keys = [*opened, *opened]
+        after = keys[keys.index(key) + 1]
+        found = after if wanted in ("", key) else wanted
+        return opened[found].tracks[Feedback.REALISTIC]
+
+    return other
 
 
 def _check_edited(study: Study, key: str, made: Mapping[str, ForceTrack]) -> None:

@@ -39,7 +39,9 @@ from app.experimenter.library_page import LibraryPage
 from app.experimenter.rendering_page import RenderingPage
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
-from app.experimenter.study_editor import StudyEditor
+from app.experimenter.study.editor import StudyEditor
+from app.experimenter.study.new_study import NewStudyDialog
+from app.experimenter.study.sequences import LibraryChoice
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
 from app.player.commands import COMMANDS
@@ -76,7 +78,14 @@ CONTROLS = (
     Lanes,
     PlayheadPlot,
 )
-WORKING = (EditorPage, ImportWizard, LibraryPage, RenderingPage, SetupPage)
+WORKING = (
+    EditorPage,
+    ImportWizard,
+    LibraryPage,
+    RenderingPage,
+    SetupPage,
+    StudyEditor,
+)
 EVERY_PLACE = 80  # more stops of the Tab key than any page has
 SEEN = 40  # of 255: a change of colour that is no rounding
 MARGIN_PX = 4
@@ -127,7 +136,12 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             *(window.clock, "simulated", window.settings, _no_player),
             *(window.player.latch, window),
         ),
-        "study": lambda: StudyEditor(study, window),
+        "new-study": lambda: NewStudyDialog(folder, window),
+        "choose-recording": lambda: LibraryChoice(_library(window), window),
+        **{
+            f"study-{tab}": lambda tab=tab: _study_editor(study.folder, tab, window)
+            for tab in range(6)
+        },
         "analysis": lambda: AnalysisPage(
             "Rides", lambda _progress: [], _no_export, print, window.clock
         ),
@@ -217,6 +231,13 @@ def _operator(surface) -> SessionControl:
         tuple(SessionCheck(name, False, what) for name, what in found.items())
     )
     return SessionControl(start, Mirror(surface), shows_force=True)
+
+
+def _study_editor(folder: Path, tab: int, window: PlayerWindow) -> StudyEditor:
+    """Return the editor of a study on one of its pages."""
+    editor = StudyEditor(folder, lambda: _library(window), window)
+    editor.tabs.setCurrentIndex(tab)
+    return editor
 
 
 def _no_reach(_name: str) -> Reach:

@@ -1,18 +1,13 @@
-"""Conditions with parameters: felt in the window, and listed in a study."""
-
-import json
+"""Conditions with parameters, felt in the window."""
 
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLineEdit
 
-from app.experimenter.feedback_list import FeedbackDialog
-from app.experimenter.study_editor import StudyEditor
 from app.player.choices import feedbacks
 from app.player.condition_form import ConditionDialog, ConditionForm
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering import FEEDBACKS, ChosenFeedback, chosen_feedback
-from hapticplayer.study.creation import create_study
 
 
 @pytest.fixture
@@ -92,50 +87,14 @@ def test_a_long_folder_is_called_by_its_name():
     assert choice.text == "Shuffled (of ride)"
 
 
-@pytest.fixture
-def editor(application, qtbot, tmp_path):
-    made = StudyEditor(create_study(tmp_path / "s"))
-    qtbot.addWidget(made)
-    return made
-
-
-def test_feedbacks_are_added_to_a_study_and_removed(editor, qtbot):
-    listed = editor.feedbacks
-    dialog = FeedbackDialog(["bike", "horse"])
-    qtbot.addWidget(dialog)
-    dialog.wanted.connect(listed.add)
-    choose(dialog.form, "scaled")
-    dialog.form.findChild(QDoubleSpinBox, "gain").setValue(1.5)
-    dialog.key.setText("strong")
-    dialog.add_button.click()
-    choose(dialog.form, "shuffled")
-    dialog.key.clear()
-    combo = dialog.form.findChild(QComboBox, "of")
-    assert [combo.itemData(i) for i in range(combo.count())] == ["", "bike", "horse"]
-    dialog.add_button.click()
-    listed.list.setCurrentRow(2)
-    listed.remove_button.click()
-    rows = [listed.list.item(row).text() for row in range(listed.list.count())]
-    assert rows[0] == "Realistic (preset faithful)"  # as the paper did it
-    assert rows[1:] == ["None", "strong: Scaled (gain 1.5)", "Shuffled"]
-    editor.save()
-    assert json.loads(editor.study.content)["feedbacks"] == [
-        {"condition": "realistic", "parameters": {"preset": "faithful"}},
-        "none",
-        {"condition": "scaled", "parameters": {"gain": 1.5}, "key": "strong"},
-        "shuffled",
-    ]
-
-
-def test_a_wrong_key_is_named_by_its_field(editor):
-    editor.feedbacks.add({"condition": "inverted", "key": "Not a key"})
-    editor.save()
-    assert "feedbacks[3].key" in editor.problem.text()
-    assert not editor.study.definition.feedback_keys[3:]
-
-
-def test_the_last_feedback_stays(editor):
-    for _ in range(5):
-        editor.feedbacks.list.setCurrentRow(0)
-        editor.feedbacks.remove_button.click()
-    assert editor.feedbacks.entries == ["random"]
+def test_a_condition_is_shown_and_changes_of_it_are_told(form):
+    told = []
+    form.changed.connect(lambda: told.append(form.chosen().text))
+    form.show_chosen(chosen_feedback("scaled:gain=1.5"))
+    assert form.chosen().text == "scaled:gain=1.5"
+    assert told == []  # nobody has chosen
+    form.findChild(QDoubleSpinBox, "gain").setValue(2.0)
+    form.show_chosen(chosen_feedback("realistic:preset=equal"))
+    combo = form.findChild(QComboBox, "preset")
+    combo.setCurrentIndex(combo.findData("balanced"))
+    assert told == ["scaled:gain=2", "realistic:preset=balanced"]

@@ -16,14 +16,14 @@ EDITORS = """
 import sys
 from pathlib import Path
 
-from app.experimenter.study_editor import StudyEditor
+from app.experimenter.study.editor import StudyEditor
 from app.player.application import make_application
 from hapticplayer.study.creation import create_study
 
 application = make_application()
 study = create_study(Path(sys.argv[1]))
 for _ in range(10):
-    editor = StudyEditor(study)
+    editor = StudyEditor(study.folder, Path.cwd)
     editor.show()
     application.processEvents()
     editor.close()

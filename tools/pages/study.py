@@ -5,14 +5,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from msgspec.structs import replace
-from PySide6.QtWidgets import QTabWidget
 
-from app.experimenter.study_editor import StudyEditor
+from app.experimenter.study.editor import StudyEditor
+from app.experimenter.study.new_study import NewStudyDialog
+from app.experimenter.study.sequences import LibraryChoice
 from app.participant.application import StudySession
 from app.participant.pages import QuestionsPage
 from app.widgets.layout import resize_within_screen
 from hapticplayer.clock import SystemClock
 from hapticplayer.study.creation import change_definition, create_study
+from hapticplayer.study.definition import QuestionKind
 from hapticplayer.study.pages import PageKind, PageMaker
 from hapticplayer.study.session_setup import load_study_sources
 from hapticplayer.study.study_folder import Study
@@ -32,7 +34,7 @@ PAGES = (
     ("end", "stopped"),
 )
 LONG = " And please take all the time that you need before you go on to the next one."
-PLAYED_MS = 1500
+PLAYED_MS, PREVIEWED_MS = 1500, 3000
 
 
 def pictures(stage: Stage) -> Pictures:
@@ -77,15 +79,26 @@ def _session(stage: Stage, study: Study) -> Iterator[StudySession]:
 
 
 def _editor(stage: Stage, study: Study) -> Pictures:
-    editor = StudyEditor(study)
+    new = NewStudyDialog(stage.folder)
+    with stage.shown(new):
+        new.name.setText("Bicycle rides")
+        yield "study-new", stage.picture(new)
+    library = stage.material.demo.parent
+    choice = LibraryChoice(library)
+    with stage.shown(choice):
+        yield "study-choose", stage.picture(choice)
+    editor = StudyEditor(study.folder, lambda: library)
     with stage.shown(editor):
-        tabs = editor.findChild(QTabWidget)
-        for number in range(tabs.count()):
-            tabs.setCurrentIndex(number)
-            yield f"study-editor-{number + 1}", stage.picture(editor)
-        editor.title.clear()
-        editor.save()
-        yield "study-editor-error", stage.picture(editor)
+        editor.conditions.add("delayed")
+        for number in range(editor.tabs.count()):
+            editor.tabs.setCurrentIndex(number)
+            yield f"study-editor-{number + 1}", stage.picture(editor, PREVIEWED_MS)
+        editor.questions.add("sheet", QuestionKind.CHOICE)
+        editor.keep()
+        editor.lead_to(("sheet", 4))
+        yield "study-editor-error", stage.picture(editor, PREVIEWED_MS)
+        while editor.document.stack.canUndo():
+            editor.document.stack.undo()
 
 
 def _begin(stage: Stage, session: StudySession) -> Pictures:

@@ -1,0 +1,1 @@
+"""A study in the window: made, edited, and what came of it."""

@@ -1,0 +1,170 @@
+"""A list of entries of a study, and the fields of the one that is selected."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QListWidget, QListWidgetItem, QSplitter, QWidget
+
+from app.experimenter.study.document import Place, StudyDocument
+from app.experimenter.study.fields import Fields
+from app.widgets.buttons import Button, text_button
+from app.widgets.layout import STRETCH, column_of, row_of
+
+translate = QCoreApplication.translate
+_PLACE = int(Qt.ItemDataRole.UserRole)
+_LEFT_PX, _RIGHT_PX = 330, 620
+
+
+class Row(NamedTuple):
+    """What the list shows; a heading has no place."""
+
+    text: str
+    place: Place = ()
+    icon: QIcon | None = None
+    may_go: bool = True
+
+
+class EntryList(QWidget):
+    """Lists entries, adds, removes and moves them; pages say what they are."""
+
+    def __init__(self, document: StudyDocument, name: str, add: Button | None) -> None:
+        super().__init__()
+        self.document, self.add_button = document, add
+        self.selected: Place = ()
+        self._shown: list[Row] = []
+        self.list = QListWidget()
+        self.list.setAccessibleName(name)
+        self.list.setSpacing(2)
+        off = Qt.ScrollBarPolicy.ScrollBarAlwaysOff
+        self.list.setHorizontalScrollBarPolicy(off)  # long texts are elided
+        self.list.currentItemChanged.connect(lambda *_: self._on_chosen())
+        self.fields = Fields(document)
+        self.remove_button = text_button(
+            translate("EntryList", "Remove"), translate("EntryList", "Remove (Delete)")
+        )
+        self.up_button = text_button("\u25b2", translate("EntryList", "Move up"))
+        self.down_button = text_button("\u25bc", translate("EntryList", "Move down"))
+        for button, tip in ((self.up_button, "up"), (self.down_button, "down")):
+            button.setAccessibleName(button.toolTip() or tip)
+        self.remove_button.clicked.connect(self.remove)
+        self.up_button.clicked.connect(lambda: self.move_by(-1))
+        self.down_button.clicked.connect(lambda: self.move_by(1))
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        left, right, split = QWidget(), QWidget(), QSplitter()
+        moves = (self.remove_button, STRETCH, self.up_button, self.down_button)
+        column_of(
+            (self.list, 1),
+            *((self.add_button,) if self.add_button else ()),
+            *((row_of(*moves, spacing=6),) if self.add_button else ()),
+            of=left,
+            spacing=8,
+        )
+        self.right = column_of((self.fields, 1), of=right)
+        split.addWidget(left)
+        split.addWidget(right)
+        split.setSizes([_LEFT_PX, _RIGHT_PX])
+        split.setChildrenCollapsible(False)
+        column_of((split, 1), margins=(12, 12, 12, 12), of=self)
+
+    # --- what a page says --------------------------------------------------------
+
+    def rows(self) -> list[Row]:
+        """All entries, with headings between."""
+        raise NotImplementedError
+
+    def shape(self, place: Place) -> object:
+        """All that the fields of an entry depend on."""
+        return place, tuple(self.document.languages)
+
+    def fill(self, place: Place) -> None:
+        """Make the fields of an entry."""
+        raise NotImplementedError
+
+    # --- what a person does ------------------------------------------------------
+
+    def remove(self) -> None:
+        """Remove the selected entry."""
+        if self.selected and self.remove_button.isEnabled():
+            place = self.selected
+            self.document.remove(place, translate("EntryList", "removal"))
+
+    def move_by(self, by: int) -> None:
+        """Move the selected entry in its list."""
+        if self.selected:
+            self.selected = self.document.move(
+                self.selected, by, translate("EntryList", "another order")
+            )
+            self.refresh()
+
+    def select(self, place: Place) -> None:
+        """Select the entry of a place, or what it is in."""
+        rows = [row for row in self._shown if row.place]
+        for length in range(len(place), 0, -1):
+            for row in rows:
+                if row.place == place[:length]:
+                    self.selected = row.place
+                    self.refresh()
+                    return
+
+    # --- what is shown -----------------------------------------------------------
+
+    def refresh(self) -> None:
+        """Show what the document has."""
+        rows = self.rows()
+        places = [row.place for row in rows if row.place]
+        if self.selected not in places:
+            self.selected = self._near(places)
+        if rows != self._shown:
+            self._shown = rows
+            self._fill_list(rows)
+        row = next((n for n, r in enumerate(rows) if r.place == self.selected), -1)
+        if places and row >= 0:
+            self.list.blockSignals(True)
+            self.list.setCurrentRow(row)
+            self.list.blockSignals(False)
+        self._show_fields()
+
+    def _near(self, places: list[Place]) -> Place:
+        """The next entry after one has gone, or the last."""
+        same = [p for p in places if p[:-1] == self.selected[:-1]]
+        return (same or places or [()])[-1 if same else 0]
+
+    def _fill_list(self, rows: list[Row]) -> None:
+        self.list.blockSignals(True)
+        self.list.clear()
+        for row in rows:
+            item = QListWidgetItem(row.text)
+            item.setData(_PLACE, row.place)
+            item.setToolTip(row.text.strip())
+            if row.icon is not None:
+                item.setIcon(row.icon)
+            if not row.place:
+                item.setFlags(Qt.ItemFlag.NoItemFlags)
+            self.list.addItem(item)
+        self.list.blockSignals(False)
+
+    def _show_fields(self) -> None:
+        place, rows = self.selected, self._shown
+        row = next((one for one in rows if one.place == place), None)
+        same = [one.place for one in rows if one.place[:-1] == place[:-1]]
+        may_go = bool(place) and row is not None and row.may_go
+        self.remove_button.setEnabled(may_go)
+        self.up_button.setEnabled(may_go and same[:1] != [place])
+        self.down_button.setEnabled(may_go and same[-1:] != [place])
+        make: Callable[[], None] = (lambda: self.fill(place)) if place else _nothing
+        self.fields.show_shape(self.shape(place), make)
+
+    def _on_chosen(self) -> None:
+        item = self.list.currentItem()
+        place = tuple(item.data(_PLACE)) if item is not None else ()  # type: ignore[redundant-expr]
+        if place and place != self.selected:
+            self.selected = place
+            self.refresh()
+
+
+def _nothing() -> None:
+    """Show no fields."""

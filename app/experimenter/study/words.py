@@ -1,0 +1,159 @@
+"""What the parts of a study's definition are called in the window."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication
+
+from app.bridge.languages import NAMES
+from app.experimenter.study.document import Content, Place, entry_at
+from app.player.choices import feedback_words
+from app.widgets.texts import quoted
+from hapticplayer.rendering import ChosenFeedback
+from hapticplayer.study.definition import QuestionKind
+
+translate = QCoreApplication.translate
+
+
+def kind_names() -> dict[str, str]:
+    """The kinds of questions."""
+    return {
+        QuestionKind.LIKERT: translate("StudyWords", "Five-point scale"),
+        QuestionKind.YES_NO: translate("StudyWords", "Yes or no"),
+        QuestionKind.CHOICE: translate("StudyWords", "Choice"),
+        QuestionKind.NUMBER: translate("StudyWords", "Number"),
+        QuestionKind.TEXT: translate("StudyWords", "Text"),
+    }
+
+
+def group_names() -> dict[str, str]:
+    """The pages of questions."""
+    after = translate("StudyWords", "After each clip")
+    return {
+        "sheet": translate("StudyWords", "Before the first clip"),
+        "factors": after,
+        "consistency": after,
+        "post_test": translate("StudyWords", "After the last clip"),
+    }
+
+
+def text_names() -> dict[str, str]:
+    """The texts of the pages."""
+    return {
+        "consent": translate("StudyWords", "Consent"),
+        "demonstration": translate("StudyWords", "Information about the device"),
+        "ready": translate("StudyWords", "Before each clip"),
+        "questions": translate("StudyWords", "Above the questions after a clip"),
+        "post_test": translate("StudyWords", "Above the last questions"),
+        "thanks": translate("StudyWords", "Closing words"),
+        "retention": translate("StudyWords", "How long data are kept"),
+    }
+
+
+def word_names() -> dict[str, str]:
+    """The labels of the participant's buttons, and short messages."""
+    return {
+        "agree": translate("StudyWords", "Button: agree to take part"),
+        "decline": translate("StudyWords", "Button: decline to take part"),
+        "next": translate("StudyWords", "Button: next page"),
+        "start": translate("StudyWords", "Button: start the clip"),
+        "feel": translate("StudyWords", "Button: feel the device"),
+        "yes": translate("StudyWords", "Answer: yes"),
+        "no": translate("StudyWords", "Answer: no"),
+        "feedback": translate("StudyWords", "Name of a feedback, before its number"),
+        "clip": translate("StudyWords", "Name of a clip, before its number"),
+        "optional": translate("StudyWords", "Mark of a question that may stay open"),
+        "missing": translate("StudyWords", "Message: a question is not answered"),
+        "centre": translate("StudyWords", "Message: bring the grip to the centre"),
+        "paused": translate("StudyWords", "Page: paused"),
+        "resume": translate("StudyWords", "Button: resume"),
+        "leave": translate("StudyWords", "Button: end early"),
+        "stopped": translate("StudyWords", "Page: ended early"),
+        "problem": translate("StudyWords", "Page: answers cannot be saved"),
+    }
+
+
+def condition_words(entry: str | Mapping[str, Any]) -> str:
+    """Return a feedback of the definition in words."""
+    if isinstance(entry, str):
+        return feedback_words(ChosenFeedback(entry, {}))
+    given = ChosenFeedback(entry.get("condition", ""), entry.get("parameters") or {})
+    words = feedback_words(given)
+    return f"{entry['key']}: {words}" if entry.get("key") else words
+
+
+def text_in(texts: object, languages: list[str]) -> str:
+    """Return a text in the first language that has it."""
+    known = texts if isinstance(texts, dict) else {}
+    return next((known[one] for one in languages if known.get(one)), "")
+
+
+def place_words(content: Content, place: Place) -> str:
+    """Return where a field is, such as "Questions > Age > Wording (Deutsch)"."""
+    if not place:
+        return translate("StudyWords", "Study")
+    first = str(place[0])
+    parts = [_room(first)]
+    item = content
+    if len(place) > 1 and isinstance(place[1], int):
+        item = entry_at(content, place[:2])
+        parts.append(_entry_words(content, first, item, place[1]))
+        rest = place[2:]
+    else:
+        rest = place[1:]
+    parts += [word for one in rest if (word := _part_words(first, one))]
+    return " \u203a ".join(parts)
+
+
+def _room(first: str) -> str:
+    rooms = {
+        "sequences": translate("StudyWords", "Sequences"),
+        "feedbacks": translate("StudyWords", "Conditions"),
+        "levels": translate("StudyWords", "Levels"),
+        "order": translate("StudyWords", "Order"),
+        "texts": translate("StudyWords", "Texts"),
+        "words": translate("StudyWords", "Buttons and messages"),
+        "scale": translate("StudyWords", "Labels of the scale"),
+        "title": translate("StudyWords", "Title"),
+        "languages": translate("StudyWords", "Languages"),
+        "use_published": translate("StudyWords", "Published wording"),
+        "checks": translate("StudyWords", "Checks"),
+        **group_names(),
+    }
+    return rooms.get(first, first)
+
+
+def _entry_words(content: Content, first: str, item: Any, number: int) -> str:
+    if first == "feedbacks" and item:
+        return condition_words(item)
+    if not isinstance(item, dict):
+        return str(number + 1)
+    languages = content["languages"]
+    text = text_in(item.get("title") or item.get("text"), languages)
+    return quoted(text) if text else item.get("key") or str(number + 1)
+
+
+def _part_words(first: str, part: str | int) -> str:
+    if isinstance(part, int):
+        return str(part + 1)
+    if part in NAMES:
+        return NAMES[part]
+    known = {
+        "texts": text_names(),
+        "words": word_names(),
+        "order": {"method": ""},
+    }.get(first) or {
+        "key": translate("StudyWords", "Name in the data"),
+        "title": translate("StudyWords", "Title"),
+        "folder": translate("StudyWords", "Recording"),
+        "text": translate("StudyWords", "Wording"),
+        "published": translate("StudyWords", "Published wording"),
+        "choices": translate("StudyWords", "Answers"),
+        "least": translate("StudyWords", "Smallest number"),
+        "most": translate("StudyWords", "Largest number or length"),
+        "kind": translate("StudyWords", "Kind"),
+        "parameters": translate("StudyWords", "Parameters"),
+        "lowest": translate("StudyWords", "Lower end"),
+        "highest": translate("StudyWords", "Upper end"),
+    }
+    return known.get(part, part)
