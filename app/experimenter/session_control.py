@@ -99,6 +99,7 @@ class SessionControl(QMainWindow):
     """
 
     closing = Signal()
+    page_wanted = Signal()
 
     def __init__(self, start: StartPanel, mirror: Mirror, *, shows_force: bool) -> None:
         super().__init__()
@@ -145,6 +146,11 @@ class SessionControl(QMainWindow):
                 self.tr("End the session; it cannot be resumed"),
                 "",
             ),
+            "page": (
+                self.tr("Participant's page"),
+                self.tr("Show the participant's page over this panel"),
+                "primary",
+            ),
             "retry": (self.tr("Try again"), self.tr("Retry saving"), ""),
             "stop": (self.tr("STOP"), self.tr("Stop the force (Esc)"), "stop"),
         }
@@ -162,6 +168,8 @@ class SessionControl(QMainWindow):
         }
         for name, action in actions.items():
             buttons[name].clicked.connect(lambda _on, action=action: self._do(action))
+        buttons["page"].clicked.connect(self.page_wanted)
+        buttons["page"].hide()
         return buttons
 
     def _panel(self) -> QWidget:

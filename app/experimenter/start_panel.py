@@ -8,12 +8,12 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QFormLayout,
-    QLabel,
     QSpinBox,
     QWidget,
 )
 
 from app.bridge.languages import NAMES, translated
+from app.experimenter.session_outputs import SessionOutputs
 from app.widgets import theme
 from app.widgets.buttons import set_role, text_button
 from app.widgets.layout import STRETCH, fill_page, indent, paragraph, row_of
@@ -108,7 +108,10 @@ class StartPanel(QWidget):
         )
         set_role(self.start, "primary")
         self.start.clicked.connect(self.started)
-        self.checks, self.balance = QLabel(), paragraph()
+        self.outputs = SessionOutputs()
+        self.checks, self.balance = paragraph(), paragraph()
+        self.one_screen = paragraph("", theme.DIM)
+        self.one_screen.hide()
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -119,11 +122,13 @@ class StartPanel(QWidget):
         form.addRow(self.tr("Language of the pages"), self.language)
         sound = (self.volume, self.hear, self.sound)
         form.addRow(self.tr("Sound"), row_of(*sound, STRETCH, spacing=10))
+        form.addRow(self.tr("Devices"), self.outputs)
         form.addRow(self.tr("Checks"), self.checks)
         form.addRow(self.tr("Balance so far"), self.balance)
         form.setHorizontalSpacing(14)
         form.setVerticalSpacing(12)
-        fill_page(self, form, STRETCH, row_of(self.override, STRETCH, self.start))
+        buttons = row_of(self.override, STRETCH, self.start)
+        fill_page(self, form, self.one_screen, STRETCH, buttons)
 
     def choose(self, code: str, language: str) -> None:
         """Preselect what the command line said."""
@@ -132,8 +137,20 @@ class StartPanel(QWidget):
             if value and row >= 0:
                 box.setCurrentIndex(row)
 
+    def say_one_screen(self, keys: str) -> None:
+        """Say that the participant's page will cover this panel, and the way back."""
+        text = self.tr(
+            "There is one screen: from the start, the participant's page covers this "
+            "panel. {keys} brings the panel back and pauses; participants are not told."
+        )
+        self.one_screen.setText(text.format(keys=keys))
+        self.one_screen.show()
+
     def show_balance(self, balance: Balance) -> None:
         """Show how evenly conditions have been met by those who did not drop out."""
+        if not balance.at_position.any():
+            self.balance.setText(self.tr("this is the first participant"))
+            return
         text = self.tr(
             "each condition {a} to {b} times at each position, {c} to {d} "
             "times after each other condition"
@@ -151,9 +168,12 @@ class StartPanel(QWidget):
         for check in checks:
             sign = _GOOD if check.is_good else _BAD
             colour = theme.GOOD if check.is_good else theme.BAD
+            found = local(translated(check.found))
+            if check.remedy and not check.is_good:
+                found += f" \u2013 {translated(check.remedy)}"
             lines.append(
                 f"<span style='color:{colour}'>{sign}</span> "
-                f"{titled(names[check.name], escape(local(translated(check.found))))}"
+                f"{titled(names[check.name], escape(found))}"
             )
         text = "<br>".join(lines)
         if text != self.checks.text():

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QTimer
-from PySide6.QtGui import QGuiApplication, QScreen
+from PySide6.QtGui import QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QApplication
 
 from app.bridge.collector import Collector
@@ -17,7 +17,11 @@ from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings, default_path, latencies_of, screen_name
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
-from app.participant.window import ParticipantWindow
+from app.participant.window import (
+    WAY_BACK,
+    ParticipantWindow,
+    participant_screen,
+)
 from app.player.application import make_application
 from app.player.controls import OUTPUT
 from app.player.video_surface import SurfaceSink, VideoSurface
@@ -50,6 +54,7 @@ from hapticplayer.study.ticks import next_record
 PRIVATE = 0o077  # umask: the records of the device belong to the participant too
 WATCH_HZ, SLOW_HZ = 30.0, 2.0
 SOUND_CHECK_S = 4.0
+_NATIVE = QKeySequence.SequenceFormat.NativeText
 
 
 class StudySession:
@@ -76,6 +81,8 @@ class StudySession:
         self.start_panel.show_balance(study.balance())
         self.start_panel.volume_chosen.connect(self._set_volume)
         self.start_panel.volume.setValue(_last_volume(study))
+        self.start_panel.outputs.show_names(outputs)
+        self.start_panel.outputs.chosen.connect(self._choose_outputs)
         self.control = SessionControl(
             self.start_panel,
             Mirror(self.surface),
@@ -84,6 +91,9 @@ class StudySession:
         self.participant = ParticipantWindow(self.surface)
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
         self.participant.refused.connect(self.gateway.report)
+        self.participant.operator_wanted.connect(self._show_operator)
+        self.control.page_wanted.connect(self._show_participant)
+        self._is_windowed = False
         self.undisturbed = IdleInhibitor(services=EVERYTHING)
         self._watch_cadence, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
         self._reported_s = clock.now_s()
@@ -94,24 +104,56 @@ class StudySession:
         self.control.closing.connect(self.close)
 
     def show(self, *, windowed: bool) -> None:
-        """Open both windows, the participant's on a screen of its own if there is."""
+        """Open both windows, the participant's on a screen of its own if there is.
+
+        On a single screen it would cover the operator's: it opens with the first page.
+        """
+        self._is_windowed = windowed
         self.player.set_outputs(self.outputs)
         self.control.show()
-        mine, theirs = _screens(self.control.screen())
-        self.control.setScreen(mine)
-        self.participant.setScreen(theirs)
-        if windowed:
-            self.participant.resize(theirs.availableGeometry().size() / 2)
-            self.participant.show()
+        mine = self.control.screen()
+        self.participant.setScreen(participant_screen(mine))
+        if self._shares_screen:
+            self.start_panel.say_one_screen(QKeySequence(WAY_BACK).toString(_NATIVE))
         else:
-            self.participant.setGeometry(theirs.geometry())
-            self.participant.showFullScreen()
+            self._show_participant()
         measured = Settings(default_path())
         screen = screen_name(self.participant)
         self.player.set_latencies(latencies_of(measured, screen))
         self.undisturbed.set_wanted("an experiment is running")
         self.control.raise_()
         self.pump.start()
+
+    @property
+    def _shares_screen(self) -> bool:
+        theirs = self.participant.screen()
+        return not self._is_windowed and theirs is self.control.screen()
+
+    def _show_participant(self) -> None:
+        """Show the participant's page; over the operator's panel on a single screen."""
+        theirs = self.participant.screen()
+        if self._is_windowed:
+            self.participant.resize(theirs.availableGeometry().size() / 2)
+            self.participant.show()
+        else:
+            self.participant.setGeometry(theirs.geometry())
+            self.participant.showFullScreen()
+        if self.runner is not None:
+            self.control.buttons["page"].hide()
+            self.participant.activateWindow()
+
+    def _show_operator(self) -> None:
+        """Bring the operator's panel back from behind the participant's page."""
+        if not self._shares_screen or self.runner is None:
+            return
+        if self.runner.page.kind is PageKind.PLAYING:
+            self.runner.pause()
+            self.participant.refresh()
+        self.control.buttons["page"].show()
+        self.participant.hide()
+        self.control.refresh()
+        self.control.raise_()
+        self.control.activateWindow()
 
     # --- before the session ------------------------------------------------------
 
@@ -135,6 +177,14 @@ class StudySession:
 
     def _set_volume(self, percent: int) -> None:
         self.player.set_volume(percent / 100)
+
+    def _choose_outputs(self, names: list[str]) -> None:
+        """Play on other devices; what one of them refuses is shown."""
+        self.outputs = names
+        try:
+            self.player.set_outputs(names)
+        except HapticPlayerError as problem:
+            self.gateway.report(problem)
 
     def _play_sound(self) -> None:
         source = next(iter(self.study_sources.sources.values()))
@@ -178,7 +228,7 @@ class StudySession:
         is_good = all(check.is_good for check in checks)
         self.runner.store_checks(checks_as_json(checks), overridden=not is_good)
         self.participant.follow(self.runner)
-        self.participant.activateWindow()
+        self._show_participant()
         self.control.follow(self.runner, self.participant.refresh)
 
     def _on_opening(self, source: Source) -> None:
@@ -298,8 +348,3 @@ def _last_volume(study: Study) -> int:
                 if found is not None:
                     return found
     return 100
-
-
-def _screens(operator: QScreen) -> tuple[QScreen, QScreen]:
-    others = [screen for screen in QGuiApplication.screens() if screen is not operator]
-    return operator, others[0] if others else operator

@@ -4,7 +4,14 @@ from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent
+from PySide6.QtGui import (
+    QCloseEvent,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QScreen,
+    QShortcut,
+)
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from app.participant.fitted_page import style
@@ -17,16 +24,19 @@ from hapticplayer.study.pages import Page, PageKind
 from hapticplayer.study.runner import SessionRunner
 
 GUARD_MS = 400  # a key that started the last page answers nothing on this one
+WAY_BACK = "Ctrl+Shift+F10"  # three keys that nobody presses together by accident
 _MEDIA_KEYS = range(Qt.Key.Key_VolumeDown, Qt.Key.Key_Launch0 + 1)
 
 
 class ParticipantWindow(QWidget):
     """Shows the runner's page; whatever a person does goes to the runner.
 
-    `refused` has why something could not be done.
+    `refused` has why something could not be done; `operator_wanted` means that the
+    operator wants the panel back where there is one screen.
     """
 
     refused = Signal(object)
+    operator_wanted = Signal()
 
     def __init__(self, surface: VideoSurface) -> None:
         super().__init__()
@@ -49,6 +59,7 @@ class ParticipantWindow(QWidget):
         self.guard.setInterval(GUARD_MS)
         self._escape = EscapeFilter(lambda: self.halt("escape"), self)
         self._escape.install()
+        QShortcut(QKeySequence(WAY_BACK), self, self.operator_wanted.emit)
         application = QGuiApplication.instance()
         if isinstance(application, QGuiApplication):
             application.applicationStateChanged.connect(self._on_application_state)
@@ -205,3 +216,9 @@ class ParticipantWindow(QWidget):
         if event.type() == QEvent.Type.WindowStateChange and self.isMinimized():
             self.showFullScreen()
         super().changeEvent(event)
+
+
+def participant_screen(operator: QScreen) -> QScreen:
+    """The screen of the participant's pages: another one than the operator's if there is."""
+    others = [one for one in QGuiApplication.screens() if one is not operator]
+    return others[0] if others else operator

@@ -24,6 +24,7 @@ DEVICE, HOMED, SCHEDULING, SOUND, VOLUME, SCREEN, DISK = (
     "disk",
 )
 
+_FIRST = Message("choose a device first")
 SIMULATED = "simulated"  # without force feedback, for trying a study out
 
 
@@ -35,11 +36,13 @@ class SessionCheck:
         name: of the check.
         is_good: whether it meets the definition.
         found: the state in a few words.
+        remedy: what to do where it does not; "" where that is plain.
     """
 
     name: str
     is_good: bool
     found: Message
+    remedy: str = ""
 
 
 def run_checks(
@@ -70,11 +73,13 @@ def run_checks(
             SOUND,
             is_sound_heard or not checks.sound,
             Message("heard") if is_sound_heard else Message("not confirmed"),
+            Message("play a clip, and tick the box if you hear it"),
         ),
         SessionCheck(
             VOLUME,
             volume_percent > 0 or not checks.sound,
             Message("{percent} %", percent=volume_percent),
+            Message("turn the volume up"),
         ),
         SessionCheck(
             SCREEN,
@@ -83,6 +88,7 @@ def run_checks(
                 "{width_px} x {height_px}, {refresh_hz:.0f} Hz, screens: {screens}",
                 **screen,
             ),
+            Message("choose a refresh rate of 30 Hz or more"),
         ),
         _disk(checks, folder),
     )
@@ -107,34 +113,50 @@ def volume_in_checks(checks: object) -> int | None:
 
 def _device(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.leading.name == NO_DEVICE:
-        return SessionCheck(DEVICE, not checks.device, Message("none"))
+        remedy = Message("the study requires a device: choose it above")
+        return SessionCheck(DEVICE, not checks.device, Message("none"), remedy)
     is_real = SIMULATED not in now.leading.name or not checks.device
     is_good = is_real and now.leading.health is Health.READY
+    remedy = Message(
+        "nobody feels a simulated device: choose a real one, or let the study do without "
+        "(its first page in the editor)"
+    )
+    if is_real:
+        remedy = Message("wait until it is ready, or choose it again")
     found = Message(
         "{device}, {state}",
         device=find_device(now.leading.name).label,
         state=Message(now.leading.health),
     )
-    return SessionCheck(DEVICE, is_good, found)
+    return SessionCheck(DEVICE, is_good, found, remedy)
 
 
 def _homed(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.leading.name == NO_DEVICE:
-        return SessionCheck(HOMED, not checks.device, Message("no device"))
+        return SessionCheck(HOMED, not checks.device, Message("no device"), _FIRST)
     if now.leading.tick is None:
-        return SessionCheck(HOMED, False, Message("no data from the device yet"))
+        found, remedy = Message("no data from the device yet"), Message("wait for it")
+        return SessionCheck(HOMED, False, found, remedy)
     is_homed = now.leading.cause is not Cause.NOT_HOMED
     return SessionCheck(
-        HOMED, is_homed, Message("yes") if is_homed else Message("not yet")
+        HOMED,
+        is_homed,
+        Message("yes") if is_homed else Message("not yet"),
+        Message("pull the grip all the way out, then push it in until it locks"),
     )
 
 
 def _scheduling(now: Snapshot, checks: Checks) -> SessionCheck:
     if now.leading.name == NO_DEVICE:
-        return SessionCheck(SCHEDULING, not checks.device, Message("no device"))
+        found = Message("no device")
+        return SessionCheck(SCHEDULING, not checks.device, found, _FIRST)
     is_good = now.leading.scheduling in checks.scheduling
+    remedy = Message("other programs may delay the force: close them")
     return SessionCheck(
-        SCHEDULING, is_good, Message(now.leading.scheduling or "\u2013")
+        SCHEDULING,
+        is_good,
+        Message(now.leading.scheduling or "\u2013"),
+        remedy if now.leading.scheduling else "",
     )
 
 
@@ -147,4 +169,5 @@ def _disk(checks: Checks, folder: Path) -> SessionCheck:
         DISK,
         1e3 * free_gb >= checks.disk_free_mb,
         Message("{free_gb:.1f} GB free", free_gb=free_gb),
+        Message("free {need_mb} MB there", need_mb=checks.disk_free_mb),
     )

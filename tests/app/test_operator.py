@@ -2,11 +2,18 @@
 
 import re
 
+import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton
 from sitting import Person
 
-from hapticplayer.study.preflight import volume_in_checks
+from app.experimenter.start_panel import StartPanel
+from app.participant.application import StudySession
+from hapticplayer.clock import SystemClock
+from hapticplayer.study.preflight import run_checks, volume_in_checks
+from hapticplayer.study.session_setup import load_study_sources
 from tests.conftest import clip_of
 
 
@@ -82,3 +89,72 @@ def test_checks_that_tell_no_volume_are_no_reason_to_fail():
     assert volume_in_checks([{"check": "sound", "found": "heard"}, 3]) is None
     assert volume_in_checks([{"check": "volume", "found": "1e9 %"}]) is None
     assert volume_in_checks([{"check": "volume", "found": "900 %"}]) == 100
+
+
+@pytest.fixture
+def panel(application, qtbot):
+    made = StartPanel(["en"], [])
+    qtbot.addWidget(made)
+    return made
+
+
+def test_a_red_row_says_what_is_wrong_and_what_to_do(panel, make_study, sit):
+    study = make_study()
+    needs = replace(study.definition.checks, device=True, sound=True)
+    player = sit(study, ["simulated"]).player
+    screen = {"width_px": 800, "height_px": 600, "refresh_hz": 60.0, "screens": 1}
+    checks = run_checks(
+        player,
+        needs,
+        study.folder,
+        screen,
+        is_sound_heard=False,
+        volume_percent=80,
+    )
+    panel.show_checks(checks)
+    told = panel.checks.text()
+    assert "choose a real one" in told
+    assert "tick the box if you hear it" in told
+    assert "turn the volume up" not in told  # that one is green
+    assert all(check.remedy for check in checks)
+
+
+def test_the_operator_chooses_the_devices(panel):
+    chosen, outputs = [], panel.outputs
+    outputs.chosen.connect(chosen.append)
+    outputs.show_names(["none"])
+    labels = [label.text() for label in outputs.findChildren(QLabel)]
+    assert "No device: participants feel nothing" in labels
+    outputs.form.fill("simulated")
+    outputs.add_button.click()
+    outputs.add_button.click()
+    assert "already" in outputs.problem.text()
+    assert chosen == [["simulated"]]
+    remove = next(
+        one
+        for one in outputs.findChildren(QPushButton)
+        if one.accessibleName().startswith("Remove") and one.isVisibleTo(outputs)
+    )
+    remove.click()
+    assert chosen[-1] == []
+
+
+def test_devices_chosen_on_the_panel_are_played_on(make_study, application, wait_for):
+    study = make_study()
+    session = StudySession(
+        study, load_study_sources(study), (), SystemClock(), audio=None
+    )
+    try:
+        session.show(windowed=True)
+        session.start_panel.outputs.form.fill("simulated")
+        session.start_panel.outputs.add_button.click()
+        assert session.player.output_names == ["simulated"]
+        session.begin_session("", "en")
+        assert session.player.output_names == ["simulated"]
+    finally:
+        session.close()
+
+
+def test_the_first_participant_has_no_balance_yet(panel, make_study):
+    panel.show_balance(make_study().balance())
+    assert panel.balance.text() == "this is the first participant"

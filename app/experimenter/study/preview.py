@@ -6,12 +6,10 @@ from contextlib import contextmanager
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import (
     QColor,
-    QGuiApplication,
     QKeyEvent,
     QPainter,
     QPaintEvent,
     QPixmap,
-    QScreen,
 )
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QStyle, QVBoxLayout, QWidget
 
@@ -19,6 +17,7 @@ from app.bridge.languages import NAMES
 from app.experimenter.study.document import Content, filled
 from app.participant.fitted_page import FittedPage, style
 from app.participant.pages import make_page
+from app.participant.window import participant_screen
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import STRETCH, captioned, column_of, row_of
@@ -32,12 +31,6 @@ from hapticplayer.study.plan import LENGTH, LETTERS, Plan
 _LATER_MS = 150
 _MINUTES = 30
 _LEAST_PX = 80
-
-
-def participant_screen(operator: QScreen) -> QScreen:
-    """The screen of the participant's pages: another one than the operator's if there is."""
-    others = [one for one in QGuiApplication.screens() if one is not operator]
-    return others[0] if others else operator
 
 
 def sample_page(
