@@ -286,6 +286,21 @@ def _clips() -> list[Row]:
                 imported(folder, other / name)[0], maker))
         for name, maker in makers.items()
     ]  # fmt: skip
+    karma = DATA / "capture" / "gopro" / "karma.mp4"
+    rows += [
+        Row("other-camera", "insta.insv with zeros behind its end", "names insta360 and what reads it",
+            lambda folder: says(imported(folder, _changed(folder, other / "insta.insv",
+                lambda content: content + bytes(70_000)))[0], "insta360")),
+        Row("gopro", "karma.mp4 whose track was renamed", "its motion at 198.6 Hz",
+            lambda folder: _rate_of(_changed(folder, karma,
+                lambda content: content.replace(b"GoPro MET", b"Core Meta")), 198.6)),
+        Row("mpeg-ts", "camcorder.mts cut within a packet", "names the remux command",
+            lambda folder: says(imported(folder, _changed(folder, CASES / "mpeg-ts/camcorder.mts",
+                lambda content: content[100:]))[0], "-c:v copy|-c copy")),
+        Row("pace", "a GoPro's time lapse", "asks for --slow-motion",
+            lambda folder: says(imported(folder, _changed(folder, karma, _as_lapse))[0],
+                "2 frames per second", "--slow-motion")),
+    ]  # fmt: skip
     rows += [
         Row("mpeg-ts", "play camcorder.mts", "plays, or names the remux command",
             lambda _: _plays_or(CASES / "mpeg-ts/camcorder.mts", "remux|-c copy"), plays=True),
@@ -295,6 +310,27 @@ def _clips() -> list[Row]:
             lambda _: _plays_or(CASES / "vfr-called-damaged/lowlight_30_to_20.mp4"), plays=True),
     ]  # fmt: skip
     return rows
+
+
+def _changed(folder: Path, clip: Path, change: Callable[[bytes], bytes]) -> Path:
+    target = folder / clip.name
+    target.write_bytes(change(clip.read_bytes()))
+    return target
+
+
+def _as_lapse(content: bytes) -> bytes:
+    """A clip with the settings of a GoPro's time lapse in a box at its end."""
+    settings = b"MTYPB\1\0\1\1\0\0\0RATEc\6\0\x010_5SEC\0\0"
+    box = (8 + len(settings)).to_bytes(4, "big") + b"GPMF" + settings
+    return content + box
+
+
+def _rate_of(clip: Path, rate_hz: float) -> Found:
+    ran = hapticplayer("process", clip, "--json")
+    if ran.status:
+        return Found(ran.short, is_right=False)
+    got_hz = json.loads(ran.out)["recording"]["rate_hz"]
+    return Found(f"{got_hz:.1f} Hz", abs(got_hz - rate_hz) < 0.2)
 
 
 AGAINST = ("not synchronised", "give --offset", "three times", "bad:", "record again")

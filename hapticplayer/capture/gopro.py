@@ -43,10 +43,10 @@ from hapticplayer.capture.streams import (
 from hapticplayer.capture.stuck import working
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media.telemetry import (
-    HANDLER,
     TelemetryPacket,
     data_tracks,
     hidden_start_s,
+    is_gopro,
     read_telemetry_packets,
 )
 from hapticplayer.model import ClockMap, ImuLog
@@ -70,8 +70,7 @@ def recognises(source: LogSource) -> Confidence:
     if source.is_one_file and _is_raw(source):
         return Confidence.CERTAIN
     tracks = data_tracks(source.path) if source.is_binary else ()
-    is_own = any(HANDLER in track.name for track in tracks)
-    return Confidence.CERTAIN if is_own else Confidence.NO
+    return Confidence.CERTAIN if any(map(is_gopro, tracks)) else Confidence.NO
 
 
 def _is_raw(source: LogSource) -> bool:

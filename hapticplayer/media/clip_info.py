@@ -81,7 +81,7 @@ def probe(path: AnyClip) -> ClipInfo:
             frame_count=video.frames,
             has_audio=audio is not None,
             audio_rate_hz=audio.rate if audio is not None else 0,
-            has_telemetry=find_telemetry(container) is not None,
+            has_telemetry=find_telemetry(container, path) is not None,
             names_force=any(key.lower() == POINTER for key in container.metadata),
             camera=_camera(container),
             remote=remote,

@@ -38,15 +38,14 @@ class OtherContainer(NamedTuple):
         name: for people.
         endings: of files, for documents.
         options: of ffmpeg, which make an MP4 of it.
-        magic: what it begins with, at `offset`.
-        every: the magic comes again after so many bytes.
+        magic: what it begins with.
+        every: the magic comes again after so many bytes, wherever the file was cut.
     """
 
     name: str
     endings: tuple[str, ...]
     options: tuple[str, ...]
     magic: bytes
-    offset: int = 0
     every: int = 0
 
 
@@ -54,7 +53,7 @@ _COPY, _ENCODE = ("-c", "copy"), ("-c:v", "libx264", "-c:a", "aac")
 _TRANSPORT = ("MPEG-TS", (".ts", ".mts", ".m2ts"))
 _VIDEO_COPY = ("-c:v", "copy", "-c:a", "aac")  # MP4 takes no PCM of Blu-ray
 OTHERS = (
-    OtherContainer(*_TRANSPORT, _VIDEO_COPY, b"G", offset=4, every=192),
+    OtherContainer(*_TRANSPORT, _VIDEO_COPY, b"G", every=192),
     OtherContainer(*_TRANSPORT, _COPY, b"G", every=188),
     OtherContainer("MPEG-PS", (".mpg", ".vob"), _COPY, b"\0\0\1\xba"),
     OtherContainer("MPEG video", (".m2v",), _COPY, b"\0\0\1\xb3"),
@@ -65,10 +64,16 @@ OTHERS = (
     OtherContainer("Ogg", (".ogv", ".ogg"), _ENCODE, b"OggS"),
     OtherContainer("RealMedia", (".rm", ".rmvb"), _ENCODE, b".RMF"),
     OtherContainer("IVF", (".ivf",), _COPY, b"DKIF"),
+    OtherContainer("HLS playlist", (".m3u8",), _COPY, b"#EXTM3U"),
+    OtherContainer("NUT", (".nut",), _COPY, b"nut/multimedia container"),
+    OtherContainer("Dahua", (".dav",), _COPY, b"DHAV"),
+    OtherContainer("Dahua", (".dav",), _COPY, b"DAHUA"),
+    OtherContainer("Windows recorded TV", (".wtv",), _ENCODE, b"\xb7\xd8\x00\x20\x37\x49"),
+    OtherContainer("Y4M", (".y4m",), _ENCODE, b"YUV4MPEG2"),
     OtherContainer("GIF", (".gif",), _ENCODE, b"GIF8"),
 )  # fmt: skip
 
-_HEAD_BYTES = 1024
+_HEAD_BYTES, _LEAST_PACKETS = 4096, 5
 
 
 def refuse_others(clip: AnyClip) -> None:
@@ -104,7 +109,9 @@ def command(path: Path, container: OtherContainer) -> str:
 
 
 def _is(one: OtherContainer, head: bytes) -> bool:
-    places = range(one.offset, len(head), one.every) if one.every else [one.offset]
-    return len(head) > one.offset and all(
-        head[at : at + len(one.magic)] == one.magic for at in places
+    if not one.every:
+        return head.startswith(one.magic)
+    places = (head[first :: one.every] for first in range(one.every))
+    return any(
+        len(found) >= _LEAST_PACKETS and not found.strip(one.magic) for found in places
     )

@@ -23,7 +23,7 @@ from hapticplayer.media.identity import ANOTHER, CLOSE_MS, Counter, VideoDigest
 from hapticplayer.media.matroska import Attachment
 from hapticplayer.media.opening import context_of, media_errors, open_media, read_only
 from hapticplayer.media.packets import AnyPacket
-from hapticplayer.media.telemetry import HANDLER, find_telemetry
+from hapticplayer.media.telemetry import HANDLER, MARK, find_telemetry
 from hapticplayer.model.limits import MAX_AHEAD_PACKETS
 
 MATROSKA, MP4 = "matroska", "mp4"
@@ -157,9 +157,10 @@ def remux(
         ) as copy,
     ):
         video = require_video(clip, source)
-        streams = _added(
-            _kept(clip, video, additions.with_motion and container_format == MP4), copy
-        )
+        has_motion = additions.with_motion and container_format == MP4
+        motion = find_telemetry(clip, source) if has_motion else None
+        sound = (one for one in clip.streams.audio if context_of(one))
+        streams = _added([video, *sound, *([motion] if motion else [])], copy)
         copy.metadata.update(additions.metadata)
         for one in additions.attached:
             copy.add_attachment(one.name, one.media_type, one.content)
@@ -180,18 +181,12 @@ def write_attachments(target: Path, attached: Iterable[Attachment]) -> None:
         file.start_encoding()
 
 
-def _kept(clip: InputContainer, video: Stream, with_motion: bool) -> list[Stream]:
-    sound = [one for one in clip.streams.audio if context_of(one)]
-    motion = find_telemetry(clip) if with_motion else None
-    return [video, *sound, *([motion] if motion else [])]
-
-
 def _added(kept: list[Stream], copy: OutputContainer) -> dict[int, Stream]:
     streams: dict[int, Stream] = {}
     for stream in kept:
         if isinstance(stream, DataStream):
             track = copy.add_data_stream("bin_data")
-            track.codec_tag = "gpmd"
+            track.codec_tag = MARK
             track.metadata["handler_name"] = f"\t{HANDLER}"
             track.time_base = stream.time_base
             streams[stream.index] = track

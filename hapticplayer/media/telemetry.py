@@ -12,6 +12,7 @@ from av.packet import Packet
 from av.stream import DataStream, Stream
 
 from hapticplayer.errors import MediaError, Message
+from hapticplayer.media.clip_bytes import AnyClip
 from hapticplayer.media.mp4 import ClipTrack, Edit, hidden_s, shown_at, tracks_of
 from hapticplayer.media.opening import media_errors, open_media, origin_s, read_only
 from hapticplayer.model.limits import (
@@ -24,8 +25,8 @@ from hapticplayer.untrusted import COPY_AGAIN
 _TICKS_PER_S = 1000
 """GoPro's own time base for the track."""
 
-HANDLER = "GoPro MET"
-"""In the track's handler name, after a length byte or a tab."""
+HANDLER, MARK = "GoPro MET", "gpmd"
+"""In the track's handler name, after a length byte or a tab; of its samples."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,12 +41,17 @@ class TelemetryPacket:
     payload: bytes
 
 
-def find_telemetry(container: InputContainer) -> DataStream | None:
+def is_gopro(track: ClipTrack) -> bool:
+    """Whether a track is GPMF: by its mark, where another program has renamed it."""
+    return track.mark == MARK or HANDLER in track.name
+
+
+def find_telemetry(container: InputContainer, clip: AnyClip) -> DataStream | None:
     """Return the camera's motion track, or None."""
-    for stream in container.streams.data:
-        if HANDLER in stream.metadata.get("handler_name", ""):
-            return stream
-    return None
+    if not container.streams.data:
+        return None
+    numbers = {track.number for track in tracks_of(clip) if is_gopro(track)}
+    return next((one for one in container.streams.data if one.id in numbers), None)
 
 
 def data_tracks(path: str | os.PathLike[str]) -> tuple[ClipTrack, ...]:
@@ -62,7 +68,7 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
     """
     damaged = Message("its telemetry track is damaged")
     with open_media(path) as container, media_errors(path, damaged):
-        stream = find_telemetry(container)
+        stream = find_telemetry(container, path)
         if stream is None:
             return []
         # asked of the index itself: a few bytes declare millions of entries
@@ -75,7 +81,7 @@ def read_telemetry_packets(path: str | os.PathLike[str]) -> list[TelemetryPacket
         open_media(path, has_edits=False) as container,
         media_errors(path, damaged),
     ):
-        track = find_telemetry(container)
+        track = find_telemetry(container, path)
         assert track is not None
         found = _packets(container, track, 0.0, path)
         places = [(p, shown_at(edits, p.start_s, p.duration_s)) for p in found]
@@ -119,7 +125,7 @@ def hidden_start_s(path: str | os.PathLike[str]) -> float:
     0 where the telemetry has an edit list of its own.
     """
     tracks = tracks_of(path)
-    telemetry = next((one for one in tracks if HANDLER in one.name), None)
+    telemetry = next((one for one in tracks if is_gopro(one)), None)
     video = next((one for one in tracks if one.kind == "vide"), None)
     if telemetry is None or video is None or hidden_s(telemetry):
         return 0.0
@@ -169,7 +175,7 @@ def add_telemetry(
             for stream in (*clip.streams.video, *clip.streams.audio)
         }
         track = copy.add_data_stream("bin_data")
-        track.codec_tag = "gpmd"
+        track.codec_tag = MARK
         track.metadata["handler_name"] = f"\t{HANDLER}"
         track.time_base = Fraction(1, _TICKS_PER_S)
         for packet in packets:

@@ -44,7 +44,7 @@ def personal(sequence: store.Sequence) -> tuple[Personal, ...]:
     """What the description of a sequence and its clip hold of people and places."""
     found = dict.fromkeys(_found(sequence.description))
     with open_media(sequence.clip) as container:
-        if find_telemetry(container) is not None:
+        if find_telemetry(container, sequence.clip) is not None:
             found[Personal(_TRACK, "", is_track=True)] = None
     return tuple(found)
 

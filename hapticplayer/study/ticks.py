@@ -1,6 +1,8 @@
 """The records of the device that a session has: every tick of each run."""
 
+from bisect import bisect_right
 from collections.abc import Iterator, Mapping
+from itertools import chain, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +17,9 @@ RECORD = "ticks-{:02d}.hprec"
 _WANTED = {"monotonic_s": (), "media_s": (), "force_n": (3,), "position_m": (3,)}
 _MOST = 1e9
 """Neither the clock of a machine nor a value of a device reaches it."""
+
+_ALONE_S = 60.0
+"""From all other ticks: no loop sleeps so long."""
 
 
 def next_record(session_folder: Path) -> Path:
@@ -39,9 +44,11 @@ def tick_chunks(path: Path, notices: list[str]) -> Iterator[NDArray[Any]]:
                 what = Message("lacks what is to be exported")
                 notices.append(joined(": ", (name, what)))
                 return
-            for frame in reader.frames():
-                kept = frame.ticks[_are_possible(frame.ticks, until_s)]
-                left_out += len(frame.ticks) - len(kept)
+            frames = chain((frame.ticks for frame in reader.frames()), [None])
+            for ticks, following in pairwise(frames):
+                assert ticks is not None
+                kept = ticks[_are_possible(ticks, until_s, following)]
+                left_out += len(ticks) - len(kept)
                 if len(kept):
                     until_s = float(kept["monotonic_s"][-1])
                     yield kept
@@ -65,13 +72,42 @@ def _has_wanted(dtype: np.dtype[Any]) -> bool:
     )
 
 
-def _are_possible(ticks: NDArray[Any], begin_s: float) -> NDArray[np.bool_]:
-    """Which ticks have times that go on, and values; NaN is a value that is not known."""
+def _are_possible(
+    ticks: NDArray[Any], begin_s: float, following: NDArray[Any] | None
+) -> NDArray[np.bool_]:
+    """Which ticks have times that go on, and values; NaN is a value that is not known.
+
+    Times that would leave out the most others are wrong, also where those follow in the
+    next frame; so is a first or last one that stands alone.
+    """
     time_s = np.asarray(ticks["monotonic_s"], np.float64)
-    is_time = (time_s >= begin_s) & (time_s < _MOST)
-    latest_s = np.maximum.accumulate(np.where(is_time, time_s, begin_s))
-    possible = is_time & (time_s >= latest_s)
+    later_s = time_s[:0] if following is None else following["monotonic_s"]
+    both_s = np.concatenate([time_s, later_s])
+    rows = np.flatnonzero((both_s >= begin_s) & (both_s < _MOST))
+    rows = rows[_longest_rise(both_s[rows])]
+    alone = np.diff(both_s[rows[:2]]) > _ALONE_S
+    rows = rows[alone.sum() * (begin_s == 0.0) :]
+    if following is None and np.any(np.diff(both_s[rows[-2:]]) > _ALONE_S):
+        rows = rows[:-1]
+    possible = np.isin(np.arange(len(ticks)), rows)
     for name in _WANTED:
         too_large = np.abs(np.asarray(ticks[name], np.float64)) >= _MOST
         possible &= ~too_large.reshape(len(ticks), -1).any(axis=1)
-    return np.asarray(possible)
+    return possible
+
+
+def _longest_rise(time_s: NDArray[np.float64]) -> NDArray[np.intp]:
+    """The most rows whose times do not fall (Schensted 1961)."""
+    if not np.any(np.diff(time_s) < 0.0):
+        return np.arange(len(time_s))
+    ends_s: list[float] = []  # of the best rise of each length so far
+    ends: list[int] = []
+    before = np.full(len(time_s), -1)
+    for row, at_s in enumerate(time_s.tolist()):
+        length = bisect_right(ends_s, at_s)
+        before[row] = ends[length - 1] if length else -1
+        ends_s[length : length + 1], ends[length : length + 1] = [at_s], [row]
+    found = [ends[-1]]
+    while before[found[-1]] >= 0:
+        found.append(int(before[found[-1]]))
+    return np.array(found[::-1])

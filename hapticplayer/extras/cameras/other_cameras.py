@@ -25,7 +25,12 @@ from hapticplayer.capture.formats import Confidence
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import RawLog, SensorStream
 from hapticplayer.errors import InputError, Message, TelemetryError
-from hapticplayer.extras.cameras.makers import has_library, how_to_read, maker_of
+from hapticplayer.extras.cameras.makers import (
+    has_library,
+    how_to_read,
+    maker_of,
+    marked_size,
+)
 from hapticplayer.extras.cameras.telemetry_child import COLUMNS
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import (
@@ -124,6 +129,8 @@ def _read_copy(
     try:
         with open_regular(video) as reader, copy.open("xb") as writer:
             shutil.copyfileobj(reader, writer)
+            if (size_bytes := marked_size(video)) is not None:
+                writer.truncate(size_bytes)
         done = subprocess.run(
             [
                 *command,

@@ -97,10 +97,35 @@ def test_a_camcorder_clip_becomes_one_that_plays(tmp_path, case):
     assert probe(command[-1]).duration_s == pytest.approx(2.0, abs=0.1)
 
 
-@pytest.mark.parametrize("other", OTHERS, ids=lambda one: f"{one.name} {one.offset}")
+@needs_ffmpeg
+@pytest.mark.parametrize("cut", [1, 100, 187])
+def test_a_transport_stream_cut_within_a_packet_is_known(tmp_path, cut):
+    """As a camera's card or a capture begins anywhere."""
+    whole = written(tmp_path / "whole.ts", "mpegts", "libx264", "aac")
+    path = tmp_path / "cut.ts"
+    path.write_bytes(whole.read_bytes()[cut:])
+    command = command_of(path)
+    subprocess.run(command, check=True, capture_output=True)
+    assert probe(command[-1]).duration_s == pytest.approx(2.0, abs=0.1)
+
+
+@needs_ffmpeg
+@pytest.mark.parametrize("name", ["film.nut", "live.m3u8"])
+def test_a_playlist_and_nut_are_remuxed_by_the_printed_command(tmp_path, name):
+    made = written(tmp_path / "made.mp4", "mp4", "libx264", "aac")
+    words = ["ffmpeg", "-v", "error", "-i", made, "-c", "copy", tmp_path / name]
+    subprocess.run(words, check=True)
+    command = command_of(tmp_path / name)
+    subprocess.run(command, check=True, capture_output=True)
+    assert probe(command[-1]).duration_s == pytest.approx(2.0, abs=0.1)
+
+
+@pytest.mark.parametrize(
+    "other", OTHERS, ids=lambda one: f"{one.name} {one.magic!r} {one.every}"
+)
 def test_another_container_is_known_by_its_magic(tmp_path, other):
     period = other.magic.ljust(other.every or 400, b"\0")
     path = tmp_path / f"clip{other.endings[0]}"
-    path.write_bytes(bytes(other.offset) + 20 * period)
+    path.write_bytes(20 * period)
     with pytest.raises(MediaError, match=f"it is {other.name}, which is not read"):
         open_media(path)

@@ -156,11 +156,14 @@ INSTA360 = b"8db42d694ccc418790edff439fe026bf"
             {"end": bytes(40) + INSTA360},
             r"of Insta360.*install hapticplayer\[cameras\]",
         ),
+        (
+            {"end": INSTA360 + bytes((1 << 20) + 20)},
+            r"of Insta360.*install hapticplayer\[cameras\]",
+        ),
         ({"mark": "camm"}, "Google's CAMM, which nothing here reads"),
         ({"mark": "djmd"}, "DJI, .*stores orientations only"),
         ({"name": "DJI meta"}, "DJI, .*stores orientations only"),
         ({"mark": "CTMD"}, "Canon, which has no motion"),
-        ({"mark": "gpmd"}, "GoPro, whose track another program has renamed"),
         ({}, "contains no motion data"),
     ],
 )
