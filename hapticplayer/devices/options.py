@@ -127,6 +127,10 @@ def service_options(
     text: str, default: str, capabilities: DeviceCapabilities
 ) -> DeviceOptions:
     """The options of a device whose one option is HOST:PORT; raises DeviceError."""
-    address = text or default
-    host_and_port(address)
-    return DeviceOptions(capabilities, address)
+    fields = fields_of("device", text, _address, {})
+    return DeviceOptions(capabilities, **{"address": default, **fields})
+
+
+def _address(part: str) -> Fields:
+    host_and_port(part)
+    return {"address": part}

@@ -4,6 +4,7 @@ import contextlib
 import json
 import os
 import signal
+import socket
 import subprocess
 import threading
 from pathlib import Path
@@ -108,6 +109,25 @@ def test_a_device_and_two_rigs_play_and_come_to_rest(demo, rigs):
         assert report["time_went_back"] == 0
     # by the sender's own clock: two seconds and more of neutral
     assert rigs.receiver.rigs[rigs.first].last.time_s > 2.0 + 0.5 + 2.0 - 0.1
+
+
+@pytest.mark.parametrize("name", ["outsim", "codemasters", "beamng"])
+@pytest.mark.parametrize("leads", [True, False])
+def test_a_rig_that_nobody_listens_to_is_said(demo, tmp_path, name, leads):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unused:
+        unused.bind(("127.0.0.1", 0))
+        where = f"127.0.0.1:{unused.getsockname()[1]}"
+    rig, log = f"rig:{name},{where}", tmp_path / "log.jsonl"
+    devices = (rig, "simulated") if leads else ("simulated", rig)
+    player = started(demo, devices, "--duration", 1, "--json", "--log", log)
+    out, err = player.communicate(timeout=PATIENCE_S)
+    said = f"nobody listens at {where}: start the rig's software"
+    assert said in err
+    assert player.returncode == int(leads)
+    assert json.loads(out)["outputs"][rig]["fault"] == said
+    events = [json.loads(line) for line in log.read_text().splitlines()]
+    (event,) = [one for one in events if one.get("name") == "nobody_listens"]
+    assert event["output"] == rig
 
 
 def test_a_rig_is_tested_and_left_in_neutral(rigs, monkeypatch):

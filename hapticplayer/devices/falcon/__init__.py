@@ -14,8 +14,8 @@ def falcon_options(text: str) -> DeviceOptions:
     """Which Falcon, by its serial number; raises DeviceError."""
     if text and not text.isalnum():
         raise DeviceError(
-            "{text!r} is not a serial number; it has letters and digits only, see "
-            "'hapticplayer device list'",
+            "{text!r} is not a serial number, which has letters and digits only, nor "
+            "gain=; see 'hapticplayer device list'",
             text=text,
         )
     return DeviceOptions(FALCON, text)

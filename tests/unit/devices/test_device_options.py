@@ -43,6 +43,29 @@ def test_each_option_changes_what_a_device_does(name):
             find_device(f"{name}:{option}={VALUES[option]},{option}={VALUES[option]}")
 
 
+@pytest.mark.parametrize(
+    "name", [n for n, one in installed_devices().items() if one.options]
+)
+@pytest.mark.parametrize(
+    "odd", ["none-such=1", "gain=5", "gain=1,gain=2", "=", "a=b=c"]
+)
+def test_an_odd_option_is_refused_and_names_the_known(name, odd):
+    with pytest.raises(DeviceError) as refusal:
+        find_device(f"{name}:{odd}")
+    assert "gain" in str(refusal.value)
+    assert re.search("use |must be|once|see ", str(refusal.value))
+
+
+@needs("inverse3", "toys")
+@pytest.mark.parametrize("name", ["inverse3", "buttplug", "tcode"])
+@pytest.mark.parametrize(
+    "part", ["rate=3", "here", "h:1,latency_ms=3", "h:0", "a:1,b:2"]
+)
+def test_a_wrong_address_of_a_service_is_named(name, part):
+    with pytest.raises(DeviceError, match=r"option '(rate|here|latency|h:0|b:2).*': "):
+        find_device(f"{name}:{part}")
+
+
 @needs("rigs")
 def test_options_of_a_rig_change_its_packets_or_are_refused():
     from hapticplayer.extras.rigs.packets import FORMATS

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from hapticplayer.clock import ManualClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.extras.rigs.loop import RigGuard, RigLoop
+from hapticplayer.extras.rigs.packets import FORMATS
 from hapticplayer.extras.rigs.sender import RigSender
 from hapticplayer.extras.rigs.settings import rig_settings
 from hapticplayer.extras.rigs.step import CAPS, NEUTRAL_S, RAMP_S, TAKE_OVER_S
@@ -254,13 +255,14 @@ def test_a_receiver_that_is_not_there_yet_is_no_fault(bench):
     assert bench.block.read_ticks(0)[0]["buttons"][-1] == SENT | REFUSED
 
 
-def test_a_rig_that_leaves_and_comes_back_is_noticed():
+@pytest.mark.parametrize("name", list(FORMATS))
+def test_a_rig_that_leaves_and_comes_back_is_noticed(name):
     """By what the network says of the packet before."""
     motion = STEADY
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
         end.bind(("127.0.0.1", 0))
         where = end.getsockname()
-        sender = RigSender(rig_settings(f"outsim,127.0.0.1:{where[1]}"))
+        sender = RigSender(rig_settings(f"{name},127.0.0.1:{where[1]}"))
         sender.open()
         assert sender.send(motion, 0.0)
         assert sender.send(motion, 0.1)
@@ -269,6 +271,23 @@ def test_a_rig_that_leaves_and_comes_back_is_noticed():
         end.bind(where)
         heard = [sender.send(motion, k / 10.0) for k in range(6, 10)]
         assert heard[1:] == [True] * 3
+        sender.close()
+
+
+@pytest.mark.parametrize("name", list(FORMATS))
+def test_a_rig_that_is_slow_or_answers_gets_its_packets(name):
+    """One that reads nothing for a while, and one that sends errors nobody asked for."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
+        end.bind(("127.0.0.1", 0))
+        end.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        sender = RigSender(rig_settings(f"{name},127.0.0.1:{end.getsockname()[1]}"))
+        sender.open()
+        for k in range(200):
+            assert sender.send(STEADY, k / 200.0)
+            if k == 100:
+                _, back = end.recvfrom(1000)
+                for _ in range(300):
+                    end.sendto(b"ERROR", back)
         sender.close()
 
 
