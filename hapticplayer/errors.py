@@ -5,10 +5,12 @@ command line prints it on stderr, the window shows it in the person's language.
 """
 
 import numbers
+import os
 import re
 import shlex
 import string
 from collections.abc import Callable, Iterable, Mapping
+from pathlib import PurePath
 from typing import Any, Self, TypeVar
 
 T = TypeVar("T")
@@ -55,8 +57,29 @@ def joined(separator: str, parts: Iterable[str]) -> Message:
 
 
 def shell_line(*words: object) -> str:
-    """A command to paste into a shell, whatever blanks and quotes the words hold."""
-    return shlex.join(map(str, words))
+    """A command to paste into a shell, whatever the words hold.
+
+    A path is never taken for an option, nor by ffmpeg for a protocol (`12:30.wav`).
+    """
+    return " ".join(map(_shell_word, words))
+
+
+def _shell_word(word: object) -> str:
+    text = str(word)
+    if isinstance(word, PurePath) and (
+        text[:1] == "-" or ":" in text.partition("/")[0]
+    ):
+        text = f"./{text}"
+    if text.isprintable():
+        return shlex.quote(text)
+    # what a terminal does not show, such as a line break, is written in octal
+    return "".join(["$'", *map(_shell_character, text), "'"])
+
+
+def _shell_character(one: str) -> str:
+    if one.isprintable() and one not in "'\\":
+        return one
+    return "".join(f"\\{byte:03o}" for byte in os.fsencode(one))
 
 
 def message_of(problem: BaseException) -> Message:

@@ -2,8 +2,13 @@
 
 import copy
 import json
+import os
 import pickle  # noqa: TID251 - as processes of one program do
-import shlex
+import shutil
+import subprocess
+import sys
+import wave
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +23,7 @@ from hapticplayer.errors import (
     shell_line,
     to_json,
 )
+from hapticplayer.untrusted import without_controls
 
 RATE = Message("runs at {rate:.1f} Hz ({name!r})", rate=np.float32(9.54), name="a")
 
@@ -90,6 +96,54 @@ def test_stored_message_of_a_stranger_is_refused(value):
         from_json(value)
 
 
-def test_printed_command_is_pasted_with_any_name():
-    words = ["hapticplayer", "play", 'the rider\'s "best" $HOME ride', ""]
-    assert shlex.split(shell_line(*words)) == words
+NAMES = [
+    'the rider\'s "best" $HOME ride',
+    "-c",
+    "--imu",
+    "12:30 ride.wav",
+    "\u00fcber den Fluss.mp4",
+    "two\nlines.csv",
+    "tab\tand \\ back",
+    "bell\x07 \x1b[31m",
+    "no\u00a0break",
+    "not utf-8 \udcff.mp4",
+    "~/ride",
+    "a;b&c|d>e",
+    "!history",
+    "*?[x]{a,b}",
+    "caf\u0065\u0301",
+]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_printed_command_is_pasted_with_any_name(tmp_path, name):
+    """By a shell, from a terminal that shows no control characters."""
+    path = Path(name)
+    command = shell_line(sys.executable, "-c", ARGUMENTS, "say", path, "")
+    assert without_controls(command) == command
+    run = ["bash", "-c", command.encode(errors="surrogateescape")]
+    said = subprocess.run(run, cwd=tmp_path, capture_output=True, check=True).stdout
+    words = said.split(b"\0")
+    assert words[::2] == [b"say", b""]
+    assert not words[1].startswith(b"-")
+    assert Path(os.fsdecode(words[1])) == path
+
+
+ARGUMENTS = (
+    "import os, sys; "
+    "sys.stdout.buffer.write(b'\\0'.join(map(os.fsencode, sys.argv[1:])))"
+)
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="needs ffmpeg")
+@pytest.mark.parametrize("name", [*NAMES[:9], *NAMES[10:]])
+def test_ffmpeg_finds_the_files_of_a_printed_command(tmp_path, name):
+    stem = name.replace("/", "-")
+    source, target = Path(f"{stem}.wav"), Path(f"{stem}-pcm.wav")
+    with wave.open(str(tmp_path / source), "wb") as out:
+        out.setparams((1, 2, 8000, 800, "NONE", ""))
+        out.writeframes(bytes(1600))
+    command = shell_line("ffmpeg", "-v", "error", "-i", source, target)
+    run = ["bash", "-c", command.encode(errors="surrogateescape")]
+    subprocess.run(run, cwd=tmp_path, check=True, stdin=subprocess.DEVNULL)
+    assert (tmp_path / target).stat().st_size > 1600

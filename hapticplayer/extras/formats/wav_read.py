@@ -245,7 +245,7 @@ def _form(body: bytes, order: str, where: str) -> _Form:
 def _as_pcm(where: str) -> Message:
     path = Path(where)
     to = path.with_name(f"{path.stem}-pcm.wav")
-    words = ("-i", where, "-c:a", "pcm_f32le", "-ar", "48000", to)
+    words = ("-i", path, "-c:a", "pcm_f32le", "-ar", "48000", to)
     return Message(
         "make another of it with: {command}",
         command=shell_line("ffmpeg", *words),
