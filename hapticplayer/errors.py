@@ -5,12 +5,10 @@ command line prints it on stderr, the window shows it in the person's language.
 """
 
 import numbers
-import os
 import re
 import shlex
 import string
 from collections.abc import Callable, Iterable, Mapping
-from pathlib import PurePath
 from typing import Any, Self, TypeVar
 
 T = TypeVar("T")
@@ -66,7 +64,7 @@ def shell_line(*words: object) -> str:
 
 def _shell_word(word: object) -> str:
     text = str(word)
-    if isinstance(word, PurePath) and (
+    if hasattr(word, "__fspath__") and (
         text[:1] == "-" or ":" in text.partition("/")[0]
     ):
         text = f"./{text}"
@@ -79,7 +77,7 @@ def _shell_word(word: object) -> str:
 def _shell_character(one: str) -> str:
     if one.isprintable() and one not in "'\\":
         return one
-    return "".join(f"\\{byte:03o}" for byte in os.fsencode(one))
+    return "".join(f"\\{byte:03o}" for byte in one.encode(errors="surrogateescape"))
 
 
 def message_of(problem: BaseException) -> Message:

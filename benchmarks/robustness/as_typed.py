@@ -3,9 +3,13 @@
 import re
 import subprocess
 import sys
+from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
-from benchmarks.common import ROOT
+from benchmarks.common import DATA, ROOT
+
+CASES = DATA / "cases"
 
 
 class Ran(NamedTuple):
@@ -28,6 +32,16 @@ class Found(NamedTuple):
 
     got: str
     is_right: bool
+
+
+class Row(NamedTuple):
+    """An input with its right answer."""
+
+    case: str
+    what: str
+    right: str
+    run: Callable[[Path], Found]
+    plays: bool = False
 
 
 def hapticplayer(*arguments: object, limit_s: float = 120.0) -> Ran:

@@ -16,14 +16,21 @@ import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
 
 import numpy as np
 
-from benchmarks.common import DATA, Report
-from benchmarks.robustness.as_typed import Found, Ran, hapticplayer, read_as, says
+from benchmarks.common import Report
+from benchmarks.robustness import real_forces
+from benchmarks.robustness.as_typed import (
+    CASES,
+    Found,
+    Ran,
+    Row,
+    hapticplayer,
+    read_as,
+    says,
+)
 
-CASES = DATA / "cases"
 CLIP = CASES / "intiface" / "clip.mp4"
 SAME_LOG = CASES / "gcsv-header" / "thumb_rx.gcsv"
 TABLE = ("accel-unit=g", "rate-unit=rad/s", "time-unit=s")
@@ -31,16 +38,6 @@ SIX = "columns=time,ax,ay,az,gx,gy,gz"
 RATE_HZ = 50.0
 WHOLE, HALF = (1.07,), (0.59,)
 """RMS of the motion of the log of which all tables are spellings, m/s2; of its first 8 s."""
-
-
-class Row(NamedTuple):
-    """An input with its right answer."""
-
-    case: str
-    what: str
-    right: str
-    run: Callable[[Path], Found]
-    plays: bool = False
 
 
 # --- logs --------------------------------------------------------------------------
@@ -369,46 +366,6 @@ def _plays_or(clip: Path, *words: str) -> Found:
     return Found(ran.short, "damaged" not in ran.said)
 
 
-# --- forces ------------------------------------------------------------------------
-
-
-def _forces() -> list[Row]:
-    folder = CASES / "funscript-axes"
-    rows = [
-        Row("funscript-axes", path.name, "0 N where it says off, or refused",
-            lambda into, path=path: _off(into, path))
-        for path in sorted(folder.glob("clip.*.funscript"))
-    ]  # fmt: skip
-    rows += [
-        Row("funscript-axes", "negative_at.funscript", "0.69 N at 0 ms",
-            lambda into: _begins(into, folder / "negative_at.funscript", 0.69)),
-    ]  # fmt: skip
-    return rows
-
-
-def _converted(into: Path, path: Path) -> tuple[Ran, Any]:
-    target = into / "force.csv"
-    target.unlink(missing_ok=True)
-    ran = hapticplayer("convert", path, target)
-    return ran, None if ran.status else np.loadtxt(target, delimiter=",", skiprows=1)
-
-
-def _off(into: Path, path: Path) -> Found:
-    ran, table = _converted(into, path)
-    if table is None:
-        return says(ran, "strength|axis|vib|suck|valve|lube")
-    largest_n = float(np.abs(table[table[:, 0] < 0.9, 1:]).max())
-    return Found(f"{largest_n:.2f} N while off", largest_n == 0.0)
-
-
-def _begins(into: Path, path: Path, size_n: float) -> Found:
-    ran, table = _converted(into, path)
-    if table is None:
-        return Found(ran.short, is_right=False)
-    got_n = float(np.linalg.norm(table[0, 1:]))
-    return Found(f"{got_n:.2f} N at {table[0, 0]:.3f} s", abs(got_n - size_n) < 0.02)
-
-
 # --- study and devices -------------------------------------------------------------
 
 
@@ -495,7 +452,7 @@ def run(options: argparse.Namespace, report: Report) -> None:
     """Run all rows; none may be wrong."""
     if not CASES.exists():
         sys.exit(f"the cases are not here: {CASES.name}")
-    rows = [*_logs(), *_spellings(), *_clips(), *_forces(), *_services()]
+    rows = [*_logs(), *_spellings(), *_clips(), *real_forces.rows(), *_services()]
     rows = [row for row in rows if options.only in row.case]
     rows = [row for row in rows if not (options.quick and row.plays)]
     found = []

@@ -91,10 +91,15 @@ class _Axis(Struct):
     is_null: bool = False
 
 
+_OURS = ("is_null", "others")
+"""No entries of files."""
+
+
 class _Script(_Axis):
     range: Number = 100.0
     axes: list[_Axis] = []
     channels: dict[str, _Axis] = {}
+    others: list[str] = []
 
 
 def is_ours(head: bytes) -> bool:
@@ -238,8 +243,18 @@ def _nothing(path: Path, unread: list[Message]) -> InputError:
 
 def _script(path: Path) -> _Script:
     """The content of a file, its names and numbers as they should be written."""
-    given = read_json(path, dict[str, Any], InputError, ANOTHER, MAX_BYTES)
-    return convert(_tidy(given), _Script, str(path), strict=False)
+    given = _tidy(read_json(path, dict[str, Any], InputError, ANOTHER, MAX_BYTES))
+    script = convert(given, _Script, str(path), strict=False)
+    known = _Script.__struct_fields__
+    script.others = [k for k, v in given.items() if k not in known and _is_actions(v)]
+    return script
+
+
+def _is_actions(value: Any) -> bool:
+    """Whether an entry of another name holds actions."""
+    held = value.get("actions") if isinstance(value, dict) else value
+    first = held[0] if isinstance(held, list) and held else None
+    return isinstance(first, dict) and {"at", "pos"} <= first.keys()
 
 
 def _tidy(given: dict[str, Any]) -> dict[str, Any]:
@@ -251,7 +266,7 @@ def _tidy(given: dict[str, Any]) -> dict[str, Any]:
             found["is_null"] = True
         elif value is None:
             continue
-        elif key not in found or key == name:
+        elif key not in _OURS and (key not in found or key == name):
             found[key] = value
     if isinstance(actions := found.get("actions"), list):
         found["actions"] = [_tidy_action(one) for one in actions]
@@ -293,13 +308,17 @@ class _AxisReader(NamedTuple):
             )
             is_usual = script.range == _USUAL_RANGE
             (self.assumed if is_usual else self.unread).append(said)
-        self._add_axis(main, script)
+        for other in script.others:
+            self.unread.append(
+                Message("not read: {what} ({count})", what=other, count=1)
+            )
+        self._add_axis(main, script, str(path))
         for axis in script.axes:
-            self._add_axis(axis.id, axis)
+            self._add_axis(axis.id, axis, str(path))
         for name, axis in script.channels.items():
-            self._add_axis(name, axis)
+            self._add_axis(name, axis, str(path))
 
-    def _add_axis(self, given: str, one: _Axis) -> None:
+    def _add_axis(self, given: str, one: _Axis, where: str) -> None:
         name = _NAMED.get(given.lower(), given)
         if name not in _AXES:
             what = given[:20] or Message("axis without an id")
@@ -310,11 +329,12 @@ class _AxisReader(NamedTuple):
             self.unread.append(Message("{axis}: its actions are null", axis=name))
         if not one.actions:
             return
-        _refuse_seconds(one.actions, name)
+        _refuse_seconds(one.actions, name, where)
         largest = max(action.pos for action in one.actions)
         if len(one.actions) > 1 and 0.0 < largest <= 1.0:
             raise InputError(
                 "its positions of {axis} go from 0 to 1, but a funscript's go to 100",
+                where=where,
                 remedy="multiply its positions by 100",
                 axis=name,
             )
@@ -333,13 +353,14 @@ class _AxisReader(NamedTuple):
             self.unread.append(said)
 
 
-def _refuse_seconds(actions: list[_Action], name: str) -> None:
+def _refuse_seconds(actions: list[_Action], name: str, where: str) -> None:
     """Raise InputError where the times can only be seconds."""
     times = np.unique([action.at for action in actions])
     is_whole = not np.any(times % 1.0)
     if len(times) > 2 and not is_whole and np.median(np.diff(times)) < _SHORTEST_MS:
         raise InputError(
             "its times of {axis} look like seconds, but a funscript's are milliseconds",
+            where=where,
             remedy="multiply its times by 1000",
             axis=name,
         )

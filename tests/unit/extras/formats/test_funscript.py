@@ -312,6 +312,7 @@ NULLS = {"axes": None, "channels": None, "metadata": None, "range": None, "id": 
         {"inverted": None, "version": None, "axes": [None]},
         {"axes": [{"id": "L1", "actions": []}, {"id": "L2", "inverted": None}]},
         {"channels": {"surge": None}},
+        {"is_null": True, "others": 3},
     ],
 )
 def test_null_in_a_script_is_as_if_it_were_absent(read, more):
@@ -319,6 +320,19 @@ def test_null_in_a_script_is_as_if_it_were_absent(read, more):
     found = read(json.dumps({"actions": LINE, **more}), ".funscript")
     np.testing.assert_array_equal(found.track.force_n, plain.track.force_n)
     assert found.notes == plain.notes
+
+
+@pytest.mark.parametrize("name", ["rawactions", "vibration"])
+@pytest.mark.parametrize("wrap", [lambda held: held, lambda held: {"actions": held}])
+def test_actions_under_another_name_are_listed(read, name, wrap):
+    more = {
+        name: wrap(LINE),
+        "metadata": {"chapters": []},
+        "tags": ["a"],
+        "bookmarks": [],
+    }
+    found = read(json.dumps({"actions": LINE, **more}), ".funscript")
+    assert [str(note) for note in found.unread] == [f"not read: {name} (1)"]
 
 
 def test_actions_that_are_null_are_named(read):
