@@ -91,10 +91,8 @@ def written_report(
 
 def exported(folder: Path, target: Path, form: str, *, progress: Progress) -> list[str]:
     """Export a study into a new folder, and return the notices."""
-    notices: list[str] = export_study(open_study(folder), target, form, progress)[
-        "remarks"
-    ]
-    return notices
+    report = export_study(open_study(folder), target, form, progress)
+    return [*report["remarks"], *filter(None, [report["left_out"]])]
 
 
 Export = Callable[[Path, str, Progress], list[str]]

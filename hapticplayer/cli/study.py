@@ -335,6 +335,7 @@ def export(options: argparse.Namespace) -> int:
         if options.json
         else f"{options.output}: {report['participants']} participants, "
         f"{len(report['files'])} files"
+        + (f"; {report['left_out']}" if report["left_out"] else "")
     )
     for notice in report["remarks"]:
         say_aside(notice)

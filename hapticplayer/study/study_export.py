@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer import extension, storage
-from hapticplayer.errors import Message, Progress, StudyError, entry_named
+from hapticplayer.errors import Message, Progress, StudyError, entry_named, joined
 from hapticplayer.study.answers import collect_answers
 from hapticplayer.study.study_csv import write_csv, write_csv_for_excel
 from hapticplayer.study.study_data import StudyData
@@ -25,19 +25,34 @@ class Exporter:
         name: of `--format`.
         text: description for people, translated in the window.
         write: fills an empty folder.
+        left_out: what a study has that the format does not hold.
     """
 
     name: str
     text: str
     write: Callable[[StudyData, Path], None]
+    left_out: tuple[Message, ...] = ()
 
+
+_DEVICE_LEFT_OUT = (
+    Message("each tick of the device"),
+    Message("when each trial and interruption was"),
+)
+ANSWERS, TEXT_ANSWERS = Message("answers"), Message("text answers")
+REST_OF_TICKS = Message("planned force, velocity, buttons and timing of each tick")
 
 EXPORTERS = (
-    Exporter("csv", Message("tidy CSV with a data dictionary"), write_csv),
+    Exporter(
+        "csv",
+        Message("tidy CSV with a data dictionary"),
+        write_csv,
+        _DEVICE_LEFT_OUT,
+    ),
     Exporter(
         "excel",
         Message("CSV for Excel (UTF-8 with a byte order mark)"),
         write_csv_for_excel,
+        _DEVICE_LEFT_OUT,
     ),
 )
 """Those of the core."""
@@ -84,8 +99,10 @@ def export_study(
     ) as folder:
         data = StudyData(study.definition, answers, sessions, notices, progress)
         exporter.write(data, folder)
+    what = joined(", ", exporter.left_out)
     return {
         "format": form,
+        "left_out": Message("left out: {what}", what=what) if what else "",
         "participants": len(answers.participants),
         "files": sorted(
             str(path.relative_to(target))

@@ -15,11 +15,18 @@ def study_exporters() -> "tuple[Exporter, ...]":
     """BIDS and XDF."""
     from hapticplayer.extras.research.bids import write_bids
     from hapticplayer.extras.research.xdf import write_xdf
-    from hapticplayer.study.study_export import Exporter
+    from hapticplayer.study.study_export import (
+        ANSWERS,
+        REST_OF_TICKS,
+        TEXT_ANSWERS,
+        Exporter,
+    )
 
+    bids = Message("BIDS (behaviour, and motion at 1 kHz)")
+    xdf = Message("XDF, a file for each run")
     return (
-        Exporter("bids", Message("BIDS (behaviour, and motion at 1 kHz)"), write_bids),
-        Exporter("xdf", Message("XDF, a file for each run"), write_xdf),
+        Exporter("bids", bids, write_bids, (TEXT_ANSWERS, REST_OF_TICKS)),
+        Exporter("xdf", xdf, write_xdf, (ANSWERS, REST_OF_TICKS)),
     )
 
 

@@ -154,6 +154,31 @@ def test_no_spreadsheet_takes_an_answer_for_a_formula(tmp_path, manual_clock, fo
         assert not [one for one in cells if one[:1] in tuple("=+-@")]
 
 
+LEFT_OUT = {
+    "csv": ["each tick of the device", "when each trial and interruption was"],
+    "bids": [
+        "text answers",
+        "planned force",
+        "velocity",
+        "buttons and timing of each tick",
+    ],
+    "xdf": ["answers", "planned force", "velocity", "buttons and timing of each tick"],
+}
+LEFT_OUT["excel"] = LEFT_OUT["csv"]
+
+
+@pytest.mark.parametrize("form", LEFT_OUT)
+def test_an_export_says_what_its_format_leaves_out(study, tmp_path, capsys, form):
+    out = tmp_path / "out"
+    words = ["study", "export", str(study.folder), "-o", str(out), "--format", form]
+    assert cli.main(words) == 0
+    said = capsys.readouterr().out.strip().partition("; left out: ")[2]
+    assert said.split(", ") == LEFT_OUT[form]
+    whole = b"".join(path.read_bytes() for path in out.rglob("*") if path.is_file())
+    assert (b'yes; ""very""' in whole) is (form in ("csv", "excel"))
+    assert (b"grip_x" in whole or b"PositionX" in whole) is (form in ("bids", "xdf"))
+
+
 def test_texts_without_a_review_are_not_exported(study, tmp_path):
     for form in ("csv", "bids", "xdf"):
         report = export_study(study, tmp_path / form, form)
