@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.common import Report
+from benchmarks.common import DATA, Report
 from benchmarks.robustness import real_forces
 from benchmarks.robustness.as_typed import (
     CASES,
