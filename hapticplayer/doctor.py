@@ -137,12 +137,11 @@ def missing_packages(groups: Collection[str] = RUN_GROUPS) -> list[AptPackage]:
 
 
 def missing_apt(groups: Collection[str] = RUN_GROUPS) -> list[str]:
-    """The names of `missing_packages`, as apt-get takes them."""
     return [package.name for package in missing_packages(groups)]
 
 
 def check() -> list[MachineCheck]:
-    """Look at everything that the program needs or uses, the required things first."""
+    """Look at all that the program needs or uses, the required things first."""
     return [
         _check_python(),
         *_check_apt(),
@@ -447,37 +446,18 @@ def _missing_of_need(need: str) -> list[str]:
     ]
 
 
-def main(argv: list[str]) -> int:
-    """Report what is there and what is missing.
-
-    Returns:
-        The exit status: 0 when all that is required is there.
-    """
-    parser = argparse.ArgumentParser(
-        prog="hapticplayer doctor",
-        description="Look for what the program needs and name what is missing.",
-    )
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
     parser.add_argument("--json", action="store_true", help="report as JSON")
-    parser.add_argument(
-        "--missing-apt",
-        nargs="?",
-        const="all",
-        choices=("all", "required", "optional", CHECKS_GROUP),
-        help="only print the names of the missing system packages, in one line; "
-        "checks: of those that tests compare with",
-    )
-    arguments = parser.parse_args(argv)
-    if arguments.missing_apt:
-        try:
-            print(*_missing_of_need(arguments.missing_apt))
-        except OSError as error:
-            print(f"The list of system packages is not here: {error}", file=sys.stderr)
-            return 1
-        return 0
+    parser.set_defaults(run=report)
+
+
+def report(options: argparse.Namespace, _open_window: object = None) -> int:
+    """Print what is there and what is missing; 0 when all that is required is there."""
     checks = check()
     missing = missing_apt() if APT_LIST.is_file() else []
     ok = all(each.ok for each in checks if each.required)
-    if arguments.json:
+    if options.json:
         rows = [dataclasses.asdict(each) for each in checks]
         print(json.dumps({"ok": ok, "missing_apt": missing, "checks": rows}, indent=2))
     else:
@@ -488,6 +468,32 @@ def main(argv: list[str]) -> int:
             "Everything required is there." if ok else "Something required is missing."
         )
     return 0 if ok else 1
+
+
+def main(argv: list[str]) -> int:
+    """Run as a program of its own, which the set-up asks; return the exit status."""
+    parser = argparse.ArgumentParser(
+        prog="hapticplayer doctor",
+        description="Look for what the program needs and name what is missing.",
+    )
+    add_options(parser)
+    parser.add_argument(
+        "--missing-apt",
+        nargs="?",
+        const="all",
+        choices=("all", "required", "optional", CHECKS_GROUP),
+        help="only print the names of the missing system packages, in one line; "
+        "checks: of those that tests compare with",
+    )
+    arguments = parser.parse_args(argv)
+    if not arguments.missing_apt:
+        return report(arguments)
+    try:
+        print(*_missing_of_need(arguments.missing_apt))
+    except OSError as error:
+        print(f"The list of system packages is not here: {error}", file=sys.stderr)
+        return 1
+    return 0
 
 
 if __name__ == "__main__":

@@ -29,7 +29,7 @@ from app.editor.view import TimeView
 from app.widgets import theme
 from app.widgets.texts import titled
 from hapticplayer.rendering.effects import Effect
-from hapticplayer.rendering.event import Event
+from hapticplayer.sequence.events import Event
 
 _EDGE_PX, _SNAP_PX = 5.0, 7.0
 _SHAPES = {

@@ -5,7 +5,7 @@ from dataclasses import replace
 from app.editor.spans import Part
 from hapticplayer.errors import UsageError
 from hapticplayer.rendering.effects import Effect, EffectList, kind_of
-from hapticplayer.rendering.event import LEAST_EFFECT_S
+from hapticplayer.sequence.events import LEAST_EFFECT_S
 
 USUAL_FADE_S = 0.05
 _DIGITS = 6  # of a second: no 0.30000000000000004 in a file

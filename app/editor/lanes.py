@@ -23,8 +23,7 @@ from app.widgets import theme
 from app.widgets.texts import local
 from hapticplayer.model import ForceTrack
 from hapticplayer.rendering.effects import NO_EFFECTS, Effect, EffectList, kind_of
-from hapticplayer.rendering.event import Event
-from hapticplayer.sequence.events import TimeLine, event_detectors
+from hapticplayer.sequence.events import Event, TimeLine, event_detectors
 
 LEAST_PX = QSize(320, 140)
 USUAL_FRAME_S = 1.0 / 30.0  # where a clip does not say

@@ -24,7 +24,7 @@ from hapticplayer.extras.rides.recording import simulate
 from hapticplayer.extras.rides.sensors import CAMERA, SensorErrors
 from hapticplayer.model import ImuLog
 from hapticplayer.motion import remove_gravity
-from hapticplayer.rendering.event import Event
+from hapticplayer.sequence.events import Event
 from hapticplayer.sequence.store import in_media_time
 from tests.material.known_events import (
     KnownEvent,

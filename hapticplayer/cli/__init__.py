@@ -157,7 +157,7 @@ COMMANDS = (
         ".device",
         ("list", "info simulated", "test falcon"),
     ),
-    Command("doctor", "list what is missing, by package name", ".doctor"),
+    Command("doctor", "list what is missing, by package name", "hapticplayer.doctor"),
 )
 
 

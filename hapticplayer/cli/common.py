@@ -110,6 +110,11 @@ def add_number(
     command.add_argument(option, type=partial(within.parse, option), **how)
 
 
+def add_agreement(command: argparse.ArgumentParser) -> None:
+    """Add what answers the question of `agreed`."""
+    command.add_argument("--yes", action="store_true", help="do not ask")
+
+
 def agreed(options: argparse.Namespace, question: str) -> None:
     """Ask, unless `--yes` has answered."""
     if options.yes:

@@ -1,4 +1,4 @@
-"""The command `device`: list, info, home, upload-firmware, test, measure."""
+"""The command `device`: list, info, home, upload-firmware, test."""
 
 import argparse
 import contextlib
@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from hapticplayer.cli import Command
 from hapticplayer.cli.common import (
+    add_agreement,
     add_device_name,
     add_number,
-    add_overwrite,
     agreed,
     complain,
     interruptible,
@@ -26,7 +26,6 @@ from hapticplayer.cli.common import (
     say_aside,
     shown_progress,
 )
-from hapticplayer.cli.device_measure import measure_falcon
 from hapticplayer.clock import SystemClock
 from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.falcon import firmware
@@ -108,17 +107,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
         action="store_true",
         help="also accept an intact image that is not among the known ones",
     )
-    _add_yes(upload)
+    add_agreement(upload)
     slow = "move or vibrate a device gently, after asking"
-    _add_yes(add("test", slow, test_forces, motion=True))
-    measure = add(
-        "measure",
-        "measure what is not known of a Falcon, at low force",
-        measure_falcon,
-    )
-    measure.add_argument("-o", "--output", metavar="FILE", help="the report, as JSON")
-    add_overwrite(measure)
-    _add_yes(measure)
+    add_agreement(add("test", slow, test_forces, motion=True))
     for one in rows("device_actions", Command):
         text = f"{one.summary[0].upper()}{one.summary[1:]}."
         more = actions.add_parser(one.name, help=one.summary, description=text)
@@ -126,10 +117,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 _MET = {True: "found", False: "missing", None: "not visible from here"}
-
-
-def _add_yes(action: argparse.ArgumentParser) -> None:
-    action.add_argument("--yes", action="store_true", help="do not ask")
 
 
 def list_devices(options: argparse.Namespace) -> int:

@@ -2,9 +2,10 @@
 
 import argparse
 import json
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO, NamedTuple
 
 from hapticplayer import storage
 from hapticplayer.cli.common import (
@@ -20,9 +21,9 @@ from hapticplayer.cli.force_options import (
     write_choices,
     written_text,
 )
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Progress, UsageError
+from hapticplayer.extension import rows
 from hapticplayer.haptics.record_reader import RecordReader
-from hapticplayer.playback.record_exporters import RECORD_EXPORTERS
 from hapticplayer.sequence.force_files import NOT_MEASURED
 from hapticplayer.sequence.force_formats import (
     format_of,
@@ -31,12 +32,33 @@ from hapticplayer.sequence.force_formats import (
 )
 from hapticplayer.sequence.force_import import export_force
 from hapticplayer.sequence.pack import CONTAINERS
-from hapticplayer.storage import FILE, refuse_existing
+from hapticplayer.storage import FILE, IsOurs, refuse_existing
+
+
+class RecordExporter(NamedTuple):
+    """A format of records.
+
+    Attributes:
+        name: for `--format`.
+        text: for people.
+        write: writes all intact ticks of a record, and returns what to report of them.
+        is_ours: recognises its files, to overwrite them.
+    """
+
+    name: str
+    text: str
+    write: Callable[[RecordReader, BinaryIO, Progress], dict[str, Any]]
+    is_ours: IsOurs
+
+
+def record_exporters() -> dict[str, RecordExporter]:
+    return {one.name: one for one in rows("record_exporters", RecordExporter)}
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     command.set_defaults(run=run)
+    of_records = record_exporters()
     command.add_argument(
         "source",
         metavar="SEQUENCE_OR_RECORD",
@@ -46,9 +68,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("-o", "--output", required=True, metavar="FILE")
     command.add_argument(
         "--format",
-        choices=list(dict.fromkeys([*written_formats(), *RECORD_EXPORTERS])),
+        choices=list(dict.fromkeys([*written_formats(), *of_records])),
         help=f"for a sequence: {written_text()}; for a record: "
-        + "; ".join(f"{one.name}: {one.text}" for one in RECORD_EXPORTERS.values())
+        + "; ".join(f"{one.name}: {one.text}" for one in of_records.values())
         + " (default: by the name of FILE; csv for a record)",
     )
     command.add_argument(
@@ -112,12 +134,12 @@ def _export_record(options: argparse.Namespace) -> int:
     """Convert a record, showing the progress, and say what is in it."""
     refuse_idle(options, "on a record of `play --record`", *_OF_A_SEQUENCE)
     target, name = Path(options.output), options.format or "csv"
-    exporter = RECORD_EXPORTERS.get(name)
-    if exporter is None:
+    known = record_exporters()
+    if (exporter := known.get(name)) is None:
         raise UsageError(
             "a record is not exported as {name}; choose one of {known}",
             name=name,
-            known=", ".join(RECORD_EXPORTERS),
+            known=", ".join(known),
         )
     is_ours = exporter.is_ours if options.overwrite else None
     refuse_existing(target, FILE, is_ours)

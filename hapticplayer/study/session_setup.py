@@ -1,22 +1,38 @@
 """Loading the sequences of a study for a session."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
+from hapticplayer import __version__
 from hapticplayer.clock import Clock
+from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import InputError, StudyError, UsageError, message_of
+from hapticplayer.media.clip_info import probe
+from hapticplayer.media.encode import write_clip
 from hapticplayer.model import Feedback, ForceTrack
+from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
 from hapticplayer.playback.conditions import Other, feedback_track
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.playback.video_check import Verdict
+from hapticplayer.rendering.demonstration import demonstration
+from hapticplayer.storage import cache_root
 from hapticplayer.study.definition_reader import DEFINITION
-from hapticplayer.study.demonstration import demonstration_source
 from hapticplayer.study.estimates import refuse_estimates
 from hapticplayer.study.sequence_folders import clip_checksums, sequence_folder
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.stage import PlayerStage
 from hapticplayer.study.study_folder import Study
+
+NAME = "demonstration"
+RATE_HZ, WIDTH, HEIGHT = 25, 640, 360
+STRENGTHS = (0.5, 1.0)
+"""As shares of the largest force: a session has less time than the page of a device."""
+_GROUND, _DISC = np.array([20, 23, 27]), np.array([74, 168, 255])
+_RADIUS_PX, _TRAVEL_PX, _GROWTH = 40.0, 110.0, 0.7
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -128,3 +144,24 @@ def make_stage(
     rules = (study.definition.limits, study.definition.checks)
     sources, demonstration = study_sources.sources, study_sources.demonstration
     return PlayerStage(player, sources, demonstration, rules, clock, record)
+
+
+def demonstration_source() -> Source:
+    """The demonstration as a source; its clip is made on first use."""
+    track, _steps = demonstration(FALCON, STRENGTHS)
+    path = cache_root() / f"{NAME}-{__version__}.mp4"
+    if not path.exists():
+        write_clip(path, _frames(track), frame_rate_hz=RATE_HZ)
+    return Source(NAME, path, probe(path), {NAME: track}, None, NAME)
+
+
+def _frames(track: ForceTrack) -> Iterator[NDArray[np.uint8]]:
+    y, x = np.mgrid[0:HEIGHT, 0:WIDTH]
+    times = np.arange(0.0, track.time_s[-1], 1.0 / RATE_HZ)
+    for right, up, near in track.at(times) / DEFAULT_FORCE_LIMIT_N:
+        centre_x = WIDTH / 2 + _TRAVEL_PX * right
+        centre_y = HEIGHT / 2 - _TRAVEL_PX * up
+        radius = _RADIUS_PX * (1.0 + _GROWTH * near)
+        inside = np.clip(radius - np.hypot(x - centre_x, y - centre_y), 0.0, 1.0)
+        frame = _GROUND + inside[..., None] * (_DISC - _GROUND)
+        yield frame.astype(np.uint8)

@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 
 from app.participant.application import StudySession
 from hapticplayer.clock import SystemClock
-from hapticplayer.study import demonstration
+from hapticplayer.study import session_setup
 from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.session_setup import load_study_sources
@@ -21,8 +21,8 @@ KEYS = ("bike", "horse", "car-turning", "car-braking")
 @pytest.fixture
 def make_study(sequence, tmp_path, monkeypatch):
     """Make a study whose four sequences are the short clip, without requirements."""
-    monkeypatch.setattr(demonstration, "WIDTH", 64)  # else its clip takes 2 s
-    monkeypatch.setattr(demonstration, "HEIGHT", 36)
+    monkeypatch.setattr(session_setup, "WIDTH", 64)  # else its clip takes 2 s
+    monkeypatch.setattr(session_setup, "HEIGHT", 36)
 
     def make(**changes):
         study = create_study(

@@ -6,8 +6,8 @@ Arguments: descriptors, of the record of its motors and of what presses its butt
 import sys
 
 from hapticplayer import cli
-from hapticplayer.cli import device_measure
-from hapticplayer.haptics.guarded_clock import GuardedClock
+from hapticplayer.extras.measuring import command
+from hapticplayer.extras.measuring.guarded_clock import GuardedClock
 
 
 def watched_falcon(clock, device, options):
@@ -18,6 +18,6 @@ def watched_falcon(clock, device, options):
 
 
 if __name__ == "__main__":
-    device_measure.GuardedClock = watched_falcon
-    device_measure.STOPS_S = 2.0  # until the hand is back from homing
+    command.GuardedClock = watched_falcon
+    command.STOPS_S = 2.0  # until the hand is back from homing
     sys.exit(cli.main(["device", "measure", "--device", "falcon-simulated", "--yes"]))

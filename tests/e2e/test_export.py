@@ -28,6 +28,8 @@ from tests.e2e.command import (
 )
 from tests.needed_extras import needs
 
+pytestmark = needs("records")
+
 HEADER = {
     "device": "simulated",
     "modes": {"0": "idle", "2": "following"},

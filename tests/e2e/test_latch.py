@@ -57,7 +57,7 @@ def test_a_player_that_was_suspended_plays_on_without_force(felt_clip, tmp_path)
     assert not after.any()
 
 
-@needs("faults")
+@needs("faults", "measuring")
 @pytest.mark.realtime
 def test_a_grip_button_ends_the_forces_of_a_measurement():
     record, clock = os.memfd_create("record"), SystemClock()

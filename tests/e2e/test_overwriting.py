@@ -8,6 +8,7 @@ import pytest
 from hapticplayer import cli
 from hapticplayer.capture.si_csv import write_imu_csv
 from tests.e2e.command import hapticplayer, refused
+from tests.needed_extras import needs
 
 WRITERS = [
     "log",
@@ -95,7 +96,10 @@ def test_one_kind_does_not_overwrite_another(tmp_path, write, name):
     assert state_of(path) == before
 
 
-WORDS = [*((command.name,) for command in cli.commands()), ("device", "measure")]
+WORDS = [
+    *((command.name,) for command in cli.commands()),
+    pytest.param(("device", "measure"), marks=needs("measuring")),
+]
 FILE_OPTION = re.compile(
     r"--(log|record|save-template|save-calibration|plot|output) FILE\b|^  B  ",
     re.MULTILINE,

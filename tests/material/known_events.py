@@ -17,7 +17,7 @@ from hapticplayer.extras.rides.scenes import Scene
 from hapticplayer.extras.rides.trajectory import Trajectory
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
-from hapticplayer.rendering.event import Event
+from hapticplayer.sequence.events import Event
 
 _RATE_HZ = 200.0
 _BELOW_HZ = 2.0

@@ -4,9 +4,8 @@ import argparse
 import json
 
 from hapticplayer.cli.common import interruptible, say
-from hapticplayer.rendering.event import Event
 from hapticplayer.sequence.effects_file import described_effect
-from hapticplayer.sequence.events import event_detectors, events_of
+from hapticplayer.sequence.events import Event, event_detectors, events_of
 
 
 def add_options(command: argparse.ArgumentParser) -> None:

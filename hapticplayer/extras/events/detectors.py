@@ -22,7 +22,7 @@ from hapticplayer.extras.events.shocks import impacts
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.rendering.effects import Effect
-from hapticplayer.rendering.event import Event
+from hapticplayer.sequence.events import Event
 
 BELOW_HZ = 1.0
 BRAKING_MPS2 = 0.3 * STANDARD_GRAVITY_MPS2

@@ -13,8 +13,8 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import LEAST_MISSING_S, MISSING_ROW_STEPS
 from hapticplayer.rendering.effects import Effect
 from hapticplayer.rendering.effects.values import MAX_EFFECT_S
-from hapticplayer.rendering.event import LEAST_EFFECT_S
 from hapticplayer.rendering.window_means import dense_motion
+from hapticplayer.sequence.events import LEAST_EFFECT_S
 
 GRID_HZ = 200.0
 """Of the even grid on which motion is looked at."""

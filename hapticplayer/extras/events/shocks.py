@@ -23,7 +23,7 @@ from hapticplayer.extras.events.inputs import (
 )
 from hapticplayer.model import STANDARD_GRAVITY_MPS2
 from hapticplayer.model.arrays import Floats
-from hapticplayer.rendering.event import Event
+from hapticplayer.sequence.events import Event
 
 HIGH_PASS_HZ = 4.0
 """A brake that is applied within 0.35 s stays below it, a landing does not."""

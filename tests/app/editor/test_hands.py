@@ -176,7 +176,7 @@ def test_an_event_offers_its_effect_and_applies_nothing(page):
 
 def made_event():
     from hapticplayer.errors import Message
-    from hapticplayer.rendering.event import Event
+    from hapticplayer.sequence.events import Event
 
     effect = Effect("knock", 0.9, 1.1, parameters={"amplitude": 2.0})
     return Event("impact", 0.9, 1.0, 0.8, Message("A shock"), effect)

@@ -14,12 +14,11 @@ import pytest
 from app.player import choices
 from app.player.device_form import kinds
 from hapticplayer import cli, extension, rendering
-from hapticplayer.cli import play
+from hapticplayer.cli import export, play
 from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.devices.guides import guide_of
 from hapticplayer.errors import Message
 from hapticplayer.model.ranges import Range
-from hapticplayer.playback import record_exporters
 from hapticplayer.playback.conditions import with_feedback
 from hapticplayer.playback.source import open_source
 from hapticplayer.rendering import (
@@ -316,9 +315,7 @@ def test_a_new_derived_condition_is_previewed_and_in_studies(
 
 
 def test_a_new_exporter_is_offered_and_used(monkeypatch, capsys):
-    dummy = record_exporters.RecordExporter(
-        "dots", "a dot per tick", lambda *_: {}, bool
-    )
-    monkeypatch.setitem(record_exporters.RECORD_EXPORTERS, "dots", dummy)
+    dummy = export.RecordExporter("dots", "a dot per tick", lambda *_: {}, bool)
+    monkeypatch.setattr(export, "record_exporters", lambda: {"dots": dummy})
     assert cli.main(["export", "--help"]) == 0
     assert "dots: a dot per tick" in " ".join(capsys.readouterr().out.split())

@@ -15,7 +15,7 @@ from hapticplayer.model import ForceTrack, Reconstruction
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 from hapticplayer.rendering import shifted_and_scaled
-from hapticplayer.study import demonstration
+from hapticplayer.study import session_setup
 from hapticplayer.study.analysis.conduct_report import COUNTED, SYNC
 from hapticplayer.study.definition import Checks, Condition, PlaybackLimits
 from hapticplayer.study.preflight import run_checks
@@ -172,13 +172,13 @@ def test_a_shifted_and_scaled_force_is_the_same_force_later(reconstruction):
 
 def test_a_session_shows_the_demonstration_of_the_device(tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    made = demonstration.demonstration_source()
-    track = made.tracks[demonstration.NAME]
+    made = session_setup.demonstration_source()
+    track = made.tracks[session_setup.NAME]
     cap_n = ForceLimits().force_cap_n
     assert track.force_n.max(axis=0) == pytest.approx([cap_n] * 3, rel=1e-3)
     assert track.force_n.min(axis=0) == pytest.approx([-cap_n] * 3, rel=1e-3)
     assert made.clip.duration_s == pytest.approx(track.time_s[-1], abs=0.05)
-    assert made.clip.width == demonstration.WIDTH
+    assert made.clip.width == session_setup.WIDTH
 
 
 def test_checks_say_what_is_missing(tmp_path):

@@ -7,7 +7,6 @@ import pytest
 
 from hapticplayer.clock import ManualClock
 from hapticplayer.devices.dynamics import RELAXED, Mechanism
-from hapticplayer.devices.falcon import measuring
 from hapticplayer.devices.falcon.driver import FalconDriver
 from hapticplayer.devices.falcon.firmware import open_running
 from hapticplayer.devices.falcon.link import DirectLink
@@ -15,6 +14,7 @@ from hapticplayer.devices.falcon.transport import open_falcon
 from hapticplayer.errors import DeviceError
 from hapticplayer.extras.faults.usb.board import Stage, synthetic_image
 from hapticplayer.extras.faults.usb.driver import make_set
+from hapticplayer.extras.measuring import measuring
 from hapticplayer.simulation.falcon.parameters import Electronics
 from hapticplayer.simulation.falcon.simulation import Simulation
 

@@ -10,21 +10,39 @@ from pathlib import Path
 from typing import Any
 
 from hapticplayer import __version__, storage
-from hapticplayer.cli.common import agreed, interruptible, say, shown_progress
+from hapticplayer.cli.common import (
+    add_agreement,
+    add_device_name,
+    add_overwrite,
+    agreed,
+    interruptible,
+    say,
+    shown_progress,
+)
 from hapticplayer.clock import SystemClock, utc_now_iso
 from hapticplayer.devices import find_device
-from hapticplayer.devices.falcon import measuring
 from hapticplayer.devices.falcon.firmware import open_running
 from hapticplayer.devices.falcon.homing import home
 from hapticplayer.devices.falcon.link import ThreadedLink
 from hapticplayer.devices.falcon.reach import Reach, reach_of
 from hapticplayer.errors import InputError, Message
-from hapticplayer.haptics.guarded_clock import GuardedClock
+from hapticplayer.extras.measuring import measuring
+from hapticplayer.extras.measuring.guarded_clock import GuardedClock
 from hapticplayer.haptics.scheduling import acquire
 from hapticplayer.storage import FILE, IsOurs, refuse_existing
 
 STOPS_S = 20.0
 HOMING_S = 120.0
+
+
+def add_options(action: argparse.ArgumentParser) -> None:
+    """Add the options."""
+    action.set_defaults(run=lambda chosen, _open_window: measure_falcon(chosen))
+    add_device_name(action, "falcon", motion=False)
+    action.add_argument("--json", action="store_true", help="report as JSON")
+    action.add_argument("-o", "--output", metavar="FILE", help="the report, as JSON")
+    add_overwrite(action)
+    add_agreement(action)
 
 
 def measure_falcon(options: argparse.Namespace) -> int:

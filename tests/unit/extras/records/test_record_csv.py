@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from hapticplayer.extras.records.record_csv import columns_of, head_line, lines
 from hapticplayer.haptics.shared import TICK
-from hapticplayer.playback.record_csv import columns_of, head_line, lines
 
 HEADER = {
     "modes": {"2": "following", "4": "tripped"},

@@ -3,11 +3,11 @@
 import sys
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.falcon import measuring
 from hapticplayer.devices.falcon.link import ThreadedLink
 from hapticplayer.devices.falcon.reach import reach_of
 from hapticplayer.errors import HapticPlayerError
-from hapticplayer.haptics.guarded_clock import GuardedClock
+from hapticplayer.extras.measuring import measuring
+from hapticplayer.extras.measuring.guarded_clock import GuardedClock
 
 DEVICE = "falcon-simulated"
 

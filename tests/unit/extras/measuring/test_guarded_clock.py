@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices.falcon.measuring import PUSH_N
+from hapticplayer.extras.measuring.measuring import PUSH_N
 from tests.material.plant_record import read_record
 
 pytestmark = pytest.mark.realtime

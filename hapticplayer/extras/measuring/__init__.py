@@ -1,0 +1,1 @@
+"""Figures of a Falcon that nobody has published, measured by its owner."""

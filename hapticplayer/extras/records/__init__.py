@@ -1,0 +1,1 @@
+"""Records of the haptic loop (`play --record`) for other programs."""
