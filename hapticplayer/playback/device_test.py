@@ -20,6 +20,7 @@ from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import ForceTrack, RigTrack
 from hapticplayer.model.device import ChannelLevel, Signal
+from hapticplayer.playback.faults import NOBODY_LISTENS, OutputFaults
 from hapticplayer.playback.forces import ForcePlayer
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.rendering.demonstration import DemonstrationStep, demonstration
@@ -107,6 +108,7 @@ class DeviceTest:
         self.player: ForcePlayer | None = None
         self._releaser: threading.Thread | None = None
         self._ages_s: list[NDArray[Any]] = []
+        self._is_rig, self._faults = entry.takes_motion, OutputFaults()
         self._begin(self.part)
 
     @property
@@ -156,6 +158,7 @@ class DeviceTest:
             return np.empty(0, TICK)
         ticks = player.poll()
         self.mode, self.cause = player.mode, player.cause
+        self._faults.add(ticks, is_wanted=False, is_rig=self._is_rig)
         if self._tells_latency:
             self._ages_s.append(ticks["reply_age_s"][ticks["mode"] == Mode.FOLLOWING])
         is_late = player.media_s <= 0.0 and self._clock.now_s() > self._limit_s
@@ -200,7 +203,7 @@ class DeviceTest:
             return
         self._before_s += player.media_s
         self.loudest += player.loudest.described()
-        self.problem = self.problem or player.problem
+        self.problem = self.problem or player.problem or self._unheard_text()
         is_cut = player.media_s < player.end_s and player.mode is not Mode.TRIPPED
         if is_cut and not (self.problem or self.was_stopped):
             self.problem = Message(
@@ -208,5 +211,17 @@ class DeviceTest:
             )
         if self.problem or player.mode is Mode.TRIPPED:
             self._next.clear()
-        self._releaser = threading.Thread(target=player.close, name="device-test")
+        self._releaser = threading.Thread(
+            target=self._release, args=(player,), name="device-test"
+        )
         self._releaser.start()
+
+    def _unheard_text(self) -> Message | str:
+        address = find_device(self.part.device).settings.address
+        is_unheard = self._faults.is_unheard
+        return Message(NOBODY_LISTENS, address=address) if is_unheard else ""
+
+    def _release(self, player: ForcePlayer) -> None:
+        """Close it; a device may report an error with its last stop."""
+        player.close()
+        self.problem = self.problem or player.notice

@@ -15,6 +15,7 @@ HARMLESS = (Cause.NONE, Cause.PAUSED, Cause.SEEK, Cause.TRACK_ENDED, Cause.CLOSI
 HELD_SHARE, HELD_TICKS = 0.25, 500
 """Less than that without force is not worth a word: loading, a short stall."""
 UNHEARD_SHARE = 0.5
+NOBODY_LISTENS = Message("nobody listens at {address}: start the rig's software")
 CAUSE_TEXTS = {
     Cause.HEARTBEAT_LATE: Message("window not responding"),
     Cause.HEARTBEAT_LOST: Message("window not responding"),

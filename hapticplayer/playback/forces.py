@@ -64,6 +64,11 @@ class ForcePlayer:
         return self._processes.problem
 
     @property
+    def notice(self) -> str:
+        """What the device has reported, also when it was closed; "" for nothing."""
+        return self._processes.notice
+
+    @property
     def pids(self) -> dict[str, int]:
         return self._processes.pids
 

@@ -29,7 +29,7 @@ from hapticplayer.model import (
     RigTrack,
 )
 from hapticplayer.model.device import Signal
-from hapticplayer.playback.faults import OutputFaults
+from hapticplayer.playback.faults import NOBODY_LISTENS, OutputFaults
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
@@ -55,7 +55,6 @@ NO_MOTION = Message(
     "a rig moves only with the realistic feedback of a sequence that has its motion"
 )
 LENT = Message("in test, or being set up")
-NOBODY_LISTENS = Message("nobody listens at {address}: start the rig's software")
 
 
 class OutputContext(NamedTuple):

@@ -5,6 +5,7 @@ import pytest
 
 from hapticplayer.devices import installed_devices
 from hapticplayer.errors import DeviceError
+from hapticplayer.haptics.block import REFUSED, SENT
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import RigTrack
@@ -24,7 +25,8 @@ class Player:
         self.device, self.end_s, self._clock = device, float(track.time_s[-1]), clock
         self.mode, self.cause, self.problem, self.levels = Mode.IDLE, Cause.NONE, "", ()
         self.media_s, self.is_homed, self.age_s = 0.0, True, 0.0015
-        self.done, self.loudest = [], Loudest()
+        self.done, self.loudest, self.notice = [], Loudest(), ""
+        self.flags = 0
         self.made.append(self)
 
     @property
@@ -41,6 +43,7 @@ class Player:
             self.media_s, self.mode = self.media_s + 0.05, Mode.FOLLOWING
         ticks = np.zeros(50, TICK)
         ticks["mode"], ticks["reply_age_s"] = self.mode, self.age_s
+        ticks["buttons"] = self.flags
         return ticks
 
     def stop(self):
@@ -179,3 +182,21 @@ def test_the_latency_is_half_the_age_of_answers(begin):
     test = begin("rumble")  # reports by itself, whatever it was sent
     finish(test)
     assert test.latency_s is None
+
+
+@needs("rigs")
+def test_a_rig_that_nobody_listens_to_is_the_problem(begin):
+    test = begin("rig:outsim,127.0.0.1:4999")
+    Player.made[0].flags = SENT | REFUSED
+    while not test.is_over:
+        test.poll()
+    assert test.problem == "nobody listens at 127.0.0.1:4999: start the rig's software"
+
+
+def test_a_report_with_the_last_stop_is_the_problem(begin):
+    test = begin("simulated")
+    player = Player.made[0]
+    player.close = lambda: setattr(player, "notice", "the toy goes on; pull it")
+    while not test.is_over:
+        test.poll()
+    assert test.problem == "the toy goes on; pull it"
