@@ -1,12 +1,12 @@
 """The entries of an hjif file that are read, as typed structures."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from msgspec import Meta, Struct
 
 from hapticplayer.errors import InputError
-from hapticplayer.structures import read_json
+from hapticplayer.structures import convert, read_json
 from hapticplayer.untrusted import ANOTHER
 
 MAX_BYTES = 96 << 20
@@ -91,5 +91,18 @@ class Experience(Struct):
 
 
 def experience(path: Path) -> Experience:
-    """The content of a file."""
-    return read_json(path, Experience, InputError, ANOTHER, MAX_BYTES)
+    """The content of a file; what is null in it counts as absent."""
+    given = read_json(path, dict[str, Any], InputError, ANOTHER, MAX_BYTES)
+    try:
+        return convert(given, Experience, str(path), InputError, ANOTHER)
+    except InputError:
+        plain = _without_null(given)
+        return convert(plain, Experience, str(path), InputError, ANOTHER, strict=False)
+
+
+def _without_null(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {k: _without_null(v) for k, v in value.items() if v is not None}
+    if isinstance(value, list):
+        return [_without_null(one) for one in value]
+    return value
