@@ -68,7 +68,7 @@ def _read(reader: BinaryIO, path: Path, choices: ReadChoices) -> ForceFile:
         scale_n = choices.take("full_scale_n")
         notes.append(Message("full scale was taken as {full_n:.3g} N", full_n=scale_n))
     rate = data.form.rate_hz
-    if rate > 8 * _LOOP_HZ:
+    if data.is_faster:
         rate = _LOOP_HZ
         unread.append(Message("sound above {limit_hz} Hz was left out", limit_hz=500))
     way = None
@@ -137,6 +137,12 @@ class _Data(NamedTuple):
     scale_n: float | None
     assumed: tuple[Message, ...] = ()
     unread: tuple[Message, ...] = ()
+
+    @property
+    def is_faster(self) -> bool:
+        """Whether it holds what the haptic loop cannot follow; ours is force at each time."""
+        most = 1 if self.scale_n is None else 8
+        return self.form.rate_hz > most * _LOOP_HZ
 
 
 def _data(reader: BinaryIO, where: str) -> _Data:
@@ -284,9 +290,9 @@ def _number(text: bytes) -> float | None:
 def _force_n(
     reader: BinaryIO, data: _Data, scale_n: float, way: Direction | None, where: str
 ) -> NDArray[np.float32]:
-    """Return force (n, 3) N, of more than 8 kHz at the rate of the haptic loop."""
+    """Return force (n, 3) N, of what is too fast at the rate of the haptic loop."""
     up, down, margin = 1, 1, 0
-    if data.form.rate_hz > 8 * _LOOP_HZ:
+    if data.is_faster:
         common = math.gcd(data.form.rate_hz, _LOOP_HZ)
         up, down = _LOOP_HZ // common, data.form.rate_hz // common
         margin = down * (1 + _REACH * max(up, down) // (up * down))

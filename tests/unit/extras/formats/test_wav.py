@@ -45,7 +45,21 @@ def test_wav_of_others_acts_along_the_chosen_direction(tmp_path, kind):
     assert len(found.notes) == 3
 
 
-@pytest.mark.parametrize("rate", [8001, 12345, 44100, 48000])
+@pytest.mark.parametrize("rate", [2000, 4000, 8000, 44100])
+def test_sound_that_no_hand_follows_does_not_become_another(tmp_path, rate):
+    """A tone of 900 Hz is not felt as one of 100 Hz, which every millisecond of it is."""
+    time_s = np.arange(2 * rate) / rate
+    tones = [np.sin(2.0 * np.pi * hertz * time_s) for hertz in (60.0, 900.0)]
+    for name, tone in zip(("low", "high"), tones, strict=True):
+        wavfile.write(tmp_path / f"{name}.wav", rate, tone.astype(np.float32))
+    at_s = np.arange(0.5, 1.5, 0.001)
+    low, high = (read_force(tmp_path / f"{one}.wav") for one in ("low", "high"))
+    assert np.abs(low.track.at(at_s)).max() == pytest.approx(1.0, abs=0.03)
+    assert np.abs(high.track.at(at_s)).max() < 0.03
+    assert "sound above 500 Hz was left out" in str(high.unread[0])
+
+
+@pytest.mark.parametrize("rate", [1500, 8001, 12345, 44100, 48000])
 def test_wav_is_slowed_down_in_blocks_as_in_one(tmp_path, rng, monkeypatch, rate):
     monkeypatch.setattr("hapticplayer.extras.formats.wav_read.SAMPLES_AT_ONCE", 20000)
     samples = rng.normal(0.0, 0.1, (70001, 3)).astype(np.float32)
