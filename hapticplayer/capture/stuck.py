@@ -380,7 +380,7 @@ def _axes(values: Floats, works: Flags, each: int) -> _Axes:
     steps, noises, reach = np.full(3, np.inf), np.zeros(3), np.zeros(3)
     for axis in range(3):
         held = values[works[:, axis], axis]
-        held = held[np.isfinite(held)][::each]
+        held = held[np.abs(held) < 1e100][::each]  # squares of others are infinite
         levels = np.unique(held[:_SHOWN_VALUES])
         apart = np.diff(levels)
         apart = apart[apart > 1e-9 * np.abs(levels).max(initial=0.0)]
