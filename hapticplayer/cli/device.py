@@ -302,7 +302,7 @@ def test_forces(options: argparse.Namespace) -> int:
         f"The device will move or vibrate gently for {sum(p.end_s for p in parts):.0f} s"
         f"{_what(parts)}. {hold} Ctrl-C or a button on it stops. Ready?",
     )
-    test, ticks = _tested(options.device)
+    test, ticks = _tested(options.device, has_grip=bool(entry.capabilities.axes))
     report = {"device": entry.name, "ticks": len(ticks)}
     report |= _packets(ticks) if entry.takes_motion else _forces(ticks)
     if test.loudest:
@@ -324,9 +324,9 @@ def _what(parts: tuple[DevicePart, ...]) -> str:
     return f" with up to {largest_n:.1f} N" if largest_n else ""
 
 
-def _tested(device: str) -> tuple[DeviceTest, NDArray[Any]]:
+def _tested(device: str, *, has_grip: bool) -> tuple[DeviceTest, NDArray[Any]]:
     """A test that is over, and its ticks."""
-    clock, is_told = SystemClock(), False
+    clock, is_told = SystemClock(), not has_grip
     test = DeviceTest(clock, device, homing_s=HOMING_S)
     ticks = []
     try:
