@@ -47,7 +47,7 @@ class StorageError(InputError):
             return cls(
                 "cannot be written ({reason})",
                 where=str(path),
-                remedy="choose a folder with write permission",
+                remedy=_REMEDIES.get(problem.errno or 0, _ANOTHER_FOLDER),
                 reason=write_problem(problem, path),
             )
         return cls(
@@ -58,6 +58,14 @@ class StorageError(InputError):
             reason=write_problem(problem, path),
         )
 
+
+_ANOTHER_FOLDER = Message("choose a folder with write permission")
+_NO_FOLDER = Message("choose a folder; a part of this path is a file or a dead link")
+_REMEDIES = {
+    errno.ENAMETOOLONG: Message("choose a shorter name"),
+    errno.ENOTDIR: _NO_FOLDER,
+    errno.EEXIST: _NO_FOLDER,
+}
 
 _FULL = {
     errno.ENOSPC: Message("the disk at {disk} is full"),

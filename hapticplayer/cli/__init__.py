@@ -187,7 +187,12 @@ def main(
     except BrokenPipeError:
         return 1
     except (Exception, KeyboardInterrupt) as problem:  # noqa: BLE001 - faults are raised
-        return _refuse(*_sentence_and_status(problem))
+        sentence, status = _sentence_and_status(problem)
+        if "--" in sentence:
+            from hapticplayer.cli.remedies import with_commands
+
+            sentence = with_commands(sentence, _command_in(words))
+        return _refuse(sentence, status)
     finally:
         for found in extension.take_problems():
             _refuse(found, 0)
@@ -225,17 +230,25 @@ def _run(words: list[str], open_window: OpenWindow | None) -> int:
         from hapticplayer.capture.choices import each_with_its_option
 
         words = each_with_its_option(words)
-    command = next((word for word in words if not word.startswith("-")), None)
+    command = _command_in(words)
     if command != "doctor" and (command or not words):
         refuse_small_limits()
     try:
         options = build_parser(command).parse_args(words)
         if "run" not in options:  # no command: the demo
             options = build_parser("play").parse_args(["play", ""])
+        if "--overwrite" in options.given:
+            from hapticplayer.cli.common import refuse_idle_overwrite
+
+            refuse_idle_overwrite(options)
         with _work_that_can_be_interrupted():
             return int(options.run(options, open_window))
     except SystemExit as end:  # of --help, or wrong usage
         return int(end.code or 0)
+
+
+def _command_in(words: Sequence[str]) -> str | None:
+    return next((word for word in words if not word.startswith("-")), None)
 
 
 @contextlib.contextmanager

@@ -96,6 +96,15 @@ def _write_aside(text: str) -> None:
         sys.stderr.flush()
 
 
+def refuse_idle_overwrite(options: argparse.Namespace) -> None:
+    """Raise UsageError where --overwrite was given and no file is written."""
+    writing = [
+        one for one in options.writing if hasattr(options, one[2:].replace("-", "_"))
+    ]
+    if writing and not options.given.intersection(writing):
+        refuse_idle(options, f"without {' or '.join(writing)}", "--overwrite")
+
+
 def refuse_idle(options: argparse.Namespace, why: str, *idle: str) -> None:
     """Raise UsageError for options that were given although they have no effect."""
     given = [one for one in idle if one in getattr(options, "given", ())]
@@ -127,8 +136,15 @@ def agreed(options: argparse.Namespace, question: str) -> None:
         raise UsageError("nothing was done, as you did not agree")
 
 
-def add_overwrite(command: argparse._ActionsContainer) -> None:
-    """Add what lets the files that a command writes be replaced."""
+def add_overwrite(command: argparse._ActionsContainer, *writing: str) -> None:
+    """Add what lets the files that a command writes be replaced.
+
+    Args:
+        command: to which it is added.
+        writing: options that name such a file, where the command has them; without
+            any there always is one.
+    """
+    command.set_defaults(writing=writing)
     command.add_argument(
         "--overwrite",
         action="store_true",

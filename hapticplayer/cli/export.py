@@ -133,7 +133,8 @@ _OF_A_SEQUENCE = (
 def _export_record(options: argparse.Namespace) -> int:
     """Convert a record, showing the progress, and say what is in it."""
     refuse_idle(options, "on a record of `play --record`", *_OF_A_SEQUENCE)
-    target, name = Path(options.output), options.format or "csv"
+    target = Path(options.output)
+    name = options.format or _named_by(target) or "csv"
     known = record_exporters()
     if (exporter := known.get(name)) is None:
         raise UsageError(
@@ -161,6 +162,14 @@ def _export_record(options: argparse.Namespace) -> int:
         say_aside(f"{options.source}: {report['remark']}")
     say(json.dumps(report) if options.json else _text(report))
     return 0
+
+
+def _named_by(target: Path) -> str:
+    """The format that a file's suffix stands for, "" if none."""
+    try:
+        return format_of(target).name
+    except UsageError:
+        return ""
 
 
 def _text(report: dict[str, Any]) -> str:

@@ -37,7 +37,7 @@ from hapticplayer.playback.phases import Phase
 from hapticplayer.playback.player import FASTEST, SLOWEST, Player
 from hapticplayer.playback.snapshot import Snapshot
 from hapticplayer.playback.sound_process import SoundProcess
-from hapticplayer.playback.source import Source, open_source
+from hapticplayer.playback.source import FROM_FILE, Source, open_source
 from hapticplayer.playback.video_check import Verdict
 from hapticplayer.rendering import FEEDBACKS
 from hapticplayer.storage import FILE, make_way, refuse_existing
@@ -132,7 +132,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="record every tick of the haptic loop; see `export`",
     )
-    add_overwrite(parser)
+    add_overwrite(parser, "--log", "--record")
     parser.add_argument(
         "--scheduling",
         choices=("fifo", "slice", "normal"),
@@ -176,6 +176,10 @@ ROUNDING_N = 1e-3  # tracks are stored as float32
 def play(options: argparse.Namespace) -> int:
     """Play in real time without a window, and print the summary."""
     source, feedback = with_feedback(opened(options), options.feedback)
+    if feedback != FROM_FILE:
+        refuse_idle(options, f"with --feedback {feedback}", "--force")
+    if not options.outputs:
+        refuse_idle(options, "without a device", "--scheduling")
     end_s = until_s(options, source)
     refuse_outputs(options)
     advise(source, feedback)
@@ -246,8 +250,11 @@ def opened(options: argparse.Namespace) -> Source:
     if address := _ADDRESS.match(str(options.source)):
         source = _opened_remotely(options, address[1].lower())
     else:
+        refuse_idle(options, "on a file of this machine", "--allow-network")
         source = open_source(options.source, options.force)
-    if source.check and options.accept_changed_video:
+    if source.check is None:
+        refuse_idle(options, "on a video without force", "--accept-changed-video")
+    elif options.accept_changed_video:
         source.check.accept()
     return source
 

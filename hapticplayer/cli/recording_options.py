@@ -47,7 +47,7 @@ def add_reading(command: argparse._ActionsContainer) -> None:
         metavar="FILE",
         help="keep these decisions for other logs of the same logger",
     )
-    add_overwrite(command)
+    add_overwrite(command, "--save-template", "--plot", "--save-calibration")
 
 
 OF_A_RECORDING = (

@@ -117,3 +117,15 @@ def test_a_thread_may_lock_a_folder_again_but_no_other_may(tmp_path):
     assert len(refused) == 1
     other()
     assert len(refused) == 1
+
+
+def test_names_that_cannot_be_are_refused_with_what_can(tmp_path):
+    (tmp_path / "loop").symlink_to("loop")
+    (tmp_path / "file").write_text("x")
+    for place, remedy in (
+        ("x" * 256, "choose a shorter name"),
+        ("loop/x", "a part of this path is a file or a dead link"),
+        ("file/x", "a part of this path is a file"),
+    ):
+        with pytest.raises(storage.StorageError, match=remedy):
+            storage.replace_file(tmp_path / place, b"")

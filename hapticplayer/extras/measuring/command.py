@@ -41,7 +41,7 @@ def add_options(action: argparse.ArgumentParser) -> None:
     add_device_name(action, "falcon", motion=False)
     action.add_argument("--json", action="store_true", help="report as JSON")
     action.add_argument("-o", "--output", metavar="FILE", help="the report, as JSON")
-    add_overwrite(action)
+    add_overwrite(action, "--output")
     add_agreement(action)
 
 

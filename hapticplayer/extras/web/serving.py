@@ -27,6 +27,7 @@ from hapticplayer.cli.common import (
     add_accept_changed,
     add_number,
     interruptible,
+    refuse_idle,
     say,
     say_aside,
     shown_progress,
@@ -115,6 +116,7 @@ def _offered(
     """Return the title of what is served, and its files."""
     source = source.parent if source.name == DESCRIPTION else source
     if source.is_dir():
+        refuse_idle(options, "on a sequence", "--accept-changed-video")
         title, target = open_sequence(source).title, place / "ride.mkv"
         with shown_progress() as progress:
             pack(source, target, progress=progress)

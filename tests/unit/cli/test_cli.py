@@ -319,3 +319,16 @@ def test_a_new_exporter_is_offered_and_used(monkeypatch, capsys):
     monkeypatch.setattr(export, "record_exporters", lambda: {"dots": dummy})
     assert cli.main(["export", "--help"]) == 0
     assert "dots: a dot per tick" in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize("command", ["sync", "process"])
+def test_remedies_name_the_command_of_foreign_options(command, tiny_clip, capsys):
+    assert cli.main([command, str(tiny_clip.path)]) == 1
+    said = capsys.readouterr().err
+    foreign = "--suggest-motion" if command == "sync" else "--imu, --suggest-motion"
+    assert f"({foreign}: see `hapticplayer import --help`)" in said
+
+
+def test_own_options_and_quoted_commands_stand_as_they_are(capsys):
+    assert cli.main(["import", "a.mp4", "-o", "x", "--suggest-gain", "2"]) == 2
+    assert "--help" not in capsys.readouterr().err

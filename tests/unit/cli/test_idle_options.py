@@ -91,6 +91,11 @@ def test_estimated_motion_takes_no_option_of_a_recording(name, refused, tmp_path
         (["export", "a.rec", "--with-motion", "-o", "x.csv"], "--with-motion"),
         (["export", "a.rec", "--tolerance=0.1", "-o", "x.csv"], "--tolerance"),
         (["study", "power", "--like=a=none"], "--like"),
+        (["play", "a.mp4", "--headless", "--overwrite"], "--overwrite"),
+        (["import", "a.mp4", "-o", "x", "--overwrite"], "--overwrite"),
+        (["sync", "a.mp4", "--overwrite"], "--overwrite"),
+        (["process", "a.csv", "--overwrite"], "--overwrite"),
+        (["device", "measure", "--overwrite"], "--overwrite"),
     ],
 )
 def test_an_option_without_effect_is_refused_by_name(refused, words, option, tmp_path):
@@ -98,6 +103,44 @@ def test_an_option_without_effect_is_refused_by_name(refused, words, option, tmp
     said = refused(*words)
     assert f"{option} would have no effect" in said
     assert "leave it out" in said
+
+
+@pytest.mark.parametrize(
+    ("words", "option"),
+    [
+        (["--allow-network"], "--allow-network"),
+        (["--force", "force.csv", "--feedback", "random"], "--force"),
+        (["--device", "none", "--scheduling", "normal"], "--scheduling"),
+    ],
+)
+def test_playing_a_sequence_uses_every_option(refused, sequence_folder, words, option):
+    force = sequence_folder.parent / "force.csv"
+    force.write_text("time_s,fx_n,fy_n,fz_n\n0,0,0,0\n0.5,0,1,0\n")
+    words = [force if one == "force.csv" else one for one in words]
+    said = refused("play", sequence_folder, "--headless", *words)
+    assert f"{option} would have no effect" in said
+
+
+def test_a_video_without_force_has_none_to_accept(refused, tiny_clip):
+    said = refused("play", tiny_clip.path, "--headless", "--accept-changed-video")
+    assert "--accept-changed-video would have no effect" in said
+
+
+@needs("web")
+def test_a_sequence_to_be_served_has_no_changed_video(refused, sequence_folder):
+    said = refused("serve", sequence_folder, "--accept-changed-video")
+    assert "--accept-changed-video would have no effect on a sequence" in said
+
+
+def test_only_options_of_the_command_are_named(refused):
+    said = refused("import", "a.mp4", "-o", "x", "--overwrite")
+    assert "without --save-template; leave" in said
+
+
+@needs("formats")
+def test_a_record_is_not_written_under_another_formats_name(refused, tmp_path):
+    said = refused("export", tmp_path / "ride", "-o", tmp_path / "x.hjif")
+    assert "a record is not exported as hjif" in said
 
 
 @pytest.mark.parametrize("option", ["--read-as", "--mounting"])
