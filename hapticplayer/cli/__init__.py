@@ -191,7 +191,8 @@ def main(
         if "--" in sentence:
             from hapticplayer.cli.remedies import with_commands
 
-            sentence = with_commands(sentence, _command_in(words))
+            names = (one.name for one in commands())
+            sentence = with_commands(sentence, _command_in(words), build_parser, names)
         return _refuse(sentence, status)
     finally:
         for found in extension.take_problems():

@@ -2,13 +2,17 @@
 
 import argparse
 import re
-
-from hapticplayer import cli
+from collections.abc import Callable, Iterable
 
 _QUOTED, _OPTION = re.compile(r"`[^`]*`"), re.compile(r"(?<![\w-])--[a-z][a-z-]+")
 
 
-def with_commands(sentence: str, command: str | None) -> str:
+Parsers = Callable[[str], argparse.ArgumentParser]
+
+
+def with_commands(
+    sentence: str, command: str | None, parser_of: Parsers, others: Iterable[str]
+) -> str:
     """A sentence, and the commands of those options in it that `command` lacks.
 
     What stands in backquotes names its command itself.
@@ -16,13 +20,14 @@ def with_commands(sentence: str, command: str | None) -> str:
     if command is None:
         return sentence
     named = dict.fromkeys(_OPTION.findall(_QUOTED.sub("", sentence)))
-    own = _options_of(command)
+    own = _options_of(parser_of(command))
     foreign = [one for one in named if one not in own]
     homes: dict[str, list[str]] = {}
-    for other in cli.commands() if foreign else ():
-        found = [one for one in foreign if one in _options_of(other.name)]
+    for other in others if foreign else ():
+        theirs = _options_of(parser_of(other))
+        found = [one for one in foreign if one in theirs]
         if found:
-            homes[other.name] = found
+            homes[other] = found
             foreign = [one for one in foreign if one not in found]
     return sentence + "".join(
         f" ({', '.join(options)}: see `hapticplayer {name} --help`)"
@@ -30,10 +35,9 @@ def with_commands(sentence: str, command: str | None) -> str:
     )
 
 
-def _options_of(command: str) -> set[str]:
+def _options_of(parser: argparse.ArgumentParser) -> set[str]:
     """The options of a command and its actions."""
-    parsers: list[argparse.ArgumentParser] = [cli.build_parser(command)]
-    found: set[str] = set()
+    parsers, found = [parser], set[str]()
     while parsers:
         for action in parsers.pop()._actions:  # noqa: SLF001 - argparse has no other way
             found.update(action.option_strings)

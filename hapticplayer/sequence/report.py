@@ -298,8 +298,8 @@ def notes_on_force(tracks: Mapping[str, ForceTrack]) -> list[str]:
     if saturated > 0.0:
         notes.append(
             Message(
-                "{share:.1%} of the force samples reach the force limit",
-                share=saturated,
+                "{percent:.2g} % of the force samples reach the force limit",
+                percent=100.0 * saturated,
             )
         )
     return notes

@@ -303,6 +303,8 @@ def _reason(found: Synchronisation) -> Message:
     """Return why the result of one method is uncertain."""
     if found.method == "frames":
         return _doubtful_frames(found)
+    if found.method == "variance":
+        return Message("the first sudden rise of sound and motion is uncertain")
     if not found.pats:
         return NO_PATS
     clock = found.clock_map

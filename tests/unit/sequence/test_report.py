@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.model import ClockMap, ForceTrack
 from hapticplayer.rendering.washout import washed_out
 from hapticplayer.sequence.description import Description
@@ -14,10 +15,12 @@ from hapticplayer.sequence.report import (
     Mark,
     marked,
     needs_recording,
+    notes_on_force,
     notes_on_sequence,
     quality_report,
     worst,
 )
+from hapticplayer.sequence.synchronizing import uncertainty
 from hapticplayer.structures import convert
 
 MAPPING = {
@@ -185,3 +188,18 @@ def test_entries_that_a_sequence_lacks_are_left_out():
 
 def test_more_hertz_are_better():
     assert marked("rate_hz", 100.0, is_low_bad=True) is Mark.GOOD
+
+
+def test_a_method_that_compares_no_taps_says_nothing_of_taps():
+    found = Synchronisation(ClockMap(confidence=0.0), "variance")
+    said = uncertainty(found, "clip.mp4")
+    assert "the first sudden rise of sound and motion is uncertain" in said
+    assert "taps" not in said
+
+
+@pytest.mark.parametrize(("share", "said"), [(0.0002, "0.02 %"), (0.25, "25 %")])
+def test_a_force_limit_that_is_reached_is_never_zero_percent(share, said):
+    force_n = np.zeros((2, 3), np.float32)
+    track = ForceTrack([0.0, 1.0], force_n, provenance={"saturated_share": share})
+    (note,) = notes_on_force({"realistic": track})
+    assert str(note).startswith(f"{said} of the force samples")
