@@ -238,8 +238,9 @@ class _Handler(BaseHTTPRequestHandler):
 
     def do_GET(self) -> None:
         lengths = self.headers.get_all("Content-Length", ["0"])
-        if lengths != ["0"] or "Transfer-Encoding" in self.headers:
-            # it would be taken for the next request
+        is_odd = self.headers.defects or "\n" in "".join(self.headers.values())
+        if is_odd or lengths != ["0"] or "Transfer-Encoding" in self.headers:
+            # a body, perhaps one that was not understood, would be the next request
             self._refuse(HTTPStatus.BAD_REQUEST)
             return
         token, _, name = self.path.partition("?")[0].removeprefix("/").partition("/")

@@ -143,6 +143,10 @@ def test_only_reading_is_possible(ask, file):
         "Content-Length: +40",
         "content-length: 0, 40",
         "Transfer-Encoding: chunked",
+        "Content-Length : 40",
+        "nonsense\r\nContent-Length: 40",
+        " Content-Length: 40",
+        "A: b\r\n\tContent-Length: 40",
     ],
 )
 def test_a_body_is_not_taken_for_the_next_request(server, length):
