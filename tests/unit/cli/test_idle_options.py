@@ -95,7 +95,11 @@ def test_estimated_motion_takes_no_option_of_a_recording(name, refused, tmp_path
         (["import", "a.mp4", "-o", "x", "--overwrite"], "--overwrite"),
         (["sync", "a.mp4", "--overwrite"], "--overwrite"),
         (["process", "a.csv", "--overwrite"], "--overwrite"),
-        (["device", "measure", "--overwrite"], "--overwrite"),
+        pytest.param(
+            ["device", "measure", "--overwrite"],
+            "--overwrite",
+            marks=needs("measuring"),
+        ),
     ],
 )
 def test_an_option_without_effect_is_refused_by_name(refused, words, option, tmp_path):
