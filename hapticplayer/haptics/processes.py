@@ -6,7 +6,7 @@ import os
 import socket
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
@@ -16,7 +16,6 @@ from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
 from hapticplayer.extension import load
 from hapticplayer.haptics.lifeline import hold_lifeline
 from hapticplayer.haptics.messages import MessageKind, MessageSocket, signal_alarm
-from hapticplayer.haptics.recorder import LoopRecording
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
 from hapticplayer.haptics.spawn import (
@@ -29,6 +28,9 @@ from hapticplayer.haptics.spawn import (
 from hapticplayer.haptics.track import anonymous_memory, to_shared_memory
 from hapticplayer.model import ForceTrack, PlaybackClock, RigTrack
 from hapticplayer.model.device import ChannelLevel
+
+if TYPE_CHECKING:
+    from hapticplayer.haptics.recorder import LoopRecording
 
 GUARD_LATE_S = 0.1  # it beats every 19 ms; only then the kernel is asked about it
 
@@ -97,7 +99,9 @@ class HapticsProcesses:
                     device=device,
                 )
             self._patience_s, self._release_s = entry.patience_s, entry.release_s
-            self._recording = LoopRecording(record, descriptor) if record else None
+            if record:
+                make = load("hapticplayer.haptics.recorder:LoopRecording")
+                self._recording = make(record, descriptor)
             if takes_faults:
                 act, acted_on = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
                 stack.enter_context(acted_on)

@@ -64,6 +64,16 @@ class QuestionKind(enum.StrEnum):
     TEXT = "text"
 
 
+QUESTION_KINDS = {
+    QuestionKind.LIKERT: Message("Five-point scale"),
+    QuestionKind.YES_NO: Message("Yes or no"),
+    QuestionKind.CHOICE: Message("Choice"),
+    QuestionKind.NUMBER: Message("Number"),
+    QuestionKind.TEXT: Message("Text"),
+}
+"""As people choose them."""
+
+
 class OrderMethod(enum.StrEnum):
     """How the order of conditions is made for a participant."""
 

@@ -4,15 +4,17 @@ from typing import Any
 
 from PySide6.QtWidgets import QMenu, QWidget
 
+from app.bridge.languages import translated
 from app.experimenter.study.document import Place, StudyDocument
 from app.experimenter.study.lists import EntryList, Row
 from app.experimenter.study.preview import PagePreview
-from app.experimenter.study.words import group_names, kind_names, text_in
+from app.experimenter.study.words import group_names, text_in
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import paragraph, row_of
 from hapticplayer.study.definition import (
     MAX_ANSWER,
+    QUESTION_KINDS,
     QuestionKind,
     TrialKind,
 )
@@ -51,7 +53,7 @@ class QuestionList(EntryList):
             if kinds := kinds_in(group):
                 inner = menu.addMenu(group_names()[group])
                 for kind in kinds:
-                    action = inner.addAction(kind_names()[kind])
+                    action = inner.addAction(translated(QUESTION_KINDS[kind]))
                     action.triggered.connect(
                         lambda _on, group=group, kind=kind: self.add(group, kind)
                     )
@@ -85,7 +87,9 @@ class QuestionList(EntryList):
         fields, group = self.fields, str(place[0])
         kind = self.document.at((*place, "kind"))
         fields.texts(self.tr("Wording"), (*place, "text"), lines=2)
-        names = [(kind_names()[one], one.value) for one in kinds_in(group)]
+        names = [
+            (translated(QUESTION_KINDS[one]), one.value) for one in kinds_in(group)
+        ]
         if len(names) > 1:
             fields.choice(
                 self.tr("Kind of answer"),

@@ -10,20 +10,8 @@ from app.experimenter.study.document import Content, Place, entry_at
 from app.player.choices import feedback_words
 from app.widgets.texts import quoted
 from hapticplayer.rendering import ChosenFeedback
-from hapticplayer.study.definition import QuestionKind
 
 translate = QCoreApplication.translate
-
-
-def kind_names() -> dict[str, str]:
-    """The kinds of questions."""
-    return {
-        QuestionKind.LIKERT: translate("StudyWords", "Five-point scale"),
-        QuestionKind.YES_NO: translate("StudyWords", "Yes or no"),
-        QuestionKind.CHOICE: translate("StudyWords", "Choice"),
-        QuestionKind.NUMBER: translate("StudyWords", "Number"),
-        QuestionKind.TEXT: translate("StudyWords", "Text"),
-    }
 
 
 def group_names() -> dict[str, str]:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.editor.kind_list import MIME
 from app.player.command import KEYS
+from hapticplayer.rendering.effects import EFFECTS as KINDS
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.sequence import open_sequence, store, verify_sequence
 
@@ -132,7 +133,8 @@ def test_copies_are_put_after_the_effect_and_at_the_cursor(page):
 
 def test_a_kind_is_dropped_where_the_pointer_is(page):
     lanes = page.lanes
-    item = page.kinds.item(3)  # mute
+    names = [kind.name for kind in KINDS]
+    item = page.kinds.item(names.index("mute"))
     data = page.kinds.mimeData([item])
     assert bytes(data.data(MIME).data()) == b"mute"
     place = QPointF(px(page, 0.53), lanes.height() - 20.0)
@@ -147,7 +149,7 @@ def test_a_kind_is_dropped_where_the_pointer_is(page):
     assert page.document.effect.kind == "mute"
     assert page.document.effect.start_s == pytest.approx(0.52)  # a frame
     page.lanes.point_at(0.0)
-    page.kinds.setCurrentRow(7)
+    page.kinds.setCurrentRow(names.index("knock"))
     page.kinds.setFocus()
     QTest.keyClick(page.kinds, Qt.Key.Key_Return)
     assert page.document.effect.kind == "knock"
