@@ -12,6 +12,7 @@ import errno
 import importlib
 import io
 import os
+import resource
 import signal
 import sys
 import threading
@@ -20,7 +21,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
 from hapticplayer import __version__, extension
-from hapticplayer.cli.shortage import refuse_small_limits, shortage_of
 from hapticplayer.errors import HapticPlayerError, UsageError
 from hapticplayer.untrusted import ESCAPED, without_controls
 
@@ -29,6 +29,22 @@ if TYPE_CHECKING:
 
 OpenWindow = Callable[[argparse.Namespace], int]
 """Shows the window for a command, and returns the exit status."""
+
+LEAST_ADDRESS_SPACE_BYTES = 1 << 30
+"""Drawing needs 0.7 GB. With less, libraries end the process or wait for ever."""
+
+LEAST_FILES = 64
+"""Playing needs 25, and the window more; usual are 1024."""
+
+_MEMORY = "not enough memory; close other programs, or raise the limit (ulimit -v)"
+_FILES = "too many open files; close other programs, or raise the limit (ulimit -n)"
+_WORDS = {
+    "failed to map segment": _MEMORY,
+    "annot allocate memory": _MEMORY,
+    "can't start new thread": _MEMORY,
+    "oo many open files": _FILES,
+}
+_ERRNO = {errno.ENOMEM: _MEMORY, errno.EMFILE: _FILES, errno.ENFILE: _FILES}
 
 
 class _ArgumentParser(argparse.ArgumentParser):
@@ -209,7 +225,7 @@ def _sentence_and_status(problem: BaseException) -> tuple[str, int]:
     if isinstance(problem, KeyboardInterrupt):
         number = getattr(problem, "number", signal.SIGINT)
         return "interrupted; no file was left half written", 128 + number
-    if sentence := shortage_of(problem):
+    if sentence := _shortage_of(problem):
         return sentence, 1
     if isinstance(problem, OSError) and problem.errno in _OUTPUT_ERRNO:
         return f"the output cannot be written ({problem.strerror})", 1
@@ -233,7 +249,7 @@ def _run(words: list[str], open_window: OpenWindow | None) -> int:
         words = each_with_its_option(words)
     command = _command_in(words)
     if command != "doctor" and (command or not words):
-        refuse_small_limits()
+        _refuse_small_limits()
     try:
         options = build_parser(command).parse_args(words)
         if "run" not in options:  # no command: the demo
@@ -313,3 +329,41 @@ def _refuse(problem: object, status: int) -> int:
     with contextlib.suppress(OSError):  # the status says it too
         print(sentence, file=sys.stderr)  # noqa: T201 - the command line speaks
     return status
+
+
+def _refuse_small_limits() -> None:
+    """Check the limits of this process before anything is loaded."""
+    space, files = (
+        resource.getrlimit(which)[0]
+        for which in (resource.RLIMIT_AS, resource.RLIMIT_NOFILE)
+    )
+    if space != resource.RLIM_INFINITY:
+        # each of its threads reserves memory, and there is one for each core
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+        if space < LEAST_ADDRESS_SPACE_BYTES:
+            raise HapticPlayerError(
+                f"the memory of a process is limited to {space >> 20} MB; "
+                f"raise the limit to {LEAST_ADDRESS_SPACE_BYTES >> 20} MB or more "
+                f"(ulimit -v {LEAST_ADDRESS_SPACE_BYTES >> 10})"
+            )
+    if files != resource.RLIM_INFINITY and files < LEAST_FILES:
+        raise HapticPlayerError(
+            f"the number of open files is limited to {files}; raise the limit to "
+            f"{LEAST_FILES} or more (ulimit -n {LEAST_FILES})"
+        )
+
+
+def _shortage_of(problem: BaseException | None) -> str:
+    """The shortage that caused a problem, else ""."""
+    while problem is not None:
+        if isinstance(problem, MemoryError):
+            return _MEMORY
+        if isinstance(problem, OSError) and problem.errno in _ERRNO:
+            return _ERRNO[problem.errno]
+        if isinstance(problem, (ImportError, OSError, RuntimeError)):
+            text = str(problem)
+            for words, sentence in _WORDS.items():
+                if words in text:
+                    return sentence
+        problem = problem.__cause__ or problem.__context__
+    return ""

@@ -15,8 +15,8 @@ from hapticplayer.rendering import chosen_feedback
 from hapticplayer.storage import json_text
 from hapticplayer.study.definition import StudyFeedback, read_file
 from hapticplayer.study.definition_reader import DEFINITION, parse_definition
-from hapticplayer.study.estimates import refuse_estimates
 from hapticplayer.study.plan import LETTERS
+from hapticplayer.study.sequence_folders import refuse_estimates
 from hapticplayer.study.study_folder import Study, open_study
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "studies"

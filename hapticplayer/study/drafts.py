@@ -19,9 +19,9 @@ from hapticplayer.study.definition import (
     refuse,
 )
 from hapticplayer.study.definition_reader import faults_of
-from hapticplayer.study.estimates import refuse_estimates
 from hapticplayer.study.order_list import ORDERS, read_orders
 from hapticplayer.study.orders import rows_of
+from hapticplayer.study.sequence_folders import refuse_estimates
 from hapticplayer.study.study_folder import open_study
 
 DRAFT = "study-draft.json"

@@ -21,8 +21,11 @@ from hapticplayer.playback.video_check import Verdict
 from hapticplayer.rendering.demonstration import demonstration
 from hapticplayer.storage import cache_root
 from hapticplayer.study.definition_reader import DEFINITION
-from hapticplayer.study.estimates import refuse_estimates
-from hapticplayer.study.sequence_folders import clip_checksums, sequence_folder
+from hapticplayer.study.sequence_folders import (
+    clip_checksums,
+    refuse_estimates,
+    sequence_folder,
+)
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.stage import PlayerStage
 from hapticplayer.study.study_folder import Study

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hapticplayer.simulation.falcon.record import (
+from hapticplayer.simulation.falcon.process import (
     MAGIC,
     RECORD_BYTES,
     RECORD_FIELDS,

@@ -6,8 +6,11 @@ import sys
 
 from hapticplayer.clock import SystemClock
 from hapticplayer.haptics.scheduling import outlive_the_player
-from hapticplayer.simulation.falcon.options import device_parser, simulation_of
-from hapticplayer.simulation.falcon.record import PlantRecorder
+from hapticplayer.simulation.falcon.process import (
+    PlantRecorder,
+    device_parser,
+    simulation_of,
+)
 from hapticplayer.simulation.falcon.server import Server
 
 

@@ -13,7 +13,7 @@ from hapticplayer.simulation.falcon.packets import (
     unpack,
 )
 from hapticplayer.simulation.falcon.plant import ZERO
-from hapticplayer.simulation.falcon.record import PlantRecorder
+from hapticplayer.simulation.falcon.process import PlantRecorder
 from hapticplayer.simulation.falcon.simulation import Simulation
 
 COMMAND_AGE_S = 0.020

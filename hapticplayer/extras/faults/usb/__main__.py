@@ -16,8 +16,11 @@ from hapticplayer.extras.faults.usb.mechanics import (
 )
 from hapticplayer.extras.faults.usb.server import UsbServer, serve_acts
 from hapticplayer.haptics.scheduling import outlive_the_player
-from hapticplayer.simulation.falcon.options import device_parser, simulation_of
-from hapticplayer.simulation.falcon.record import PlantRecorder
+from hapticplayer.simulation.falcon.process import (
+    PlantRecorder,
+    device_parser,
+    simulation_of,
+)
 
 
 def main(argv: list[str] | None = None) -> int:

@@ -6,7 +6,7 @@ from hapticplayer.devices.falcon.kinematics import WORDS_PER_NM, Kinematics
 from hapticplayer.devices.falcon.matrix3 import cross, dot
 from hapticplayer.devices.falcon.protocol import Lights, MotorCommand, Reply
 from hapticplayer.model.device import Vector
-from hapticplayer.simulation.falcon.record import PlantRecorder
+from hapticplayer.simulation.falcon.process import PlantRecorder
 from hapticplayer.simulation.falcon.simulation import Simulation
 
 _ALL_HOMED = 7

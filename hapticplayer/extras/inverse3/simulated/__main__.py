@@ -14,7 +14,6 @@ from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.devices.dynamics import HANDS
 from hapticplayer.extras.inverse3.simulated.service import Service, simulation_of
 from hapticplayer.haptics.scheduling import outlive_the_player
-from hapticplayer.simulation.falcon.options import device_parser
 from hapticplayer.simulation.falcon.packets import (
     MAX_BYTES,
     Control,
@@ -23,7 +22,7 @@ from hapticplayer.simulation.falcon.packets import (
     unpack,
 )
 from hapticplayer.simulation.falcon.parameters import Electronics
-from hapticplayer.simulation.falcon.record import PlantRecorder
+from hapticplayer.simulation.falcon.process import PlantRecorder, device_parser
 
 _LONGEST_S = 0.005
 

@@ -10,7 +10,7 @@ from hapticplayer.clock import ManualClock
 from hapticplayer.errors import DeviceError
 from hapticplayer.simulation.falcon.packets import ForceCommand, command_bytes
 from hapticplayer.simulation.falcon.parameters import Electronics
-from hapticplayer.simulation.falcon.record import RING_RECORDS, PlantRecorder
+from hapticplayer.simulation.falcon.process import RING_RECORDS, PlantRecorder
 from hapticplayer.simulation.falcon.remote import Controls, RemoteFalcon, silence
 from hapticplayer.simulation.falcon.server import COMMAND_AGE_S, Server
 from hapticplayer.simulation.falcon.simulation import Simulation
