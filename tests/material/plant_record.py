@@ -1,4 +1,4 @@
-"""Reads the record of a simulated Falcon; see `hapticplayer.simulation.falcon.record`."""
+"""Reads the record of a simulated Falcon; see `hapticplayer.simulation.falcon.process`."""
 
 import os
 from typing import Any
