@@ -149,7 +149,7 @@ class SharePage(JobDialog):
     def _show_contents(self) -> None:
         parts = self.parts()
         rows = [
-            (capitalised(translated(part.text)), part.name, part.size_bytes)
+            (capitalised(translated(part.text)), part.name, size_text(part.size_bytes))
             for part in parts
         ]
         if self._contents is not None:
@@ -161,13 +161,13 @@ class SharePage(JobDialog):
             )
             for one, along in chosen.told(with_track=wanted.ending == ".mp4"):
                 how = self.tr("included") if along else self.tr("left out")
-                text = f"{capitalised(translated(one.text))} ({how})"
-                rows.append((text, without_controls(one.value), 0))
+                text = capitalised(translated(one.text))
+                rows.append((text, without_controls(one.value), how))
         whole = sum(part.size_bytes for part in parts)
-        rows.append((self.tr("Total"), "", whole))
+        rows.append((self.tr("Total"), "", size_text(whole)))
         self.table.setRowCount(len(rows))
-        for row, (text, name, size_bytes) in enumerate(rows):
-            for column, shown in enumerate((text, name, size_text(size_bytes))):
+        for row, texts in enumerate(rows):
+            for column, shown in enumerate(texts):
                 item = QTableWidgetItem(shown)
                 item.setToolTip(shown)
                 if column == 2:

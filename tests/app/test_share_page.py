@@ -46,6 +46,19 @@ def test_the_share_page_lists_its_files_with_sizes(page, sequence):
     assert whole == pytest.approx(size_bytes, abs=20_000)  # the description
 
 
+def test_the_share_page_says_what_is_left_out_of_names(page):
+    """In a column of its own: the text of a row may be cut off."""
+
+    def told(value):
+        row = names(page).index(value)
+        return [page.table.item(row, column).text() for column in (0, 2)]
+
+    named = next(name for name in names(page) if name.startswith("20"))
+    assert told(named) == ["Date", "left out"]
+    page.with_places.setChecked(True)
+    assert told(named) == ["Date", "included"]
+
+
 @pytest.mark.parametrize("is_mp4", [False, True])
 def test_the_share_page_writes_and_says_so(page, tmp_path, qtbot, is_mp4):
     page.two_files.setChecked(is_mp4)

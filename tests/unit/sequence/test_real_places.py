@@ -78,3 +78,23 @@ def test_an_exported_force_tells_no_name_or_date(ride, tmp_path, form):
     target = tmp_path / f"out.{form}"
     assert cli.main(["export", str(ride), "--format", form, "-o", str(target)]) == 0
     assert set().union(*map(told_by, tmp_path.glob("out*"))) == set()
+
+
+@pytest.fixture(scope="module")
+def study(ride, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("study") / "study"
+    keys = ("bike", "horse", "car-turning", "car-braking")
+    given = [word for key in keys for word in ("--sequence", f"{key}={ride}")]
+    assert cli.main(["study", "new", str(folder), *given]) == 0
+    assert cli.main(["study", "simulate", str(folder), "--participants", "1"]) == 0
+    return folder
+
+
+@pytest.mark.parametrize("form", ["csv", "excel", "bids", "xdf"])
+def test_an_exported_study_tells_nothing_of_its_clips(study, tmp_path, form):
+    out = tmp_path / form
+    words = ["study", "export", str(study), "-o", str(out), "--format", form]
+    assert cli.main(words) == 0
+    files = [one for one in out.rglob("*") if one.is_file()]
+    assert files
+    assert set().union(*map(told_by, files)) == set()
