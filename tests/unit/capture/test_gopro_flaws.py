@@ -1,5 +1,7 @@
 """Missing samples, compasses, and cameras without accelerations."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -33,6 +35,33 @@ def test_motion_in_closed_form_comes_back():
     rate_error = telemetry.imu.angular_rate_radps - true_rate(t)
     assert np.abs(rate_error).max() < 0.02
     assert len(telemetry.notes) == 1  # how it was read
+
+
+def _stamps_of(content: bytes, key: bytes) -> list[int]:
+    """Where the time stamps of a sensor's streams stand."""
+    places = [one.end() for one in re.finditer(b"STMPJ...", content, re.DOTALL)]
+    ends = [content.find(b"STRM", place) % (len(content) + 1) for place in places]
+    pairs = zip(places, ends, strict=True)
+    return [place for place, end in pairs if key in content[place:end]]
+
+
+@pytest.mark.parametrize("key", [b"ACCL", b"GYRO"])
+@pytest.mark.parametrize(
+    ("payload", "off_s"),
+    [(3, 0.05), (5, 0.5), (6, 5.0), (4, 1e4), (0, 5.0), (-1, 50.0)],
+)
+def test_one_lying_stamp_moves_no_sample(tmp_path, key, payload, off_s):
+    """It made the stamps run backwards, or all of them ignored."""
+    source = recorded("gopro/hero8_grass.gpmf")
+    content = bytearray(source.read_bytes())
+    at = _stamps_of(bytes(content), key)[payload]
+    stamp_us = int.from_bytes(content[at : at + 8], "big") + round(1e6 * off_s)
+    content[at : at + 8] = stamp_us.to_bytes(8, "big")
+    (tmp_path / "lying.gpmf").write_bytes(content)
+    before, after = (read_recording(p) for p in (source, tmp_path / "lying.gpmf"))
+    assert len(after.imu) == len(before.imu)
+    assert np.abs(after.imu.time_s - before.imu.time_s).max() < 1e-3
+    assert after.notes == before.notes
 
 
 def test_missing_accelerations_are_filled_and_marked():
