@@ -64,7 +64,9 @@ def test_a_packed_ride_tells_no_place_name_or_date(
 
 
 @pytest.mark.parametrize("ending", ["mkv", "mp4"])
-def test_what_was_asked_for_goes_along_and_is_said(ride, tmp_path, capsys, ending):
+def test_places_that_were_asked_for_go_along_and_are_said(
+    ride, tmp_path, capsys, ending
+):
     told = packed(ride, tmp_path, ending, "--with-motion", "--with-places")
     places = {b"GLPI", b"GPRI", b"SYST"} if ending == "mp4" else set()
     assert told == {b"Anna", b"Elm Street", *places}
