@@ -12,13 +12,18 @@ import numpy as np
 
 from hapticplayer.capture.choices import (
     ACCEL_UNITS,
+    RATE_UNITS,
     SWAPPED,
     LogChoices,
     LogQuestion,
     factor,
+    is_factor,
+    kept_as,
+    rate_unit_times,
 )
 from hapticplayer.capture.mounting import (
     AS_RECORDED,
+    AXES,
     axes_matrix,
     axes_text,
     mean_up,
@@ -53,28 +58,93 @@ def own_axes(values: Sequence[Floats], choices: LogChoices) -> list[Floats]:
     return turned
 
 
-def ask_about_axes(
-    imu: ImuLog, choices: LogChoices, where: str, axes: str = AS_RECORDED
+def ask_about_agreement(
+    imu: ImuLog,
+    choices: LogChoices,
+    where: str,
+    axes: str = AS_RECORDED,
+    rate_unit: str = "rad/s",
 ) -> tuple[Message, ...]:
-    """Ask for the sensors' own axes where they contradict each other.
+    """Ask for what is wrong where gyroscope and accelerometer contradict each other.
 
     Args:
         imu: in frame A.
-        choices: axes that a person gave for a sensor are noted, not questioned.
+        choices: what a person gave for a sensor is noted, not questioned.
         where: the file.
         axes: right, front, up of frame A in the stored axes.
+        rate_unit: that the gyroscope was read in.
     """
-    from hapticplayer.motion.repair.units import axes_in_doubt
+    from hapticplayer.motion.repair.rotation import doubt_about, unseen_turn
 
-    change = axes_in_doubt(imu.time_s, imu.specific_force_mps2, imu.angular_rate_radps)
-    if change is None:
+    dead, turn_rad = unseen_turn(imu)
+    doubt = None if dead else doubt_about(imu)
+    if dead:
+        what = _unseen(dead, turn_rad, axes)
+        answers = [_KEPT, Message("record it again")]
+    elif doubt is None:
         return ()
+    elif doubt.scale is not None:
+        if is_factor(choices.rate_unit, RATE_UNITS):
+            return ()
+        what, answers = _scaled(doubt.scale, rate_unit)
+    elif doubt.delay_s:
+        what, answers = _delayed(doubt.delay_s)
+        if choices.rate_delay:
+            return (Message("{what}, with the delay that was given", what=what),)
+    else:
+        assert doubt.change is not None
+        what, answers = _turned(doubt.change, imu, axes)
+    if choices.accel_axes or choices.rate_axes:
+        return (Message("{what}, with the axes that were given", what=what),)
+    raise LogQuestion(what, answers, where)
+
+
+_KEPT = Message("rate-axes={axes} to keep both as they are", axes=AS_RECORDED)
+
+
+def _unseen(dead: Sequence[int], turn_rad: float, axes: str) -> Message:
+    stored = axes_matrix(axes).T
+    names = [AXES[int(np.argmax(np.abs(stored[:, axis])))] for axis in dead]
+    return Message(
+        "its gyroscope reads exactly 0 about {axes} throughout, but gravity turns "
+        "{angle_deg:.0f} degrees in its accelerometer that it does not show",
+        axes=", ".join(sorted(names)),
+        angle_deg=math.degrees(turn_rad),
+    )
+
+
+def _scaled(scale: float, rate_unit: str) -> tuple[Message, list[Message]]:
+    what = Message(
+        "the rate of its gyroscope is about {times:.2g} times too {how} for how gravity "
+        "turns in its accelerometer",
+        times=max(scale, 1.0 / scale),
+        how=Message("low") if scale > 1.0 else Message("high"),
+    )
+    unit = rate_unit_times(scale, rate_unit)
+    return what, [
+        Message("rate-unit={unit} to scale it to gravity", unit=unit),
+        kept_as("rate-unit", rate_unit, RATE_UNITS, Message("to keep it")),
+    ]
+
+
+def _delayed(delay_s: float) -> tuple[Message, list[Message]]:
+    what = Message(
+        "its gyroscope shows how gravity turns in its accelerometer {size_s:.2f} s too "
+        "{how}: their clocks differ",
+        size_s=abs(delay_s),
+        how=Message("late") if delay_s > 0.0 else Message("early"),
+    )
+    return what, [
+        Message("rate-delay={delay_s:.2f} to take it back", delay_s=delay_s),
+        Message("rate-delay=0 to keep both as they are"),
+    ]
+
+
+def _turned(change: Floats, imu: ImuLog, axes: str) -> tuple[Message, list[Message]]:
     what = Message(
         "the rotation of its gyroscope does not match that of gravity in its "
         "accelerometer: their axes or signs differ"
     )
-    if choices.accel_axes or choices.rate_axes:
-        return (Message("{what}, with the axes that were given", what=what),)
     stored = axes_matrix(axes)
     fits = [(stored.T @ change @ stored, Message("gyroscope"), "rate-axes")]
     if np.linalg.det(change) > 0.0:
@@ -95,10 +165,7 @@ def ask_about_axes(
         )
         for axis, sensor, key in fits
     ]
-    answers.append(
-        Message("rate-axes={axes} to keep both as they are", axes=AS_RECORDED)
-    )
-    raise LogQuestion(what, answers, where)
+    return what, [*answers, _KEPT]
 
 
 def _edits(change: Floats) -> int:
@@ -116,7 +183,10 @@ def _how(change: Floats) -> Message:
 
 
 def sensors_as_answered(raw: RawLog, choices: LogChoices) -> RawLog:
-    """Return the log with the columns of two sensors swapped, if a person said so."""
+    """Return the log with swapped columns and the gyro's clock as a person said."""
+    if raw.rate is not None and (delay_s := choices.take_rate_delay_s()):
+        rate = SensorStream(raw.rate.time_s - delay_s, raw.rate.values)
+        raw = dataclasses.replace(raw, rate=rate)
     if choices.swapped not in SWAPPED:
         choices.take("swapped")
         return raw

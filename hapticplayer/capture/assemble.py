@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture import log_checks
 from hapticplayer.capture.agreement import (
-    ask_about_axes,
+    ask_about_agreement,
     ask_if_swapped,
     own_axes,
     sensors_as_answered,
@@ -28,6 +28,7 @@ from hapticplayer.capture.choices import (
     factor,
     is_factor,
     kept_as,
+    rate_unit_times,
 )
 from hapticplayer.capture.formats import Confidence, Reader, WhyNot, without_reason
 from hapticplayer.capture.mounting import axes_matrix, mounted
@@ -116,7 +117,7 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
     else:
         log_checks.check_norm(figures, raw, choices, where)
         log_checks.check_rate(imu, raw, choices, where)
-        notes = ask_about_axes(imu, choices, where, raw.axes)
+        notes = ask_about_agreement(imu, choices, where, raw.axes, raw.rate_unit)
         notes += log_checks.check_upright(imu, raw, choices, where)
     first_s, last_s = raw.frames_s or (0.0, 0.0)
     known = raw.frames_s is not None
@@ -165,13 +166,14 @@ def _decided(raw: RawLog, choices: LogChoices) -> RawLog:
 
 
 def as_answered(recording: Recording, choices: LogChoices) -> Recording:
-    """Return a recording whose format states axes and signs, with those of a person."""
+    """Return a recording whose format states axes and units, with those of a person."""
     imu = recording.imu
     force, rate = own_axes((imu.specific_force_mps2, imu.angular_rate_radps), choices)
     if choices.take("accel_sign") == "-":
         force = -force
     imu = dataclasses.replace(imu, specific_force_mps2=force, angular_rate_radps=rate)
-    notes = ask_about_axes(imu, choices, imu.source)
+    unit = choices.rate_unit or "rad/s"
+    notes = ask_about_agreement(imu, choices, imu.source, rate_unit=unit)
     return dataclasses.replace(
         recording,
         imu=mounted(imu, choices.take("axes")),
@@ -245,7 +247,7 @@ def _finite(values: Floats) -> Floats:
 def _cleaned(
     samples: Samples, raw: RawLog, choices: LogChoices, where: str
 ) -> tuple[ImuLog, tuple["Repair", ...]]:
-    from hapticplayer.motion import repair_samples  # brings scipy along
+    from hapticplayer.motion.repair import repair_samples  # brings scipy along
 
     imu, repairs = repair_samples(
         *samples[:4],
@@ -264,7 +266,12 @@ def ask_about_units(
 ) -> None:
     """Ask about the units if the log was refused and a part of it would fit others."""
     _ask_about_time(error, part.time_s, choices, where)
-    other = _other_units(part, raw, choices, where)
+    rate_units = ["rad/s", "deg/s"]
+    if scale := error.what.values.get("scale"):
+        rate_units = [rate_unit_times(scale, raw.rate_unit)]
+    elif is_factor(choices.rate_unit, RATE_UNITS):
+        rate_units = [raw.rate_unit]
+    other = _other_units(part, raw, choices, where, rate_units)
     if other is None:
         return
     what = Message(_WOULD_FIT, what=error.what)
@@ -296,11 +303,9 @@ def _ask_about_time(
 
 
 def _other_units(
-    part: Samples, raw: RawLog, choices: LogChoices, where: str
+    part: Samples, raw: RawLog, choices: LogChoices, where: str, rate_units: list[str]
 ) -> str | None:
     """Return other units that a part of the log would fit, as a choice, or None."""
-    is_kept = is_factor(choices.rate_unit, RATE_UNITS)
-    rate_units = [raw.rate_unit] if is_kept else ["rad/s", "deg/s"]
     for accel_unit in ("m/s2", "g", "mg"):
         for rate_unit in rate_units:
             if (accel_unit, rate_unit) == (raw.accel_unit, raw.rate_unit):

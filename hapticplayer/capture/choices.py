@@ -15,7 +15,7 @@ from hapticplayer.errors import InputError, Message, UsageError, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, Sampling
 from hapticplayer.model.applied import AppliedAnswers
 from hapticplayer.model.limits import MAX_TEMPLATE_BYTES
-from hapticplayer.model.ranges import SAMPLE_RATE_HZ, UNIT_FACTOR
+from hapticplayer.model.ranges import RATE_DELAY_S, SAMPLE_RATE_HZ, UNIT_FACTOR
 from hapticplayer.storage import FILE, file_written_aside, json_text, refuse_existing
 from hapticplayer.untrusted import parse_json, read_regular
 
@@ -67,6 +67,7 @@ class LogChoices(AppliedAnswers):
         accel_axes: the accelerometer's x, y, z in its columns, such as "y,x,z", mirrored
             perhaps; `axes` is of all sensors, and a rotation.
         rate_axes: the same of the gyroscope.
+        rate_delay: seconds by which the gyroscope's times are late.
         swapped: two sensors whose columns are swapped, such as "accel,rate"; or "no".
         rate_hz: samples per second, for a log without timestamps.
         sampling: "averaged" if each sample is a mean over a window around its time,
@@ -84,6 +85,7 @@ class LogChoices(AppliedAnswers):
     accel_sign: str = ""
     accel_axes: str = ""
     rate_axes: str = ""
+    rate_delay: str = ""
     swapped: str = ""
     rate_hz: str = ""
     sampling: str = ""
@@ -93,6 +95,11 @@ class LogChoices(AppliedAnswers):
         """The samples per second of a log without timestamps, applied now."""
         text: str = self.take("rate_hz")
         return SAMPLE_RATE_HZ.parse("rate-hz", text) if text else None
+
+    def take_rate_delay_s(self) -> float:
+        """By which the gyroscope's times are late, applied now."""
+        text: str = self.take("rate_delay")
+        return RATE_DELAY_S.parse("rate-delay", text) if text else 0.0
 
     def given(self) -> dict[str, str]:
         """The answers by key, as a person types them."""
@@ -128,6 +135,7 @@ _WHY_UNTAKEN: Mapping[str, Message] = {
     "accel-unit": _UNITS_ARE_KNOWN,
     "rate-unit": _UNITS_ARE_KNOWN,
     "field-unit": _UNITS_ARE_KNOWN,
+    "rate-delay": Message("it holds no gyroscope, or its sensors share a clock"),
     "swapped": Message("its format tells its sensors apart, or it does not have both"),
     "stuck": Message("no sensor of it was stuck"),
     "rate-hz": Message("its samples have times, or a rate of their own"),
@@ -161,6 +169,13 @@ def factor(unit: str, table: Mapping[str, float], key: str) -> float:
 def is_factor(unit: str, table: Mapping[str, float]) -> bool:
     """Whether a unit was given as a number, which nothing questions."""
     return bool(unit) and unit not in table
+
+
+def rate_unit_times(scale: float, unit: str) -> str:
+    """Another unit of the angular rate, so many times as large."""
+    fitting = scale * factor(unit, RATE_UNITS, "rate-unit")
+    names = (name for name, one in RATE_UNITS.items() if math.isclose(one, fitting))
+    return next(names, f"{fitting:.9g}")
 
 
 def kept_as(key: str, unit: str, table: Mapping[str, float], words: Message) -> Message:

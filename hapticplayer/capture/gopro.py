@@ -123,7 +123,7 @@ def read_gopro(
 def _read(
     packets: Sequence[TelemetryPacket], source: str, *, is_raw: bool, hidden_s: float
 ) -> Recording:
-    from hapticplayer.motion import repair_samples  # brings scipy along
+    from hapticplayer.motion.repair import repair_samples  # brings scipy along
 
     payloads, damaged = parse_packets(packets)
     camera = text_of(payloads[0].device.find("DVNM")) or "GoPro"

@@ -5,11 +5,12 @@ force in m/s2 (+9.8 up at rest), angular rate in rad/s, magnetic field in uT, fr
 right, y front, z up).
 
 Loggers leave cells empty, repeat rows and swap them: this is repaired if possible, with a
-note (`motion.repair_samples`).
+note (`motion.repair`).
 """
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -38,7 +39,7 @@ from hapticplayer.capture.formats import Confidence, Reader
 from hapticplayer.capture.log_checks import check_norm, norm_at_rest
 from hapticplayer.capture.recording import Recording, gap_notes
 from hapticplayer.capture.source import LogSource
-from hapticplayer.capture.streams import RawLog, on_common_times, split
+from hapticplayer.capture.streams import RawLog, Samples, on_common_times, split
 from hapticplayer.capture.stuck import working
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model import (
@@ -54,11 +55,12 @@ from hapticplayer.model.limits import (
 from hapticplayer.model.spellings import column_names, find_separator
 from hapticplayer.storage import file_replaced
 
-_UNITS = (
-    ("accel_unit", "rate_unit", "field_unit"),
-    (ACCEL_UNITS, RATE_UNITS, FIELD_UNITS),
-)
-"""Answers and units of the sensors."""
+_UNITS: dict[str, tuple[str, Mapping[str, float]]] = {
+    "accel_unit": ("accel", ACCEL_UNITS),
+    "rate_unit": ("rate", RATE_UNITS),
+    "field_unit": ("field", FIELD_UNITS),
+}
+"""Answers, and the samples and units that they are of."""
 
 
 def recognises(source: LogSource) -> Confidence:
@@ -84,32 +86,36 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
     source = source if source.is_one_file else source.alone(_logs(source)[0])
     numbers, others = _read_named(source)
     where, values = str(source.path), numbers.values
-    from hapticplayer.motion import repair_samples  # brings scipy along
+    from hapticplayer.motion.repair import repair_samples  # brings scipy along
 
     sensors = split(values, values[:, 0], range(1, len(values[0]), 3))
     raw = sensors_as_answered(RawLog("", *sensors), choices)
     accel, rate, field = raw.accel, raw.rate, raw.field
     assert rate is not None
-    for stream, unit, known in zip((accel, rate, field), *_UNITS, strict=True):
-        if stream is not None and (given := choices.take(unit)):
-            stream.values[:] *= factor(given, known, unit.replace("_", "-"))
+    units = {
+        unit: given
+        for stream, unit in zip((accel, rate, field), _UNITS, strict=True)
+        if stream is not None and (given := choices.take(unit))
+    }
+    raw = replace(raw, **units)
     ask_if_swapped(raw, choices, where)
     streams = working(accel, rate, field, where)
-    samples = on_common_times(streams.accel, streams.rate, streams.field, where)
+    stored = on_common_times(streams.accel, streams.rate, streams.field, where)
+    samples = _in_si(stored, units)
 
     def line_of(row: int) -> int:
         return numbers.line(int(streams.rows[min(row, len(streams.rows) - 1)]))
 
     try:
-        _check_accel(accel.values, where)
-        _check_rate(rate.values, where)
+        _check_accel(samples.accel, where)
+        _check_rate(samples.rate, where)
         imu, repairs = repair_samples(
             *samples[:4],
             source=where,
             is_rate_unit_known=is_factor(choices.rate_unit, RATE_UNITS),
         )
     except InputError as error:
-        ask_about_units(error, samples, raw, choices, where)
+        ask_about_units(error, stored, raw, choices, where)
         raise InputError(
             _in_lines(error.what, line_of),
             where=error.where or where,
@@ -137,6 +143,15 @@ def read(source: LogSource, choices: LogChoices) -> Recording:
     )
     check_norm({"norm_at_rest_mps2": norm_at_rest(imu)}, raw, choices, where)
     return as_answered(recording, choices)
+
+
+def _in_si(samples: Samples, given: Mapping[str, str]) -> Samples:
+    scaled = {}
+    for answer, unit in given.items():
+        name, known = _UNITS[answer]
+        to_si = factor(unit, known, answer.replace("_", "-"))
+        scaled[name] = getattr(samples, name) * to_si
+    return samples._replace(**scaled)
 
 
 def _in_lines(message: Message, line_of: Callable[[int], int]) -> Message:

@@ -222,7 +222,7 @@ def _on_even_clock(
     stream: SensorStream, name: str, **values: Floats
 ) -> tuple[SensorStream, tuple[str, ...]]:
     """Return a stream without the jitter of its stamps, and notes."""
-    from hapticplayer.motion.repair.even_clock import even_clock, jitter_text
+    from hapticplayer.motion.even_clock import even_clock, jitter_text
 
     even_s = even_clock(stream.time_s, **values)
     if even_s is None:

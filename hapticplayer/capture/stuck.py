@@ -276,6 +276,7 @@ def stuck_rows(values: Floats) -> Flags:
     return stuck
 
 
+@np.errstate(all="ignore")  # enormous numbers are damage, found later
 def flickers(values: Floats) -> list[tuple[int, int]]:
     """First and last rows between which only the last bit of a sensor (N, 3) changes."""
     each = readings_each(values)
@@ -301,8 +302,7 @@ def flickers(values: Floats) -> list[tuple[int, int]]:
 
 def _levels(values: Floats, steps: Floats) -> Iterator[Floats]:
     for axis, step in zip(values.T, steps, strict=True):
-        with np.errstate(invalid="ignore"):  # NaN differs from all
-            yield np.rint(axis / step)
+        yield np.rint(axis / step)
 
 
 def _has_stuck_axis(values: Floats, each: int) -> bool:

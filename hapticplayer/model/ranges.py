@@ -76,6 +76,9 @@ SPEED = Range(0.5, 4.0)
 SKEW_S = Range(-2.0, 2.0, "s")
 """Cameras are off by a few frames."""
 
+RATE_DELAY_S = Range(-10.0, 10.0, "s")
+"""Between the clocks of two sensors in one recorder."""
+
 GAIN_N_PER_MPS2 = Range(1e-4, 100.0, "N per m/s^2")
 """From nothing that is felt to the limit of any device at 0.1 m/s^2."""
 

@@ -12,7 +12,6 @@ from hapticplayer.motion.gravity import (
     remove_gravity,
 )
 from hapticplayer.motion.methods import METHODS
-from hapticplayer.motion.repair import Repaired, repair_samples
 from hapticplayer.motion.smoother import SmootherParameters
 
 __all__ = [
@@ -20,10 +19,8 @@ __all__ = [
     "METHODS",
     "EkfParameters",
     "GravityRemoval",
-    "Repaired",
     "SmootherParameters",
     "analyse",
     "estimate_orientation",
     "remove_gravity",
-    "repair_samples",
 ]

@@ -15,6 +15,7 @@ from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog, MotionTrack
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.model.motion import DEFAULT_METHOD
+from hapticplayer.motion.even_clock import even_clock, jitter_text
 from hapticplayer.motion.flaws import find_flaws
 from hapticplayer.motion.methods import (
     METHODS,
@@ -22,7 +23,6 @@ from hapticplayer.motion.methods import (
     Parameters,
     Task,
 )
-from hapticplayer.motion.repair.even_clock import even_clock, jitter_text
 from hapticplayer.motion.stillness import (
     WINDOW_S,
     StillSpans,
@@ -86,7 +86,7 @@ def remove_gravity(
 
     The accelerometer's gain is corrected where the recording is still for at least
     one second, else it is 1. Stamps that jitter about an even clock are replaced by it
-    for the computation (`repair.even_clock`); the track has the log's own times.
+    for the computation (`even_clock`); the track has the log's own times.
 
     Args:
         imu: samples in frame A; see ImuLog.

@@ -34,12 +34,12 @@ TRIED = ("own CSV", "gcsv", "EuRoC", "Sensor Logger Android", "GoPro, raw")
 
 
 @functools.cache
-def tumbling(*, apart: bool = False) -> Sampled:
+def tumbling(*, apart: bool = False, amount: float = 0.35) -> Sampled:
     """Return a motion that turns about all axes, from rest, mostly upright."""
     made, rng = sample(16.0, apart=apart), np.random.default_rng(3)
     fine_s = np.arange(0.0, 17.0, 0.001)
     tau = np.maximum(fine_s - 3.0, 0.0)
-    angles = 0.35 * np.sin(np.outer(tau, [1.3, 1.9, 0.8])) * [1.0, 1.0, 2.5]
+    angles = amount * np.sin(np.outer(tau, [1.3, 1.9, 0.8])) * [1.0, 1.0, 2.5]
     turned = Rotation.from_euler("zyx", angles[:, ::-1])
     step = (turned[:-1].inv() * turned[1:]).as_rotvec() / 0.001
     earth = np.sin(np.outer(tau, [5.0, 7.0, 11.0])) * [1.5, 2.0, 1.0] + [0, 0, 9.80665]
@@ -107,6 +107,116 @@ def test_axes_of_a_sensor_are_three(tmp_path, axes):
     path = written("own CSV", tmp_path / "log")
     with pytest.raises(UsageError, match="are not three axes"):
         read_recording(path, parse_choices([f"accel-axes={axes}"]))
+
+
+def told(key, place, change):
+    """Write the tumbling motion, changed, and return its path and that of the right one."""
+    one = FORMATS[key]
+    made = tumbling(apart=one.apart, amount=0.6)
+    right = put(one.write(made), place / "right")
+    return right, put(one.write(change(made)), place / "wrong")
+
+
+def assert_alike(mended, right, place_s=0.5):
+    """Within the log, where a gyro of another clock reaches both."""
+    at_s = right.imu.time_s[0] + np.arange(place_s, 15.0, 0.02)
+    for name in ("specific_force_mps2", "angular_rate_radps"):
+        got, want = (
+            np.stack(
+                [
+                    np.interp(at_s, one.imu.time_s, axis)
+                    for axis in getattr(one.imu, name).T
+                ]
+            )
+            for one in (mended, right)
+        )
+        assert np.abs(got - want).mean() < 0.01
+
+
+SCALES = {  # of the gyro, and the answer named first, in rad/s
+    0.5: "rate-unit=2",
+    0.25: "rate-unit=4",
+    0.125: "rate-unit=8",
+    2.0: "rate-unit=0.5",
+    4.0: "rate-unit=0.25",
+    np.pi / 180.0: "rate-unit=57.2957795",
+}
+
+
+@pytest.mark.parametrize("scale", SCALES)
+@pytest.mark.parametrize("key", ["own CSV", "EuRoC"])
+def test_a_gyro_of_another_scale_is_asked_about(tmp_path, key, scale):
+    right, path = told(key, tmp_path, lambda m: replace(m, rate=scale * m.rate))
+    with pytest.raises(LogQuestion, match="times too ") as asked:
+        read_recording(path)
+    assert first_answer(asked) == SCALES[scale]
+    assert_alike(
+        read_recording(path, parse_choices([SCALES[scale]])), read_recording(right)
+    )
+    kept = re.match(r"\S+", str(asked.value.answers[1]))[0]
+    assert kept == "rate-unit=1"
+    read_recording(path, parse_choices([kept]))
+
+
+def test_a_scale_is_told_in_the_unit_that_was_declared(tmp_path):
+    _, path = told("own CSV", tmp_path, lambda made: made)
+    with pytest.raises(LogQuestion, match="57 times too low") as asked:
+        read_recording(path, parse_choices(["rate-unit=deg/s"]))
+    assert first_answer(asked) == "rate-unit=rad/s"
+    read_recording(path, parse_choices([first_answer(asked)]))
+
+
+@pytest.mark.parametrize("late_s", [0.3, -0.3, -0.6, 1.2])
+@pytest.mark.parametrize("key", ["own CSV", "EuRoC", "Sensor Logger Android"])
+def test_clocks_that_differ_are_asked_about(tmp_path, key, late_s):
+    def late(made):
+        columns = [np.interp(made.rate_s - late_s, made.rate_s, v) for v in made.rate.T]
+        return replace(made, rate=np.stack(columns, axis=1))
+
+    plain = FORMATS[key].choices
+    right, path = told(key, tmp_path, late)
+    with pytest.raises(LogQuestion, match="their clocks differ") as asked:
+        read_recording(path, parse_choices(plain))
+    answer = first_answer(asked)
+    assert float(answer.removeprefix("rate-delay=")) == pytest.approx(late_s, abs=0.02)
+    mended = read_recording(path, parse_choices([*plain, answer]))
+    assert not any("clocks differ" in note for note in mended.notes)
+    assert_alike(mended, read_recording(right, parse_choices(plain)), 1.5)
+    kept = read_recording(path, parse_choices([*plain, "rate-delay=0"]))
+    assert any("clocks differ" in note for note in kept.notes)
+
+
+@pytest.mark.parametrize("axes", [(0,), (1,), (0, 1, 2)])
+@pytest.mark.parametrize("key", ["own CSV", "EuRoC"])
+def test_a_gyro_that_reads_0_while_gravity_turns_is_asked_about(tmp_path, key, axes):
+    def dead(made):
+        rate = made.rate.copy()
+        rate[:, axes] = 0.0
+        return replace(made, rate=rate)
+
+    _, path = told(key, tmp_path, dead)
+    with pytest.raises(LogQuestion, match="reads exactly 0 about") as asked:
+        read_recording(path)
+    assert ", ".join("xyz"[axis] for axis in axes) in asked.value.what
+    kept = read_recording(path, parse_choices([first_answer(asked)]))
+    assert any("reads exactly 0" in note for note in kept.notes)
+
+
+@pytest.mark.parametrize("accel_mps2", [0.0, 1.0, 3.0])
+def test_a_program_may_leave_axes_out_that_do_not_turn(tmp_path, accel_mps2):
+    """A drive in a plane: only the yaw is there, and gravity stays where it is."""
+    made, rng = sample(16.0), np.random.default_rng(5)
+    phase = 0.8 * made.force_s
+    force = np.stack([np.sin(phase), np.sign(np.sin(0.5 * phase)), 0.0 * phase], axis=1)
+    force = accel_mps2 * force + [0.0, 0.0, 9.80665]
+    rate = np.zeros_like(made.rate)
+    rate[:, 2] = 0.4 * np.sin(0.8 * made.rate_s)
+    noise = rng.normal(0.0, 0.01, force.shape)
+    path = put(
+        FORMATS["own CSV"].write(replace(made, force=force + noise, rate=rate)),
+        tmp_path / "log",
+    )
+    assert not any("reads exactly" in note for note in read_recording(path).notes)
 
 
 def swapped(made: Sampled) -> Sampled:

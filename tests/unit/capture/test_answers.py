@@ -28,6 +28,7 @@ ANSWERS = {  # none of which leaves any of these logs as it is
     "accel-sign": "-",
     "accel-axes": "y,-x,z",
     "rate-axes": "y,-x,z",
+    "rate-delay": "0.3",
     "swapped": "accel,rate",
     "rate-hz": "140",
     "sampling": "averaged",

@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ImuLog
 from hapticplayer.motion import analyse
-from hapticplayer.motion.repair.even_clock import even_clock
+from hapticplayer.motion.even_clock import even_clock
 from tools.optical import read_optical
 
 INTERVAL_S = 1.0 / 30.0

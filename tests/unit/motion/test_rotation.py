@@ -1,0 +1,90 @@
+"""What a gyro is doubted for, and that right recordings are not."""
+
+import numpy as np
+import pytest
+
+from hapticplayer.extras.rides.motion_scenes import simulate_motion
+from hapticplayer.model import ImuLog
+from hapticplayer.motion.repair.rotation import doubt_about, unseen_turn
+
+PIECE_S, EVERY = 20.0, 7
+
+
+def read(path):
+    with np.load(path) as data:
+        force, rate = data["acc"].astype(float), data["gyr"].astype(float)
+        time_s = np.arange(len(force)) / float(data["rate"])
+    return time_s, force, rate
+
+
+def log_of(time_s, force, rate):
+    return ImuLog(
+        time_s=time_s, specific_force_mps2=force, angular_rate_radps=rate, source="test"
+    )
+
+
+def pieces(time_s):
+    count = round(PIECE_S / float(np.median(np.diff(time_s))))
+    begins = range(0, len(time_s) - count, EVERY * count)
+    return [slice(begin, begin + count) for begin in begins]
+
+
+@pytest.mark.parametrize("kind", ["native", "averaged_30hz"])
+def test_right_recordings_are_not_doubted(shared_data, kind):
+    paths = sorted((shared_data / "orientation" / kind).glob("*.npz"))
+    assert len(paths) >= 10
+    for path in paths:
+        given = read(path)
+        for part in [slice(None), *pieces(given[0])]:
+            log = log_of(*(values[part] for values in given))
+            assert doubt_about(log) is None, (path.stem, part)
+            assert unseen_turn(log) == ([], 0.0)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("scene", ["car-hard", "car-brisk", "bicycle"])
+def test_vehicles_are_not_doubted(scene, seed):
+    """A gyro that rotates too fast averages what a car accelerates."""
+    ride = simulate_motion(scene, seed).imu
+    for part in pieces(ride.time_s):
+        log = log_of(
+            ride.time_s[part],
+            ride.specific_force_mps2[part],
+            ride.angular_rate_radps[part],
+        )
+        doubt = doubt_about(log)
+        assert doubt is None or doubt.scale is None
+
+
+@pytest.fixture(scope="module")
+def turning(shared_data):
+    """A minute of a real recording that turns."""
+    path = next((shared_data / "orientation" / "native").glob("broad_04*"))
+    time_s, force, rate = read(path)
+    part = slice(6000, 24_000)
+    return time_s[part], force[part], rate[part]
+
+
+@pytest.mark.parametrize("scale", [0.5, 0.25, 2.0, 8.0, np.pi / 180.0, 180.0 / np.pi])
+def test_a_scale_of_a_real_gyro_is_told(turning, scale):
+    time_s, force, rate = turning
+    doubt = doubt_about(log_of(time_s, force, scale * rate))
+    assert doubt is not None
+    assert doubt.scale == pytest.approx(1.0 / scale)
+
+
+@pytest.mark.parametrize("late_s", [0.3, -0.3, 0.16, -1.0])
+def test_a_late_clock_of_a_real_gyro_is_told(turning, late_s):
+    time_s, force, rate = turning
+    late = [np.interp(time_s - late_s, time_s, axis) for axis in rate.T]
+    doubt = doubt_about(log_of(time_s, force, np.stack(late, axis=1)))
+    assert doubt is not None
+    assert doubt.delay_s == pytest.approx(late_s, abs=0.02)
+
+
+@pytest.mark.parametrize("axes", [[0], [1], [2], [0, 2], [0, 1, 2]])
+def test_an_axis_that_reads_0_is_told(turning, axes):
+    time_s, force, rate = turning
+    rate = rate.copy()
+    rate[:, axes] = 0.0
+    assert unseen_turn(log_of(time_s, force, rate))[0] == axes
