@@ -5,6 +5,7 @@ rates, and a person is asked if it fails.
 """
 
 import dataclasses
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -40,6 +41,7 @@ from hapticplayer.errors import InputError, Message, joined
 from hapticplayer.model import STANDARD_GRAVITY_MPS2, ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import COARSE_REST_MPS2
+from hapticplayer.model.timing import TIME
 
 if TYPE_CHECKING:
     from hapticplayer.motion.repair.timestamps import Repair
@@ -94,7 +96,7 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
         samples, found = _common(raw, where)
     except InputError as error:
         _ask_about_time(error, raw.accel.time_s, choices, where)
-        raise
+        raise _in_its_names(error, raw) from error
     # ten hours take half a gigabyte: free early
     raw = _without_samples(raw)
     stream_notes = samples.notes
@@ -105,7 +107,7 @@ def assemble(raw: RawLog, choices: LogChoices, where: str) -> Recording:
         imu, repairs = _cleaned(in_si, raw, choices, where)
     except InputError as error:
         ask_about_units(error, part, raw, choices, where)
-        raise
+        raise _in_its_names(error, raw) from error
     del in_si
     # streams with their own times have their own notes on gaps
     texts = [one.text for one in repairs if not (stream_notes and one.kind == "lost")]
@@ -198,6 +200,19 @@ def _common(raw: RawLog, where: str) -> tuple[Samples, Repeats]:
     return samples, Repeats()
 
 
+def _in_its_names(error: InputError, raw: RawLog) -> InputError:
+    """Return an error with the names that the times have in the file."""
+    names = dict(zip(("time", "scale"), raw.time_names, strict=True))
+
+    def named(text: str) -> str:
+        if not isinstance(text, Message):
+            return text
+        own = {key: name for key, name in names.items() if text.values.get(key) == TIME}
+        return Message(text.template, **{**text.values, **own})
+
+    return InputError(named(error.what), where=error.where, remedy=named(error.remedy))
+
+
 def _beginning(samples: Samples) -> Samples:
     """Return a copy of the first rows, so that the others can be freed."""
     time_s, accel, rate = (part[:_TRIED_ROWS].copy() for part in samples[:3])
@@ -266,17 +281,16 @@ def ask_about_units(
 ) -> None:
     """Ask about the units if the log was refused and a part of it would fit others."""
     _ask_about_time(error, part.time_s, choices, where)
-    rate_units = ["rad/s", "deg/s"]
-    if scale := error.what.values.get("scale"):
-        rate_units = [rate_unit_times(scale, raw.rate_unit)]
+    rate_units = [*dict.fromkeys([raw.rate_unit, "rad/s", "deg/s"])]
+    if times := error.what.values.get("times"):
+        rate_units = [rate_unit_times(times, raw.rate_unit)]
     elif is_factor(choices.rate_unit, RATE_UNITS):
         rate_units = [raw.rate_unit]
-    other = _other_units(part, raw, choices, where, rate_units)
-    if other is None:
+    answers: list[str] = _other_units(part, raw, choices, where, rate_units)
+    if not answers:
         return
     what = Message(_WOULD_FIT, what=error.what)
-    answers = [other]
-    if "rate-unit" in other:
+    if "rate-unit" in answers[0]:
         as_is = log_checks.AS_IT_IS
         answers.append(kept_as("rate-unit", raw.rate_unit, RATE_UNITS, as_is))
     raise LogQuestion(what, answers, where) from error
@@ -304,30 +318,53 @@ def _ask_about_time(
 
 def _other_units(
     part: Samples, raw: RawLog, choices: LogChoices, where: str, rate_units: list[str]
-) -> str | None:
-    """Return other units that a part of the log would fit, as a choice, or None."""
-    for accel_unit in ("m/s2", "g", "mg"):
-        for rate_unit in rate_units:
-            if (accel_unit, rate_unit) == (raw.accel_unit, raw.rate_unit):
-                continue
+) -> list[str]:
+    """Return units that a part of the log would fit, as choices, the nearest first.
+
+    Two that are nearly alike, such as cm/s2 and mg, fit both.
+    """
+    for rate_unit in rate_units:
+        fits = []
+        for accel_unit in {raw.accel_unit: 1.0, **ACCEL_UNITS}:
             other = dataclasses.replace(raw, accel_unit=accel_unit, rate_unit=rate_unit)
-            if not _is_clean(part, other, choices, where):
+            words = _unit_words(other, raw)
+            if not words:
                 continue
-            words = []
-            if accel_unit != raw.accel_unit:
-                words.append(f"accel-unit={accel_unit}")
-            if rate_unit != raw.rate_unit:
-                words.append(f"rate-unit={rate_unit}")
-            return joined(Message(" and "), words)
-    return None
+            off = _off_gravity(part, other, choices, where)
+            if off is not None:
+                fits.append((off, words))
+        if fits:
+            return [words for _, words in sorted(fits, key=lambda fit: fit[0])]
+    return []
 
 
-def _is_clean(part: Samples, raw: RawLog, choices: LogChoices, where: str) -> bool:
-    """Whether a part of a log can be used in these units."""
+def _unit_words(other: RawLog, raw: RawLog) -> str:
+    words = []
+    if other.accel_unit != raw.accel_unit:
+        words.append(f"accel-unit={other.accel_unit}")
+    if other.rate_unit != raw.rate_unit:
+        words.append(f"rate-unit={other.rate_unit}")
+    return joined(Message(" and "), words)
+
+
+def _off_gravity(
+    part: Samples, raw: RawLog, choices: LogChoices, where: str
+) -> float | None:
+    """How far a part of a log in these units is off gravity; None if it cannot be used."""
+    from hapticplayer.motion.repair.units import calm_norm
+
     try:
         imu, _ = _cleaned(_in_si(part, raw), raw, choices, where)
     except InputError:
-        return False
+        return None
+    if raw.is_gravity_free:
+        return 0.0
     low, high = COARSE_REST_MPS2
-    at_rest = None if raw.is_gravity_free else log_checks.norm_at_rest(imu)
-    return at_rest is None or low <= at_rest <= high
+    at_rest = log_checks.norm_at_rest(imu)
+    if at_rest is None:
+        norm = calm_norm(imu.time_s, imu.specific_force_mps2)
+    elif low <= at_rest <= high:
+        norm = at_rest
+    else:
+        return None
+    return abs(math.log(norm / STANDARD_GRAVITY_MPS2))

@@ -25,6 +25,7 @@ ACCEL_UNITS: Mapping[str, float] = {
     "m/s2": 1.0,
     "g": STANDARD_GRAVITY_MPS2,
     "mg": STANDARD_GRAVITY_MPS2 / 1000.0,
+    "cm/s2": 0.01,
 }
 RATE_UNITS: Mapping[str, float] = {
     "rad/s": 1.0,
@@ -59,7 +60,7 @@ class LogChoices(AppliedAnswers):
         columns: of a table: a name for each cell of a row: time, ax ay az, gx gy gz,
             mx my mz, "-" to ignore it; "/" between tables.
         time_unit: s, ms, us, ns or d.
-        accel_unit: m/s2, g, mg or the factor to m/s2.
+        accel_unit: m/s2, g, mg, cm/s2 or the factor to m/s2.
         rate_unit: rad/s, deg/s or the factor to rad/s.
         field_unit: uT, gauss ... or the factor to uT.
         axes: right, front and up in the log's axes, such as "x,-z,y".

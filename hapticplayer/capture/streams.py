@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from hapticplayer.capture.csv_table import Shape, read_table
 from hapticplayer.capture.source import LogSource
-from hapticplayer.errors import InputError
+from hapticplayer.errors import InputError, Message
 from hapticplayer.model.arrays import Floats, all_of_rows
 from hapticplayer.model.limits import MAX_REACH_S, are_gaps, are_unpaired
 
@@ -55,6 +55,7 @@ class RawLog:
         is_gravity_free: gravity was removed by the recorder.
         scale_ratio: of the accelerometer's scale to the gyro's, where the reader has
             applied scales of a file, each to its columns.
+        time_names: of the column of times, and of what scales it, for errors.
         notes: of the reader.
     """
 
@@ -71,6 +72,7 @@ class RawLog:
     frames_s: tuple[float, float] | None = None
     is_gravity_free: bool = False
     scale_ratio: float = 1.0
+    time_names: tuple[str, str] = (Message("its time"), Message("its time"))
     notes: tuple[str, ...] = ()
 
 

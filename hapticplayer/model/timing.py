@@ -6,10 +6,16 @@ from dataclasses import dataclass, replace
 
 from hapticplayer.errors import InputError, Message
 
+TIME = "time_s"
+"""The column of our own tables; a reader of others puts their names in its place."""
+
 _UNIT_REMEDIES = (
-    (1e3, Message("it looks like milliseconds: divide time_s by 1000")),
-    (1e6, Message("it looks like microseconds: divide time_s by 1000000")),
-    (1e9, Message("it looks like nanoseconds: divide time_s by 1000000000")),
+    (1e3, Message("it looks like milliseconds: divide {scale} by 1000", scale=TIME)),
+    (1e6, Message("it looks like microseconds: divide {scale} by 1000000", scale=TIME)),
+    (
+        1e9,
+        Message("it looks like nanoseconds: divide {scale} by 1000000000", scale=TIME),
+    ),
 )
 
 

@@ -77,6 +77,7 @@ def read(source: LogSource, _choices: LogChoices) -> RawLog:
         )
         if orientation
         else "",
+        time_names=(names[0], "tscale"),
         notes=numbers.notes,
     )
 

@@ -21,7 +21,7 @@ from hapticplayer.model.limits import (
     MAX_USUAL_RATE_HZ,
     MIN_RATE_HZ,
 )
-from hapticplayer.model.timing import time_unit_remedy
+from hapticplayer.model.timing import TIME, time_unit_remedy
 
 Rows = NDArray[np.intp]
 
@@ -187,8 +187,9 @@ def _in_order(time_s: Floats, repairs: list[Repair], source: str) -> Rows:
         first = int(np.argmax(jump))
         row = int(good[back[first]])
         raise InputError(
-            "time_s jumps back by {jump_s:.6g} s at {place}",
+            "{time} jumps back by {jump_s:.6g} s at {place}",
             where=source,
+            time=TIME,
             remedy="cut the recording there and give the parts one by one",
             jump_s=high[first] - low[first],
             place=row_of(row),
@@ -267,8 +268,9 @@ def _refuse_disorder(time_s: Floats, rows: Rows, source: str) -> None:
     if back.any():
         row = int(rows[int(np.argmax(back)) + 1])
         raise InputError(
-            "time_s runs backwards at {place}, and no order can be found",
+            "{time} runs backwards at {place}, and no order can be found",
             where=source,
+            time=TIME,
             remedy="sort the rows by time or cut the recording there",
             place=row_of(row),
         )
@@ -382,8 +384,9 @@ def _check_steps(time_s: Floats, rows: Rows, interval_s: float, source: str) -> 
             lambda per_s: least_hz <= per_s * rate_hz <= MAX_USUAL_RATE_HZ
         )
         raise InputError(
-            "time_s runs at {rate_hz:.3g} samples a second",
+            "{time} runs at {rate_hz:.3g} samples a second",
             where=source,
+            time=TIME,
             remedy=other_unit
             or Message(
                 "give at least {least_hz:g} samples a second", least_hz=MIN_RATE_HZ
@@ -393,10 +396,12 @@ def _check_steps(time_s: Floats, rows: Rows, interval_s: float, source: str) -> 
     if rate_hz > MAX_RATE_HZ:
         usual = (k for k in (1e3, 1e6, 1e9) if rate_hz / k <= MAX_USUAL_RATE_HZ)
         raise InputError(
-            "time_s runs at {rate_hz:.3g} samples a second, faster than any sensor",
+            "{time} runs at {rate_hz:.3g} samples a second, faster than any sensor",
             where=source,
-            remedy="if it is not in seconds, multiply time_s by {per_s:.0f}; else average "
-            "to {most_hz:g} samples a second",
+            remedy="if it is not in seconds, multiply {scale} by {per_s:.0f}; else "
+            "average to {most_hz:g} samples a second",
+            time=TIME,
+            scale=TIME,
             rate_hz=rate_hz,
             per_s=next(usual, 1e9),
             most_hz=MAX_RATE_HZ,

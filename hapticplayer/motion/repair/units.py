@@ -25,6 +25,8 @@ from hapticplayer.motion.repair.rotation import (
 )
 
 CALM_WINDOW_S = 0.5
+NEAR_GAL = math.sqrt(1000.0 / (100.0 * STANDARD_GRAVITY_MPS2))
+"""Gravity is 981 cm/s^2 and 1000 mg."""
 
 LABEL_LOG_ODDS = 1.0  # most logs are right
 REFUSED_LOG_ODDS = -2.5
@@ -90,7 +92,12 @@ def _force_remedy(norm: float) -> str:
             "already, give the acceleration with gravity"
         )
     if low / gravity <= norm / 1000.0 < low:
-        return Message("it seems to be in milli-g: multiply it by 0.00980665")
+        is_gal = 1.0 / NEAR_GAL < norm / (100.0 * gravity) < NEAR_GAL
+        return Message(
+            "it seems to be in {unit}: multiply it by {factor:.6g}",
+            unit="cm/s^2" if is_gal else "milli-g",
+            factor=0.01 if is_gal else gravity / 1000.0,
+        )
     if norm < low / gravity:
         return Message(
             "gravity seems to be removed already: give the acceleration with gravity"
@@ -152,12 +159,12 @@ def check_rate_unit(
             "gravity changes",
             where=source,
             remedy="it seems to be in deg/s: multiply it by 0.0174532925",
-            scale=factor,
+            times=factor,
         )
     raise InputError(
         "the angular rate is about 57 times too low for how the direction of "
         "gravity changes",
         where=source,
         remedy="it seems to have been converted twice: multiply it by 57.2957795",
-        scale=factor,
+        times=factor,
     )

@@ -53,6 +53,12 @@ def test_a_force_in_another_unit_is_refused_with_the_factor(swing, factor, remed
         check_force_unit(log.time_s, named_factor(refused) * given)
 
 
+def test_gravity_of_981_is_not_taken_for_milli_g(rng):
+    force, _ = still(rng, 0.001)
+    with pytest.raises(InputError, match=r"in cm/s\^2: multiply it by 0\.01"):
+        check_force_unit(T, 100.0 * force)
+
+
 def test_the_calm_norm_looks_past_free_fall_and_shaking(rng):
     force, _ = still(rng, 0.001)
     force[300:900] = 0.02 * rng.standard_normal((600, 3))

@@ -1,6 +1,7 @@
 """Each format as its documentation describes it, against a motion in closed form."""
 
 import dataclasses
+import re
 from pathlib import Path
 
 import numpy as np
@@ -380,4 +381,30 @@ def test_counts_of_a_razor_m0_ask_for_their_range(tmp_path):
     )  # fmt: skip
     path = put(FORMATS["Razor M0"].write(counts), tmp_path / "in")
     with pytest.raises(UsageError, match="1 g = 16384"):
+        read_recording(path)
+
+
+@pytest.mark.parametrize("wrong", [1.0, 1e3, 1e6, 1e-6, 1e-9])
+def test_a_wrong_time_scale_of_gcsv_is_named_and_mended(tmp_path, wrong):
+    content = FORMATS["gcsv"].write(sample())["clip.gcsv"]
+
+    def scaled(tscale):
+        text = content.replace(b"tscale,0.001", f"tscale,{tscale:.12g}".encode())
+        return put({"clip.gcsv": text}, tmp_path / f"{tscale}")
+
+    with pytest.raises(InputError, match=r"clip\.gcsv: t runs at") as refused:
+        read_recording(scaled(wrong))
+    how, by = re.search(
+        r"(multiply|divide) tscale by (\d+)", str(refused.value)
+    ).groups()
+    tscale = wrong * float(by) if how == "multiply" else wrong / float(by)
+    assert read_recording(scaled(tscale)).imu.rate_hz == pytest.approx(100.0, rel=0.01)
+
+
+def test_times_that_jump_back_have_the_name_of_their_column(tmp_path):
+    files = FORMATS["gcsv"].write(sample())
+    lines = files["clip.gcsv"].splitlines(keepends=True)
+    content = b"".join([*lines[:500], *lines[300:]])
+    path = put({"clip.gcsv": content}, tmp_path / "in")
+    with pytest.raises(InputError, match=r"clip\.gcsv: t jumps back by"):
         read_recording(path)
