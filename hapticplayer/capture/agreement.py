@@ -74,12 +74,11 @@ def ask_about_agreement(
         axes: right, front, up of frame A in the stored axes.
         rate_unit: that the gyroscope was read in.
     """
-    from hapticplayer.motion.repair.rotation import doubt_about, unseen_turn
+    from hapticplayer.motion.repair.rotation import dead_axes, doubt_about
 
-    dead, turn_rad = unseen_turn(imu)
-    doubt = None if dead else doubt_about(imu)
-    if dead:
-        what = _unseen(dead, turn_rad, axes)
+    doubt = doubt_about(imu)
+    if dead := dead_axes(imu, doubt):
+        what = _unseen(dead, axes)
         answers = [_KEPT, Message("record it again")]
     elif doubt is None:
         return ()
@@ -102,14 +101,13 @@ def ask_about_agreement(
 _KEPT = Message("rate-axes={axes} to keep both as they are", axes=AS_RECORDED)
 
 
-def _unseen(dead: Sequence[int], turn_rad: float, axes: str) -> Message:
+def _unseen(dead: Sequence[int], axes: str) -> Message:
     stored = axes_matrix(axes).T
     names = [AXES[int(np.argmax(np.abs(stored[:, axis])))] for axis in dead]
     return Message(
-        "its gyroscope reads exactly 0 about {axes} throughout, but gravity turns "
-        "{angle_deg:.0f} degrees in its accelerometer that it does not show",
+        "its gyroscope reads exactly 0 about {axes} throughout, but gravity turns in its "
+        "accelerometer as it does not show",
         axes=", ".join(sorted(names)),
-        angle_deg=math.degrees(turn_rad),
     )
 
 

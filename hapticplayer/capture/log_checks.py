@@ -36,11 +36,17 @@ _FAST_SHARE = 0.001
 
 
 def figures(imu: ImuLog, raw: RawLog) -> dict[str, Any]:
-    """Return the norm at rest and the largest rate of a log in SI."""
+    """Return the norm at rest and the largest rate of a log in SI.
+
+    And whether the motion shows if the gyroscope's axes are right.
+    """
+    from hapticplayer.motion.repair.rotation import turns_gravity
+
     at_rest = None if raw.is_gravity_free else norm_at_rest(imu)
     return {
         "norm_at_rest_mps2": None if at_rest is None else round(at_rest, 3),
         "largest_rate_radps": round(float(np.abs(imu.angular_rate_radps).max()), 3),
+        "is_rate_compared": not raw.is_gravity_free and turns_gravity(imu),
     }
 
 
@@ -139,6 +145,10 @@ def how_read(raw: RawLog, found: Dict[str, Any]) -> str:
     parts.append(
         Message("{axes}{words} are right, front, up", axes=raw.axes, words=words)
     )
+    if raw.rate is not None and not (raw.is_gravity_free or found["is_rate_compared"]):
+        parts.append(
+            Message("those of the gyroscope not checked: gravity hardly turns")
+        )
     norm = found["norm_at_rest_mps2"]
     if norm is not None:
         parts.append(Message("{norm:.2f} m/s2 at rest", norm=norm))

@@ -52,9 +52,11 @@ USUAL_SCALES = {
 SCALES_BETWEEN = np.exp2(np.arange(-4, 5) / 8.0)
 DELAYS_S = np.arange(0.1, 2.05, 0.1)
 DELAYS_BETWEEN_S = np.arange(-0.1, 0.11, 0.02)
-# Gravity is the mean over a second that is so near to its norm.
-MEAN_S, NEAR_GRAVITY = 1.0, 0.03
-TURNS_UNSEEN_RAD, WINDOWS_FOR_GRAVITY = np.radians(45.0), 200
+# Gravity is the mean over a second that is as long as the shorter means of the log are,
+# which are nearly 1 g; what a car accelerates meanwhile tilts it by at most 11 degrees.
+MEAN_S, OFF_1_G, NEAR_GRAVITY = 1.0, 0.04, 0.02
+SHORTER_PERCENT = 25.0
+TURNS_UNSEEN_RAD, WINDOWS_FOR_GRAVITY = np.radians(25.0), 200
 
 
 class RotationWindows:
@@ -160,7 +162,10 @@ class RotationWindows:
         whole = seen.shape[1] // count * count
         means = seen[:, :whole].reshape(len(seen), -1, count, 3).mean(axis=2) / step_s
         norm = np.linalg.norm(means, axis=2)
-        is_gravity = np.abs(norm / np.median(norm) - 1.0) < NEAR_GRAVITY
+        usual = float(np.percentile(norm, SHORTER_PERCENT))
+        if abs(usual / STANDARD_GRAVITY_MPS2 - 1.0) > OFF_1_G:
+            return 0.0
+        is_gravity = np.abs(norm / usual - 1.0) < NEAR_GRAVITY
         unit = np.where(is_gravity[..., None], means / norm[..., None], np.nan)
         cosines = np.einsum("bik,bjk->bij", unit, unit)
         known = cosines[np.isfinite(cosines)]
@@ -283,14 +288,28 @@ def _explains(windows: RotationWindows) -> bool:
     return nothing > SURELY_AXES and of_signs(windows) >= 0.0
 
 
-def unseen_turn(imu: ImuLog) -> tuple[list[int], float]:
-    """Axes about which the gyro reads 0 throughout, and the turn of gravity, in rad.
+def turns_gravity(imu: ImuLog) -> bool:
+    """Whether the rate turns gravity, so that the accelerometer bears witness to it."""
+    windows = RotationWindows(
+        imu.time_s,
+        imu.specific_force_mps2,
+        imu.angular_rate_radps,
+        FEW_WINDOWS,
+        COARSE_STEP_S,
+    )
+    return len(windows.log_ratios(np.zeros((3, 3)), SMALL_DIFFERENCE_RAD)) > 0
 
-    No axes where gravity does not turn clearly more than the gyro shows.
+
+def dead_axes(imu: ImuLog, doubt: Doubt | None) -> list[int]:
+    """Axes about which the gyro reads 0 throughout although gravity turns about them.
+
+    Args:
+        imu: the log.
+        doubt: about its gyro; one about axes counts as well.
     """
     dead = np.flatnonzero(~imu.angular_rate_radps.any(axis=0)).tolist()
-    if not dead:
-        return [], 0.0
+    if not dead or (doubt is not None and doubt.change is not None):
+        return dead
     windows = RotationWindows(
         imu.time_s,
         imu.specific_force_mps2,
@@ -298,8 +317,7 @@ def unseen_turn(imu: ImuLog) -> tuple[list[int], float]:
         WINDOWS_FOR_GRAVITY,
         COARSE_STEP_S,
     )
-    turn_rad = windows.unseen_turn_rad()
-    return (dead, turn_rad) if turn_rad > TURNS_UNSEEN_RAD else ([], 0.0)
+    return dead if windows.unseen_turn_rad() > TURNS_UNSEEN_RAD else []
 
 
 def _attitude(angle: Floats) -> Floats:

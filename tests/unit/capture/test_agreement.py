@@ -219,6 +219,21 @@ def test_a_program_may_leave_axes_out_that_do_not_turn(tmp_path, accel_mps2):
     assert not any("reads exactly" in note for note in read_recording(path).notes)
 
 
+@pytest.mark.parametrize("turns", [True, False])
+def test_axes_that_nothing_shows_are_not_called_checked(tmp_path, turns):
+    made, rng = tumbling(), np.random.default_rng(6)
+    if not turns:
+        rest = rng.normal([0.0, 0.0, 9.80665], 0.02, made.force.shape)
+        yaw = np.zeros_like(made.rate)
+        yaw[:, 2] = 0.7 * np.sin(made.rate_s)
+        noise = rng.normal(0.0, 0.002, yaw.shape)
+        made = replace(made, force=rest, rate=yaw + noise)
+    path = put(FORMATS["EuRoC"].write(made), tmp_path / "log")
+    found = read_recording(path)
+    assert found.provenance["is_rate_compared"] == turns
+    assert ("not checked" in str(found.notes[0])) != turns
+
+
 def swapped(made: Sampled) -> Sampled:
     return replace(made, force=made.rate, rate=made.force)
 

@@ -5,7 +5,11 @@ import pytest
 
 from hapticplayer.extras.rides.motion_scenes import simulate_motion
 from hapticplayer.model import ImuLog
-from hapticplayer.motion.repair.rotation import doubt_about, unseen_turn
+from hapticplayer.motion.repair.rotation import (
+    dead_axes,
+    doubt_about,
+    turns_gravity,
+)
 
 PIECE_S, EVERY = 20.0, 7
 
@@ -38,7 +42,7 @@ def test_right_recordings_are_not_doubted(shared_data, kind):
         for part in [slice(None), *pieces(given[0])]:
             log = log_of(*(values[part] for values in given))
             assert doubt_about(log) is None, (path.stem, part)
-            assert unseen_turn(log) == ([], 0.0)
+            assert not dead_axes(log, None)
 
 
 @pytest.mark.parametrize("seed", [1, 2])
@@ -87,4 +91,17 @@ def test_an_axis_that_reads_0_is_told(turning, axes):
     time_s, force, rate = turning
     rate = rate.copy()
     rate[:, axes] = 0.0
-    assert unseen_turn(log_of(time_s, force, rate))[0] == axes
+    assert dead_axes(log_of(time_s, force, rate), None) == axes
+
+
+def test_turns_about_the_vertical_tell_nothing_of_axes(rng):
+    time_s = np.arange(0.0, 20.0, 0.01)
+    force = rng.normal([0.0, 0.0, 9.80665], 0.02, (len(time_s), 3))
+    rate = rng.normal(0.0, 0.002, (len(time_s), 3))
+    rate[:, 2] += 0.8 * np.sin(time_s)
+    assert not turns_gravity(log_of(time_s, force, rate))
+    assert doubt_about(log_of(time_s, force, -rate)) is None
+
+
+def test_a_recording_that_turns_tells_of_axes(turning):
+    assert turns_gravity(log_of(*turning))
