@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.common import DATA, Report
-from benchmarks.robustness import real_forces
+from benchmarks.robustness import real_forces, real_sensors
 from benchmarks.robustness.as_typed import (
     CASES,
     Found,
@@ -452,7 +452,14 @@ def run(options: argparse.Namespace, report: Report) -> None:
     """Run all rows; none may be wrong."""
     if not CASES.exists():
         sys.exit(f"the cases are not here: {CASES.name}")
-    rows = [*_logs(), *_spellings(), *_clips(), *real_forces.rows(), *_services()]
+    rows = [
+        *_logs(),
+        *_spellings(),
+        *real_sensors.rows(),
+        *_clips(),
+        *real_forces.rows(),
+        *_services(),
+    ]
     rows = [row for row in rows if options.only in row.case]
     rows = [row for row in rows if not (options.quick and row.plays)]
     found = []
