@@ -1,4 +1,4 @@
-"""The analysis of a study: report in a window, written to files; export of its data."""
+"""The analysis of a study: its report in a window, and written to files."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -14,11 +14,10 @@ from PySide6.QtGui import (
     QTextCursor,
     QTextDocument,
 )
-from PySide6.QtWidgets import QMainWindow, QMenu, QTextBrowser, QWidget
+from PySide6.QtWidgets import QMainWindow, QTextBrowser, QWidget
 
 from app.bridge.errors import Attempts
 from app.bridge.jobs import Jobs, in_child
-from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import folder_dialog
@@ -31,10 +30,9 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import JobBar, MessageBar
 from hapticplayer.clock import Clock
-from hapticplayer.errors import Message, Progress, joined, message_of
+from hapticplayer.errors import Message, Progress, message_of
 from hapticplayer.study.answers import Answers, read_answers
-from hapticplayer.study.study_export import export_study, study_exporters
-from hapticplayer.study.study_folder import Study, open_study
+from hapticplayer.study.study_folder import Study
 
 SCHEME = "figure:"
 """Of the addresses of the figures in the text."""
@@ -89,15 +87,6 @@ def written_report(
     return target
 
 
-def exported(folder: Path, target: Path, form: str, *, progress: Progress) -> list[str]:
-    """Export a study into a new folder, and return the notices."""
-    report = export_study(open_study(folder), target, form, progress)
-    return [*report["remarks"], *filter(None, [report["left_out"]])]
-
-
-Export = Callable[[Path, str, Progress], list[str]]
-"""Exports the data into a new folder in the format of this name; returns notices."""
-
 _POLL_MS = 50
 _SCREEN_DPI = 100.0
 _SHOWN = object()
@@ -105,12 +94,11 @@ _PARTS = re.compile(r"(?=<h2>)")
 
 
 class AnalysisPage(QWidget):
-    """Analyses a study beside the window, shows what was found, exports its data.
+    """Analyses a study beside the window, and shows what was found.
 
     Args:
         title: of the study.
         read: returns its answers.
-        export: exports its data.
         say: shows a message to the person.
         clock: of the machine.
     """
@@ -119,13 +107,12 @@ class AnalysisPage(QWidget):
         self,
         title: str,
         read: Callable[[Progress], Answers],
-        export: Export,
         say: Callable[[str], None],
         clock: Clock,
     ) -> None:
         super().__init__()
         self._title, self._read, self._clock = title, read, clock
-        self._export, self._say, self.attempts = export, say, Attempts()
+        self.attempts = Attempts()
         self._report: Report | None = None
         self._steps: Iterator[None] | None = None  # of showing it
         self.jobs = Jobs(lambda problem: say(message_of(problem)))
@@ -146,13 +133,6 @@ class AnalysisPage(QWidget):
             self.tr("Write the report, its figures and the data to a new folder"),
         )
         self.save_button.clicked.connect(self._choose_report_folder)
-        self.export_button = text_button(
-            self.tr("&Export data"),
-            self.tr(
-                "Write the answers and the records of the device for other programs"
-            ),
-        )
-        self.export_button.setMenu(self._export_menu())
         self._lay_out()
         self._timer = QTimer(self)
         self._timer.setInterval(_POLL_MS)
@@ -182,29 +162,6 @@ class AnalysisPage(QWidget):
         self.jobs.run(self.tr("Writing the report"), work, self._saved)
         self._begin()
 
-    def export(self, form: str, target: Path) -> None:
-        """Export the data into a new folder, in the format of this name."""
-        if self.is_busy:
-            return
-
-        def work(progress: Progress) -> list[str]:
-            return self._export(target, form, progress)
-
-        def done(notices: list[str]) -> None:
-            self._saved(target)
-            if notices:
-                self._say(joined("; ", notices))
-
-        self.jobs.run(self.tr("Exporting the data"), work, done)
-        self._begin()
-
-    def _export_menu(self) -> QMenu:
-        menu = QMenu(self)
-        for name, one in study_exporters().items():
-            chosen = menu.addAction(translated(one.text)).triggered
-            chosen.connect(lambda _on, name=name: self._choose_data_folder(name))
-        return menu
-
     def close_jobs(self) -> None:
         """Stop what runs; before the window goes."""
         self._timer.stop()
@@ -214,7 +171,7 @@ class AnalysisPage(QWidget):
     def _lay_out(self) -> None:
         self._heading = ElidedLabel(self._title)
         text = self.tr("The report is in English, ready for publication.")
-        buttons = (self.export_button, self.save_button, self.analyse_button)
+        buttons = (self.save_button, self.analyse_button)
         top = row_of((self._heading, 1), *buttons, spacing=8)
         parts = (top, paragraph(text, theme.DIM), self.job_bar, (self.text, 1))
         column_of(*parts, spacing=8, margins=(12, 10, 12, 12), of=self)
@@ -272,18 +229,11 @@ class AnalysisPage(QWidget):
     def _show_buttons(self) -> None:
         self.analyse_button.setEnabled(not self.is_busy)
         self.save_button.setEnabled(not self.is_busy and self._report is not None)
-        self.export_button.setEnabled(not self.is_busy)
 
     def _choose_report_folder(self) -> None:
         title = self.tr("Choose where to create the report folder")
         dialog = folder_dialog(self, title, str(Path.home()))
         dialog.fileSelected.connect(lambda path: self.save(Path(path) / "report"))
-        dialog.open()
-
-    def _choose_data_folder(self, form: str) -> None:
-        title = self.tr("Choose where to create the data folder")
-        dialog = folder_dialog(self, title, str(Path.home()))
-        dialog.fileSelected.connect(lambda path: self.export(form, Path(path) / form))
         dialog.open()
 
 
@@ -316,9 +266,6 @@ class AnalysisWindow(QMainWindow):
         self.page = AnalysisPage(
             title,
             lambda progress: in_child(answers_with_force, folder, progress=progress),
-            lambda target, form, progress: in_child(
-                exported, folder, target, form, progress=progress
-            ),
             lambda text: self.messages.show_text(text, self.page.attempts.begin()),
             clock,
         )

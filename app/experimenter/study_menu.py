@@ -112,6 +112,7 @@ class StudyMenu(QObject):
             (translate("StudyMenu", "&New study\u2026"), self.new),
             (translate("StudyMenu", "&Edit study\u2026"), self.edit),
             (translate("StudyMenu", "&Run a participant\u2026"), self.run),
+            (translate("StudyMenu", "&Sessions and data\u2026"), self.show_results),
             (translate("StudyMenu", "&Analyse study\u2026"), self.analyse),
         ):
             menu.addAction(text).triggered.connect(lambda _on, slot=slot: slot())
@@ -175,12 +176,28 @@ class StudyMenu(QObject):
         if problem:
             self.report(StudyError(problem), self.attempts.begin())
 
+    def show_results(self) -> None:
+        """Show who took part, and what can be done with their data."""
+        folder = self.ask_folder()
+        if folder:
+            self._try(lambda: self._open_results(folder))
+
+    def _open_results(self, folder: Path) -> None:
+        from app.experimenter.study.results import StudyResults
+
+        results = StudyResults(folder, self._window)
+        results.analysis_wanted.connect(
+            lambda: self._try(lambda: self.open_report(folder))
+        )
+        results.finished.connect(results.deleteLater)
+        results.show()
+
     def analyse(self) -> None:
         folder = self.ask_folder()
         if folder:
-            self._try(lambda: self._open_report(folder))
+            self._try(lambda: self.open_report(folder))
 
-    def _open_report(self, folder: Path) -> None:
+    def open_report(self, folder: Path) -> None:
         # loads scipy and its kin: half of the time that the window takes to start
         from app.experimenter.analysis import AnalysisWindow
         from hapticplayer.study.study_folder import open_study

@@ -92,7 +92,7 @@ class StudySession:
         self.gateway = ErrorGateway(self.control.show_message, self._halt)
         self.participant.refused.connect(self.gateway.report)
         self.participant.operator_wanted.connect(self._show_operator)
-        self.control.page_wanted.connect(self._show_participant)
+        self.control.page_wanted.connect(self._return_to_page)
         self._is_windowed = False
         self.undisturbed = IdleInhibitor(services=EVERYTHING)
         self._watch_cadence, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
@@ -138,9 +138,11 @@ class StudySession:
         else:
             self.participant.setGeometry(theirs.geometry())
             self.participant.showFullScreen()
-        if self.runner is not None:
-            self.control.buttons["page"].hide()
-            self.participant.activateWindow()
+        self.control.buttons["page"].hide()
+
+    def _return_to_page(self) -> None:
+        self._show_participant()
+        self.participant.activateWindow()
 
     def _show_operator(self) -> None:
         """Bring the operator's panel back from behind the participant's page."""
@@ -228,7 +230,9 @@ class StudySession:
         is_good = all(check.is_good for check in checks)
         self.runner.store_checks(checks_as_json(checks), overridden=not is_good)
         self.participant.follow(self.runner)
-        self._show_participant()
+        if not self.participant.isVisible():
+            self._show_participant()
+        self.participant.activateWindow()
         self.control.follow(self.runner, self.participant.refresh)
 
     def _on_opening(self, source: Source) -> None:

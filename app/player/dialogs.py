@@ -66,6 +66,7 @@ LATER = (
     "app.experimenter.library_page",
     "app.experimenter.rendering_page",
     "app.experimenter.study.editor",
+    "app.experimenter.study.results",
     "app.player.condition_form",
     "app.player.device_page",
     "app.player.keys_dialog",

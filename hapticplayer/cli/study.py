@@ -11,20 +11,17 @@ from hapticplayer.cli import OpenWindow, study_analysis
 from hapticplayer.cli.common import add_outputs, complain, say, say_aside
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError, UsageError
-from hapticplayer.study.answers import (
-    collect_answers,
-    is_simulated,
-    save_reviewed,
-    text_digest,
-)
 from hapticplayer.study.creation import create_study, template_names
 from hapticplayer.study.merging import merge_sessions
-from hapticplayer.study.sequence_folders import sequence_folder
-from hapticplayer.study.session_folder import SessionState, StoredSession
-from hapticplayer.study.steps import answered_trials
+from hapticplayer.study.overview import (
+    approve_texts,
+    missing_sequences,
+    study_overview,
+    unreviewed_texts,
+)
+from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.study_export import export_study, study_exporters
 from hapticplayer.study.study_folder import (
-    Study,
     delete_participant,
     drop_session,
     open_study,
@@ -181,7 +178,7 @@ def new(options: argparse.Namespace) -> int:
             raise UsageError(f"--sequence {text!r} has to be KEY=FOLDER")
         folders[key] = Path(folder)
     study = create_study(options.study, options.template, folders, options.feedback)
-    missing = _missing(study)
+    missing = missing_sequences(study)
     report = {
         "study": str(options.study),
         "id": study.definition.id,
@@ -199,49 +196,28 @@ def new(options: argparse.Namespace) -> int:
 
 def status(options: argparse.Namespace) -> int:
     """Say who took part, what is missing, and how balanced it is."""
-    study = open_study(options.study)
-    sessions, notices = study.sessions()
-    notices += study.order_notices()
+    study, found = open_study(options.study), study_overview(options.study)
     report = {
         "title": study.definition.title,
         "conditions": len(study.definition.conditions),
         "method": study.definition.order.method.value,
-        "missing_sequences": _missing(study),
-        "sessions": [_session(session) for session in sessions],
-        "deleted": study.deleted_count(),
-        "balance": _balance(study),
-        "unreviewed_texts": len(_unreviewed(study)),
-        "remarks": notices,
+        "missing_sequences": list(found.missing),
+        "sessions": [
+            {**asdict(one), "state": one.state.value, "invalid": len(one.invalid)}
+            for one in found.sessions
+        ],
+        "deleted": found.deleted,
+        "balance": {
+            "times_at_each_position": list(found.balance.times_at_each_position()),
+            "times_after_each_other": list(found.balance.times_after_each_other()),
+        },
+        "unreviewed_texts": len(found.unreviewed),
+        "remarks": list(found.notices),
     }
     say(json.dumps(report) if options.json else _status_text(report))
-    for notice in notices:
+    for notice in found.notices:
         say_aside(notice)
     return 0
-
-
-def _session(session: StoredSession) -> dict[str, Any]:
-    trials = list(answered_trials(session.records))
-    last = {trial.position: trial for trial in trials}
-    return {
-        "code": session.code,
-        "created_utc": session.plan.created_utc,
-        "state": session.state.value,
-        "simulated": is_simulated(session),
-        "answered": len(last),
-        "planned": len(session.plan.order),
-        "invalid": sum(not trial.is_valid for trial in last.values()),
-        "resumed": sum(r.kind == "resume" for r in session.records.intact),
-        "damaged": len(session.records.damaged),
-    }
-
-
-def _balance(study: Study) -> dict[str, list[int]]:
-    """Return the least and most often anything has been met."""
-    balance = study.balance()
-    return {
-        "times_at_each_position": list(balance.times_at_each_position()),
-        "times_after_each_other": list(balance.times_after_each_other()),
-    }
 
 
 def _status_text(report: dict[str, Any]) -> str:
@@ -273,58 +249,20 @@ def _status_text(report: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def _missing(study: Study) -> list[str]:
-    missing = []
-    for sequence in study.definition.sequences:
-        try:
-            sequence_folder(study, sequence.key)
-        except StudyError:
-            missing.append(sequence.key)
-    return missing
-
-
 def review(options: argparse.Namespace) -> int:
     """Show the unreviewed free-text answers, or pass some."""
     study = open_study(options.study)
     for text in options.passed:
         code, _, question = text.partition(":")
-        _let_pass(study, code, question)
-    left = _unreviewed(study)
+        approve_texts(study, code, question)
+    left = unreviewed_texts(study)
     if options.json:
-        say(json.dumps({"unreviewed": left}))
+        say(json.dumps({"unreviewed": [one._asdict() for one in left]}))
         return 0
     for one in left:
-        say(f"{one['code']}:{one['question']}  {one['text']}")
+        say(f"{one.code}:{one.question}  {one.text}")
     say_aside(f"{len(left)} answers in words have not been passed")
     return 0
-
-
-def _unreviewed(study: Study) -> list[dict[str, str]]:
-    return [
-        {
-            "code": answer.participant,
-            "question": _name(answer.question, answer.feedback),
-            "text": answer.text,
-        }
-        for answer in collect_answers(study).open_answers
-        if not answer.reviewed
-    ]
-
-
-def _let_pass(study: Study, code: str, question: str) -> None:
-    folder = study.session(code).folder
-    digests = [
-        text_digest(one["code"], one["question"], one["text"])
-        for one in _unreviewed(study)
-        if one["code"] == folder.name and question in ("", one["question"])
-    ]
-    if not digests:
-        raise StudyError(f"{code}:{question} has no answer in words to pass")
-    save_reviewed(folder, digests)
-
-
-def _name(question: str, feedback: str) -> str:
-    return f"{question}@{feedback}" if feedback else question
 
 
 def export(options: argparse.Namespace) -> int:

@@ -2,6 +2,7 @@
 
 import importlib
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -40,7 +41,9 @@ from app.experimenter.rendering_page import RenderingPage
 from app.experimenter.session_control import Mirror, SessionControl
 from app.experimenter.start_panel import StartPanel
 from app.experimenter.study.editor import StudyEditor
+from app.experimenter.study.export_dialog import ExportDialog
 from app.experimenter.study.new_study import NewStudyDialog
+from app.experimenter.study.results import StudyResults
 from app.experimenter.study.sequences import LibraryChoice
 from app.player import setup_texts
 from app.player.choices import PluggedFalcons
@@ -63,7 +66,14 @@ from hapticplayer.errors import DeviceError
 from hapticplayer.playback.player import Player
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.study.creation import create_study
+from hapticplayer.study.overview import (
+    InvalidTrial,
+    SessionSummary,
+    UnreviewedText,
+    study_overview,
+)
 from hapticplayer.study.preflight import SessionCheck
+from hapticplayer.study.session_folder import SessionState
 
 CONTROLS = (
     QAbstractButton,
@@ -85,6 +95,7 @@ WORKING = (
     RenderingPage,
     SetupPage,
     StudyEditor,
+    StudyResults,
 )
 EVERY_PLACE = 80  # more stops of the Tab key than any page has
 SEEN = 40  # of 255: a change of colour that is no rounding
@@ -136,6 +147,8 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             *(window.clock, "simulated", window.settings, _no_player),
             *(window.player.latch, window),
         ),
+        "study-results": lambda: _results(study.folder, window),
+        "study-export": lambda: ExportDialog(study.folder, window),
         "new-study": lambda: NewStudyDialog(folder, window),
         "choose-recording": lambda: LibraryChoice(_library(window), window),
         **{
@@ -143,7 +156,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             for tab in range(6)
         },
         "analysis": lambda: AnalysisPage(
-            "Rides", lambda _progress: [], _no_export, print, window.clock
+            "Rides", lambda _progress: [], print, window.clock
         ),
         "session": lambda: _operator(window.surface),
     } | _dialogs_of_extras(window)
@@ -165,10 +178,6 @@ def _outputs_in_test(window: PlayerWindow) -> OutputsPage:
     page._show_panel(is_wanted=True)
     page.panel.state.setText("an answer that did not come, and what to do about it")
     return page
-
-
-def _no_export(_target, _form, _progress) -> list[str]:
-    return []
 
 
 def close(face: QWidget) -> None:
@@ -231,6 +240,22 @@ def _operator(surface) -> SessionControl:
         tuple(SessionCheck(name, False, what) for name, what in found.items())
     )
     return SessionControl(start, Mirror(surface), shows_force=True)
+
+
+def _results(folder: Path, window: PlayerWindow) -> StudyResults:
+    """Return the sessions of a study with one that has everything."""
+    page = StudyResults(folder, window)
+    page.close_jobs()
+    invalid = InvalidTrial(3, "car-turning/realistic", ("frames_dropped", "sync:video"))
+    one = SessionSummary(
+        *("CDFGHJ", "2026-11-27T08:00:00.000Z", SessionState.UNFINISHED, True),
+        *(("falcon", "rig:outsim,gain=0.25"), 7, 12, (invalid,), 2, 1),
+    )
+    text = UnreviewedText("CDFGHJ", "label@realistic", "as if I had been there " * 9)
+    found = study_overview(folder)
+    page.show_overview(replace(found, sessions=(one,), unreviewed=(text,)))
+    page.sessions.selectRow(0)
+    return page
 
 
 def _study_editor(folder: Path, tab: int, window: PlayerWindow) -> StudyEditor:

@@ -1,19 +1,15 @@
 import threading
 
 import pytest
-from PySide6.QtWidgets import QFileDialog
 
 from app.experimenter.analysis import AnalysisPage, AnalysisWindow
 from hapticplayer import cli
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import InputError
 from hapticplayer.simulation.participants import simulated_answers
-from hapticplayer.study import study_export
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.statistic import Statistic
 from hapticplayer.study.creation import create_study
-from hapticplayer.study.study_export import Exporter, study_exporters
-from hapticplayer.study.study_folder import open_study
 
 
 @pytest.fixture
@@ -26,8 +22,7 @@ def make_page(application, qtbot, failures):
     made = []
 
     def make(read=lambda _progress: simulated_answers(6, seed=1)) -> AnalysisPage:
-        export, say = (lambda *_: []), failures.append
-        page = AnalysisPage("Rides", read, export, say, SystemClock())
+        page = AnalysisPage("Rides", read, failures.append, SystemClock())
         qtbot.addWidget(page)
         page.resize(1000, 800)
         page.show()
@@ -69,19 +64,11 @@ def folder(tmp_path_factory):
 
 
 def test_the_menu_opens_the_report_with_what_was_added(
-    window, folder, tmp_path, monkeypatch, wait_for
+    window, folder, monkeypatch, wait_for
 ):
-    """Also with a statistic and an exporter that came later."""
-
-    def write(data, target):
-        data.notices.append("nothing is left out")
-        (target / "n.txt").write_text(str(len(data.sessions)))
-
+    """Also with a statistic that came later."""
     entry = Statistic("dummy", "Number of answers", lambda *_: {"n": {"n": 7.5}})
     monkeypatch.setitem(STATISTICS, "dummy", entry)
-    dummy = Exporter("dummy", "a number", write)
-    known = (*study_export.EXPORTERS, dummy)
-    monkeypatch.setattr(study_export, "EXPORTERS", known)
     monkeypatch.setattr(window.study_menu, "ask_folder", lambda: folder)
     window.study_menu.analyse()
     (report,) = window.findChildren(AnalysisWindow)
@@ -96,15 +83,6 @@ def test_the_menu_opens_the_report_with_what_was_added(
         if action.text() == "&Study":
             names = [one.text() for one in action.menu().actions()]
     assert "&Analyse study\u2026" in names
-    choices = {one.text(): one for one in page.export_button.menu().actions()}
-    assert list(choices) == [one.text for one in study_exporters().values()]
-    choices["a number"].trigger()
-    (dialog,) = page.findChildren(QFileDialog)
-    dialog.fileSelected.emit(str(tmp_path))
-    dialog.reject()
-    wait_for(lambda: not page.is_busy)
-    assert (tmp_path / "dummy" / "n.txt").read_text() == "6"
-    assert "nothing is left out" in report.messages.text()
     window.close()
     assert not report.isVisible()
 
@@ -146,16 +124,3 @@ def test_the_work_can_be_stopped(make_page, wait_for, failures):
     wait_for(lambda: not page.is_busy)
     assert page.text.toPlainText() == ""
     assert failures == []
-
-
-@pytest.mark.parametrize("form", study_exporters())
-def test_data_are_exported_beside_the_window(window, folder, tmp_path, wait_for, form):
-    report = AnalysisWindow(open_study(folder), SystemClock(), window)
-    report.page.export(form, tmp_path / "out")
-    assert not report.page.export_button.isEnabled()
-    wait_for(lambda: not report.page.is_busy)
-    assert any(path.is_file() for path in (tmp_path / "out").rglob("*"))
-    report.page.export(form, tmp_path / "out")
-    wait_for(lambda: not report.page.is_busy)
-    assert "already exists" in report.messages.text()
-    report.close()

@@ -152,15 +152,9 @@ def _share(stage: Stage) -> Pictures:
     yield "share-another-video", stage.picture(video_question(stage.source, page))
 
 
-def _no_export(*_: object) -> list[str]:
-    return []
-
-
 def _analysis(stage: Stage) -> Pictures:
     answers = simulated_answers(PARTICIPANTS, seed=1)
-    page = AnalysisPage(
-        "Rides", lambda _progress: answers, _no_export, print, SystemClock()
-    )
+    page = AnalysisPage("Rides", lambda _progress: answers, print, SystemClock())
     resize_within_screen(page, 1040, 860)
     with stage.shown(page):
         page.analyse()

@@ -1,0 +1,207 @@
+"""After the sessions: who took part, texts, deleted participants, merged and exported data."""
+
+import shutil
+
+import pytest
+from PySide6.QtWidgets import QMessageBox
+
+from app.experimenter.study import results
+from app.experimenter.study.export_dialog import ExportDialog
+from app.experimenter.study.results import StudyResults
+from hapticplayer.clock import SystemClock
+from hapticplayer.simulation.sessions import write_scripted_session
+from hapticplayer.study.creation import create_study
+from hapticplayer.study.journal import Journal
+from hapticplayer.study.overview import study_overview
+from hapticplayer.study.plan import describe
+from hapticplayer.study.session_folder import SessionState
+from hapticplayer.study.study_export import study_exporters
+from hapticplayer.study.study_folder import begin_session, open_study
+
+VALUES = {"realism": 4, "sensory": 3, "comfort": 5, "satisfaction": 4}
+WORDS = {"tiring": "no, Anna", "label@random": "wobbly"}
+
+
+def half_session(study):
+    """Write a session of one trial, which was not valid, and two answers in words."""
+    session = begin_session(study, "en", {}, SystemClock())
+    journal = Journal(session.folder / "answers.jsonl", SystemClock())
+    condition = describe(session.plan.order[0])
+    name = {"step": "trial-01", "attempt": 1, "condition": condition}
+    played = {"outputs": ["simulated"]}
+    reasons = ["frames_dropped", "fault:unplugged"]
+    journal.append("trial-begin", **name)
+    journal.append(
+        "trial",
+        **name,
+        is_valid=False,
+        reasons=reasons,
+        playback=played,
+        sound="",
+    )
+    journal.append("answers", **name, values=VALUES)
+    journal.append("answers", step="post-test", values=WORDS)
+    journal.close()
+    return session.code
+
+
+@pytest.fixture
+def study(tmp_path):
+    return create_study(tmp_path / "study")
+
+
+@pytest.fixture
+def codes(study):
+    """A whole session and half of one."""
+    whole = write_scripted_session(
+        study, {"age": 30}, lambda _c: VALUES, SystemClock(), origin={}
+    )
+    return whole, half_session(study)
+
+
+@pytest.fixture
+def page(application, qtbot, study, codes, wait_for):
+    made = StudyResults(study.folder)
+    qtbot.addWidget(made)
+    made.show()
+    wait_for(lambda: not made.jobs.is_busy)
+    yield made
+    made.close_jobs()
+
+
+def row_of(page, code):
+    rows = range(page.sessions.rowCount())
+    row = next(r for r in rows if page.sessions.item(r, 0).text() == code)
+    return [page.sessions.item(row, column).text() for column in range(6)]
+
+
+def choose(page, code):
+    rows = range(page.sessions.rowCount())
+    page.sessions.selectRow(
+        next(r for r in rows if page.sessions.item(r, 0).text() == code)
+    )
+
+
+def texts(page):
+    rows = range(page.texts.rowCount())
+    return {page.texts.item(r, 1).text(): page.texts.item(r, 2).text() for r in rows}
+
+
+def test_sessions_tell_state_device_and_completeness(page, codes):
+    whole, half = (row_of(page, code) for code in codes)
+    assert whole[2:] == ["complete, simulated", "12 / 12", "", "\u2013"]
+    assert half[2:] == ["not finished", "1 / 12", "1", "Simulated"]
+    assert "Sessions: 2, complete: 1" in page.summary.text()
+    choose(page, codes[1])
+    told = page.details.text()
+    assert told.startswith("Trial 1 (")
+    assert "frames dropped, safety stop (" in told
+
+
+def test_texts_are_read_and_approved(page, study, wait_for):
+    assert texts(page) == {"tiring": "no, Anna", "label@random": "wobbly"}
+    assert page.tabs.tabText(1) == "Text answers (2)"
+    page.tabs.setCurrentIndex(1)
+    assert not page.buttons["approve"].isEnabled()
+    rows = [page.texts.item(row, 1).text() for row in range(2)]
+    page.texts.selectRow(rows.index("label@random"))
+    assert page.buttons["approve"].isEnabled()
+    page.buttons["approve"].click()
+    assert page.status.text() == ""
+    wait_for(lambda: texts(page) == {"tiring": "no, Anna"})
+    assert [t.question for t in study_overview(study.folder).unreviewed] == ["tiring"]
+
+
+def test_a_participant_is_deleted_after_saying_what_goes(
+    page, study, codes, monkeypatch, wait_for
+):
+    asked, answers = [], iter([QMessageBox.StandardButton.Cancel])
+    (study.folder / "report.txt").write_text(f"participant {codes[0]}")
+
+    def answer(box):
+        asked.append(box.text())
+        return next(answers, QMessageBox.StandardButton.Yes)
+
+    monkeypatch.setattr(QMessageBox, "exec", answer)
+    choose(page, codes[0])
+    page.buttons["delete"].click()
+    assert codes[0] in open_study(study.folder).codes()
+    assert f"Delete participant {codes[0]}?" in asked[0]
+    assert "Answers to 12 trials" in asked[0]
+    assert "consent" in asked[0]
+    page.buttons["delete"].click()
+    wait_for(lambda: page.sessions.rowCount() == 1)
+    assert open_study(study.folder).codes() == [codes[1]]
+    assert open_study(study.folder).deleted_count() == 1
+    assert "report.txt" in page.status.text()
+    assert "deleted: 1" in page.summary.text()
+
+
+def test_an_unfinished_session_is_ended_with_a_reason(
+    page, study, codes, monkeypatch, wait_for
+):
+    monkeypatch.setattr(results, "ask_text", lambda *_: "felt sick")
+    choose(page, codes[0])
+    assert not page.buttons["end"].isEnabled()
+    choose(page, codes[1])
+    page.buttons["end"].click()
+    wait_for(lambda: row_of(page, codes[1])[2] == "ended early")
+    assert study.session(codes[1]).state is SessionState.STOPPED
+
+
+def test_sessions_of_another_machine_are_added(page, study, codes, tmp_path, wait_for):
+    copy = tmp_path / "copy"
+    shutil.copytree(study.folder, copy)
+    theirs = half_session(open_study(copy))
+    page.merge(copy)
+    wait_for(lambda: page.sessions.rowCount() == 3)
+    assert row_of(page, theirs)[3] == "1 / 12"
+    assert "added: 1; here already: 2" in page.status.text()
+
+
+def test_a_folder_that_is_no_copy_is_refused(page, tmp_path, wait_for):
+    other = create_study(tmp_path / "other")
+    page.merge(other.folder)
+    wait_for(lambda: "is the study" in page.status.text())
+
+
+@pytest.mark.parametrize("form", study_exporters())
+def test_data_are_exported_to_the_place_of_the_form(
+    page, qtbot, tmp_path, wait_for, form
+):
+    dialog = ExportDialog(page.folder, page)
+    dialog.wanted.connect(page.export)
+    dialog.form.setCurrentIndex(dialog.form.findData(form))
+    dialog.place.setText(str(tmp_path / "out"))
+    assert str(tmp_path / "out" / f"study-{form}") in dialog.whole.text()
+    dialog.export_button.click()
+    wait_for(lambda: "Exported to" in page.status.text())
+    assert any(path.is_file() for path in (tmp_path / "out").rglob("*"))
+    assert "2 text answers were left out" in page.status.text()
+    dialog.place.setText(str(tmp_path / "out "))
+    assert not dialog.export_button.isEnabled()
+    assert "exists" in dialog.problem.text()
+
+
+def test_a_study_that_nobody_took_part_in_says_so(application, qtbot, study, wait_for):
+    page = StudyResults(study.folder)
+    qtbot.addWidget(page)
+    wait_for(lambda: not page.jobs.is_busy)
+    assert "Nobody has taken part" in page.summary.text()
+    assert not page.buttons["export"].isEnabled()
+    assert page.buttons["merge"].isEnabled()
+    page.close()
+
+
+def test_the_menu_opens_the_sessions_and_they_the_report(
+    window, study, codes, monkeypatch, wait_for
+):
+    opened = []
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
+    monkeypatch.setattr(window.study_menu, "open_report", opened.append)
+    window.study_menu.show_results()
+    (page,) = window.findChildren(StudyResults)
+    wait_for(page.buttons["analyse"].isEnabled)
+    page.buttons["analyse"].click()
+    assert opened == [study.folder]
+    page.close()
