@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QSocketNotifier, Signal
-from PySide6.QtWidgets import QFileDialog, QMainWindow, QMenu
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QMenu, QProgressDialog
 
 from app.bridge.errors import Attempts, IsOver
 from app.bridge.settings import Settings, library_folder
@@ -23,9 +23,11 @@ _PREFIX = "hapticplayer: "
 class StudyProcess(QObject):
     """One at a time; it continues when this window is closed.
 
-    `ended` says what it complained of, "" where nothing.
+    `opened` means that its windows are there; `ended` says what it complained of, ""
+    where nothing.
     """
 
+    opened = Signal()
     ended = Signal(str)
 
     def __init__(self, parent: QObject) -> None:
@@ -44,13 +46,18 @@ class StudyProcess(QObject):
         self._process = subprocess.Popen(
             [sys.executable, "-m", "app", *arguments],
             stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
             stderr=self._stderr,
             start_new_session=True,
         )
         self._handle = os.pidfd_open(self._process.pid)
         self._notifier = QSocketNotifier(self._handle, QSocketNotifier.Type.Read, self)
         self._notifier.activated.connect(self._on_ended)
+        assert self._process.stdout is not None
+        self._output = QSocketNotifier(
+            self._process.stdout.fileno(), QSocketNotifier.Type.Read, self
+        )
+        self._output.activated.connect(self._on_said)
 
     def leave(self) -> None:
         """Stop watching it; it continues."""
@@ -59,9 +66,18 @@ class StudyProcess(QObject):
         assert self._notifier is not None
         self._notifier.setEnabled(False)
         self._notifier.deleteLater()
+        self._output.setEnabled(False)
+        self._output.deleteLater()
         os.close(self._handle)
+        assert self._process.stdout is not None
+        self._process.stdout.close()
         self._stderr.close()
         self._process = self._notifier = None
+
+    def _on_said(self) -> None:
+        """It says something only once, see `application.run`, or it ends."""
+        self._output.setEnabled(False)
+        self.opened.emit()
 
     def _on_ended(self) -> None:
         assert self._process is not None
@@ -105,6 +121,8 @@ class StudyMenu(QObject):
         self._release, self._take_back = devices
         self.process = StudyProcess(self)
         self.process.ended.connect(self._on_ended)
+        self.process.opened.connect(self._on_opened)
+        self._waiting: QProgressDialog | None = None
         menu = QMenu(translate("StudyMenu", "&Study"), window)
         bar = window.menuBar()
         bar.insertMenu(bar.actions()[-1], menu)  # help stays last
@@ -168,9 +186,25 @@ class StudyMenu(QObject):
             raise StudyError(
                 "cannot be started ({reason})", reason=problem
             ) from problem
+        self._show_waiting()
         self.running.emit(True)
 
+    def _show_waiting(self) -> None:
+        """Say that the session is coming: its windows take some seconds."""
+        text = translate("StudyMenu", "Opening the session\u2026")
+        waiting = self._waiting = QProgressDialog(text, "", 0, 0, self._window)
+        waiting.setCancelButton(None)
+        waiting.setWindowTitle(translate("StudyMenu", "Run a participant"))
+        waiting.show()
+
+    def _on_opened(self) -> None:
+        if self._waiting is not None:
+            self._waiting.close()
+            self._waiting.deleteLater()
+            self._waiting = None
+
     def _on_ended(self, problem: str) -> None:
+        self._on_opened()
         self.running.emit(False)
         self._try(self._take_back)
         if problem:

@@ -1,7 +1,9 @@
 """Runs a participant: both windows, one player, and what joins them."""
 
 import argparse
+import contextlib
 import os
+import sys
 from collections.abc import Callable, Sequence
 from functools import partial
 
@@ -54,6 +56,7 @@ from hapticplayer.study.ticks import next_record
 PRIVATE = 0o077  # umask: the records of the device belong to the participant too
 WATCH_HZ, SLOW_HZ = 30.0, 2.0
 SOUND_CHECK_S = 4.0
+OPENED = "the session is open"  # for who has started it
 _NATIVE = QKeySequence.SequenceFormat.NativeText
 
 
@@ -313,6 +316,9 @@ def run(options: argparse.Namespace) -> int:
         session.start_panel.choose(options.resume or "", options.language or "")
         try:
             session.show(windowed=options.windowed)
+            with contextlib.suppress(OSError):  # nobody may listen any more
+                sys.stdout.write(f"{OPENED}\n")
+                sys.stdout.flush()
             _run_until_closed(application, session)
         finally:
             session.close()

@@ -8,12 +8,13 @@ import pytest
 from PySide6.QtCore import ClassInfo, QObject, Qt, Slot
 from PySide6.QtDBus import QDBusConnection
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QProgressDialog, QWidget
 from sitting import KEYS, Person
 
 from app.bridge.desktop import NAME, Mpris
 from app.bridge.idle import EVERYTHING, IdleInhibitor
 from app.experimenter.study_menu import StudyProcess
+from app.participant.application import OPENED
 from hapticplayer.haptics.processes import Health
 from hapticplayer.playback.output import LENT
 from hapticplayer.study.creation import change_definition, create_study
@@ -90,6 +91,28 @@ def test_media_keys_find_no_player_while_a_session_runs(
     wait_for(lambda: not window.study_menu.process.is_running)
     assert is_there(NAME).value()
     assert [str(problem) for problem in texts] == ["the Falcon is not plugged in"]
+
+
+def test_the_window_says_that_a_session_opens_until_it_has(
+    window, make_study, tmp_path, monkeypatch, wait_for
+):
+    gate, end, study = tmp_path / "gate", tmp_path / "end", make_study()
+    os.mkfifo(gate)
+    os.mkfifo(end)
+    program = tmp_path / "session"
+    program.write_text(f"#!/bin/sh\ncat {gate}\ncat {end}\n")
+    program.chmod(0o700)
+    monkeypatch.setattr("app.experimenter.study_menu.sys.executable", str(program))
+    monkeypatch.setattr(window.study_menu, "ask_folder", lambda: study.folder)
+    window.study_menu.run()
+    (waiting,) = window.findChildren(QProgressDialog)
+    assert waiting.isVisible()
+    assert "Opening" in waiting.labelText()
+    gate.write_text(f"{OPENED}\n")
+    wait_for(lambda: not window.findChildren(QProgressDialog))
+    assert window.study_menu.process.is_running
+    end.write_text("")
+    wait_for(lambda: not window.study_menu.process.is_running)
 
 
 def test_a_session_borrows_the_outputs_of_the_window(

@@ -7,7 +7,9 @@ from contextlib import contextmanager
 from msgspec.structs import replace
 
 from app.experimenter.study.editor import StudyEditor
+from app.experimenter.study.export_dialog import ExportDialog
 from app.experimenter.study.new_study import NewStudyDialog
+from app.experimenter.study.results import StudyResults
 from app.experimenter.study.sequences import LibraryChoice
 from app.participant.application import StudySession
 from app.participant.pages import QuestionsPage
@@ -87,6 +89,12 @@ def _editor(stage: Stage, study: Study) -> Pictures:
     choice = LibraryChoice(library)
     with stage.shown(choice):
         yield "study-choose", stage.picture(choice)
+    results = StudyResults(study.folder)
+    with stage.shown(results):
+        stage.wait_until(lambda: results.overview is not None)
+        yield "study-results", stage.picture(results)
+        export = ExportDialog(study.folder, results)
+        yield "study-export", stage.picture(export)
     editor = StudyEditor(study.folder, lambda: library)
     with stage.shown(editor):
         editor.conditions.add("delayed")

@@ -44,7 +44,7 @@ class ConditionList(EntryList):
         super().__init__(document, self.tr("Conditions"), add)
         add.setMenu(self._add_menu())
         self.preview = ConditionPreview(study)
-        self.right.addWidget(self.preview, 1)
+        self.right.addWidget(self.preview)
 
     def _add_menu(self) -> QMenu:
         menu = QMenu(self)

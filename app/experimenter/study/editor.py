@@ -47,7 +47,7 @@ from hapticplayer.study.drafts import DefinitionProblem, Draft, clip_seconds
 WIDTH_PX, HEIGHT_PX = 1180, 720
 KEEP_MS = 250  # after the last key
 _PLACE = int(Qt.ItemDataRole.UserRole)
-_MOST_PROBLEM_ROWS, _FRAME_PX = 4, 14
+_MOST_PROBLEM_ROWS, _FRAME_PX, _SMALL_PX = 4, 14, 560
 _REMEDIES_FOR_FILES = ("correct it", "")
 
 
@@ -210,7 +210,8 @@ class StudyEditor(QDialog):
             item.setForeground(QColor(theme.BAD if one.is_fatal else theme.WARN))
             self.problem_list.addItem(item)
         self.problem_list.setVisible(bool(self.problems))
-        rows = min(_MOST_PROBLEM_ROWS, len(self.problems))
+        most = _MOST_PROBLEM_ROWS if self.height() > _SMALL_PX else 2
+        rows = min(most, len(self.problems))
         height_px = self.problem_list.sizeHintForRow(0) if rows else 0
         self.problem_list.setFixedHeight(rows * height_px + _FRAME_PX)
 

@@ -54,7 +54,7 @@ class EntryList(QWidget):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        left, right, split = QWidget(), QWidget(), QSplitter()
+        left, split = QWidget(), QSplitter()
         moves = (self.remove_button, STRETCH, self.up_button, self.down_button)
         column_of(
             (self.list, 1),
@@ -63,9 +63,11 @@ class EntryList(QWidget):
             of=left,
             spacing=8,
         )
-        self.right = column_of((self.fields, 1), of=right)
+        self.right = QSplitter(Qt.Orientation.Vertical)
+        self.right.setChildrenCollapsible(False)
+        self.right.addWidget(self.fields)
         split.addWidget(left)
-        split.addWidget(right)
+        split.addWidget(self.right)
         split.setSizes([_LEFT_PX, _RIGHT_PX])
         split.setChildrenCollapsible(False)
         column_of((split, 1), margins=(12, 12, 12, 12), of=self)

@@ -37,7 +37,7 @@ class TextList(EntryList):
     def __init__(self, document: StudyDocument) -> None:
         super().__init__(document, self.tr("Texts"), None)
         self.preview = PagePreview()
-        self.right.addWidget(self.preview, 1)
+        self.right.addWidget(self.preview)
 
     def rows(self) -> list[Row]:
         return [

@@ -40,7 +40,7 @@ class QuestionList(EntryList):
         super().__init__(document, self.tr("Questions"), add)
         add.setMenu(self._add_menu())
         self.preview = PagePreview()
-        self.right.addWidget(self.preview, 1)
+        self.right.addWidget(self.preview)
 
     @property
     def _groups(self) -> tuple[str, ...]:

@@ -5,7 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import QCoreApplication
 
-from app.bridge.languages import NAMES
+from app.bridge.languages import NAMES, spoken
 from app.experimenter.study.document import Content, Place, entry_at
 from app.player.choices import feedback_words
 from app.widgets.texts import quoted
@@ -71,9 +71,10 @@ def condition_words(entry: str | Mapping[str, Any]) -> str:
 
 
 def text_in(texts: object, languages: list[str]) -> str:
-    """Return a text in the first language that has it."""
+    """Return a text in the window's language, else in the first one that has it."""
     known = texts if isinstance(texts, dict) else {}
-    return next((known[one] for one in languages if known.get(one)), "")
+    wanted = (spoken(), *languages)
+    return next((known[one] for one in wanted if known.get(one)), "")
 
 
 def place_words(content: Content, place: Place) -> str:
