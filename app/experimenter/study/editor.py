@@ -68,6 +68,7 @@ class StudyEditor(QDialog):
         self.draft = Draft(folder)
         self.document = StudyDocument(self.draft.content)
         self.problems: list[DefinitionProblem] = []
+        self._is_kept, self._is_warned = True, False
         name = self.draft.study.folder.name
         self.setWindowTitle(self.tr("Study \u2013 {name}").format(name=name))
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
@@ -146,6 +147,7 @@ class StudyEditor(QDialog):
     # --- keeping -----------------------------------------------------------------
 
     def _on_changed(self) -> None:
+        self._is_kept = self._is_warned = False
         self._refresh()
         self.state.setText(self.tr("Saving\u2026"))
         self._timer.start()
@@ -159,6 +161,7 @@ class StudyEditor(QDialog):
             self.messages.show_text(message_of(problem))
             self.state.setText(self.tr("Not saved"))
             return
+        self._is_kept = True
         self._show_problems()
         self._show_summary()
         if any(one.is_fatal for one in self.problems):
@@ -181,9 +184,13 @@ class StudyEditor(QDialog):
         self.messages.show_text(text, lambda: self.document.value != kept)
 
     def done(self, result: int) -> None:
-        """Close; what was typed last is kept."""
-        if self._timer.isActive():
+        """Close; what was typed last is kept, and what cannot be is not lost at once."""
+        if not self._is_kept:
             self.keep()
+        if not self._is_kept and not self._is_warned:
+            self._is_warned = True
+            self.state.setText(self.tr("Not saved: close again to lose the changes"))
+            return
         self.close_jobs()
         super().done(result)
 
@@ -194,7 +201,7 @@ class StudyEditor(QDialog):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.done(0)
-        event.accept()
+        event.setAccepted(not self.isVisible())
 
     # --- what is shown -----------------------------------------------------------
 

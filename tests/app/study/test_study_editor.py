@@ -382,6 +382,11 @@ def test_a_change_by_another_program_is_not_overwritten(editor):
     editor.keep()
     assert "another program" in editor.messages.text()
     assert json.loads(path.read_text())["title"] == "Theirs"
+    editor.close_button.click()
+    assert editor.isVisible()
+    assert "close again" in editor.state.text()
+    editor.close_button.click()
+    assert not editor.isVisible()
 
 
 def test_a_new_study_says_what_is_missing(application, qtbot, tmp_path):
