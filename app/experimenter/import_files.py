@@ -311,9 +311,7 @@ class _Question(QFrame):
         self._choices = QVBoxLayout()
         self.other = QLineEdit()
         self.other.setAccessibleName(self.tr("Answer"))
-        self.other.setPlaceholderText(
-            self.tr("Another answer, written like those above")
-        )
+        self.other.setPlaceholderText(self.tr("Or answer like those above"))
         self.other.returnPressed.connect(self._answer)
         self.take = text_button(
             self.tr("&Answer"), self.tr("Read the log with this answer"), "primary"

@@ -39,7 +39,7 @@ class SuggestionBox(QFrame):
             )
         )
         self.missing = paragraph(
-            self.tr("This needs OpenCV; Help > System check shows how to install it."),
+            self.tr("This needs OpenCV: see Help > System check."),
             theme.WARN,
         )
         parts = (self.reason, self.choice, self.expect, self.missing)

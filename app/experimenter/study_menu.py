@@ -158,6 +158,15 @@ class StudyMenu(QObject):
         if folder:
             self._try(lambda: self._open_editor(folder))
 
+    def open_folder(self, folder: Path) -> bool:
+        """Edit the study in a folder; False where it holds none."""
+        from hapticplayer.study.definition_reader import DEFINITION
+
+        is_study = (folder / DEFINITION).is_file()
+        if is_study:
+            self._try(lambda: self._open_editor(folder))
+        return is_study
+
     def _open_editor(self, folder: Path) -> None:
         from app.experimenter.study.editor import StudyEditor
 

@@ -45,7 +45,8 @@ AT_REST_MS = 150  # the log includes the force at rest after the end
 
 def run(options: argparse.Namespace) -> int:
     """Show the window and return the exit status once it is closed."""
-    source = opened(options) if options.source else None
+    study = study_in(options.source)
+    source = opened(options) if options.source and not study else None
     feedback = None
     if source:
         source, feedback = with_feedback(source, options.feedback)
@@ -82,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
     except BaseException:
         window.close()
         raise
-    _begin(window, options, source)
+    _begin(window, options, source, study)
     if options.mute:
         window.extras.controls.begin_muted()
     if options.speed != 1.0:
@@ -135,15 +136,32 @@ def _wait_ready(application: QApplication, player: Player) -> None:
     player.wait_ready()
 
 
+def study_in(place: str) -> Path | None:
+    """The folder of a study that was asked for, None for what plays."""
+    if not place or not Path(place).is_dir():
+        return None
+    from hapticplayer.study.definition_reader import DEFINITION
+
+    return Path(place) if (Path(place) / DEFINITION).is_file() else None
+
+
 def _begin(
-    window: PlayerWindow, options: argparse.Namespace, source: Source | None
+    window: PlayerWindow,
+    options: argparse.Namespace,
+    source: Source | None,
+    study: Path | None,
 ) -> None:
     """Play what was asked for."""
     player = window.player
     if source is None:
         window.dialogs.prepare()  # the user looks around
-        window.session.open_demo()
+        if study:
+            window.open_path(study)
+        else:
+            window.session.open_demo()
         return
+    if options.more:
+        window.playlist.set_paths([source.path, *map(Path, options.more)])
     if options.start > 0.0:
         player.seek(options.start)
     player.play()

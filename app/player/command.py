@@ -30,7 +30,7 @@ class Command(NamedTuple, Generic[W]):
     Attributes:
         name: of the action and in the settings.
         text: in English; "&" marks the letter in the menu.
-        menu: file, playback, view or help; or `TIMELINE`.
+        menu: file, edit, playback, view, device or help; or `TIMELINE`.
         group: commands of one group lie together in the menu.
         does: what happens.
         keys: at first.

@@ -14,6 +14,7 @@ from app.bridge.languages import translated
 from app.bridge.settings import Settings, choose_library, library_folder
 from app.player.command import Command
 from app.player.device_dialogs import DeviceDialogs
+from app.player.playlist import Playlist
 from app.player.session import Session
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog, folder_dialog, settings_filter, video_filter
@@ -214,6 +215,15 @@ class Dialogs(DeviceDialogs):
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.wanted.connect(self._session.make_feedback)
         dialog.open()
+
+    def show_playlist(self, playlist: Playlist) -> None:
+        """Show what plays one after the other, beside the window."""
+        from app.player.playlist_page import PlaylistPage
+
+        page = self._window.findChild(PlaylistPage)
+        page = page or PlaylistPage(playlist, self._folder(), self._window)
+        page.show()
+        page.raise_()
 
     def ask_about_video(self, source: Source) -> None:
         """Ask whether force may be felt with another video than it was made for."""

@@ -78,7 +78,7 @@ def warning(name: str, reported_s: float) -> str:
     todo = translate(
         "LatencyMonitor",
         "the actual latency may be higher. Use wired headphones, or "
-        "measure it: Playback > Measure latencies",
+        "measure it: Device > Measure latencies",
     )
     return f"{what}; {todo}"
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QRect, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
-from PySide6.QtWidgets import QMainWindow, QWidget
+from PySide6.QtWidgets import QApplication, QBoxLayout, QMainWindow, QWidget
 
 from app.player.video_surface import VideoSurface
 
@@ -59,13 +59,54 @@ class EscapeFilter(QObject):
 CURSOR_STAYS_MS = 1500
 
 
+class FloatingControls:
+    """Lets the controls lie over the video while the pointer moves in fullscreen."""
+
+    def __init__(
+        self, controls: QWidget, surface: VideoSurface, home: QBoxLayout
+    ) -> None:
+        self._controls, self._surface, self._home = controls, surface, home
+        self._place = home.indexOf(controls)
+
+    def show(self) -> None:
+        """Put them over the lower edge."""
+        surface, controls = self._surface, self._controls
+        if controls.parent() is not surface:
+            self._home.removeWidget(controls)
+            controls.setParent(surface)
+        high_px = controls.sizeHint().height()
+        top_px = surface.height() - high_px
+        controls.setGeometry(0, top_px, surface.width(), high_px)
+        controls.show()
+        controls.raise_()
+
+    @property
+    def are_used(self) -> bool:
+        """Whether the pointer is on them, or a list of theirs is open."""
+        is_here = self._controls.isVisible() and self._controls.underMouse()
+        return is_here or QApplication.activePopupWidget() is not None
+
+    def hide(self) -> None:
+        self._controls.hide()
+
+    def bring_back(self) -> None:
+        """Put them where they belong, hidden or not as before."""
+        if self._controls.parent() is self._surface:
+            self._home.insertWidget(self._place, self._controls)
+
+
 class Fullscreen(QObject):
     """Hides everything but the surface and takes the whole screen, and back."""
 
     def __init__(
-        self, window: QMainWindow, surface: VideoSurface, others: list[QWidget]
+        self,
+        window: QMainWindow,
+        surface: VideoSurface,
+        others: list[QWidget],
+        controls: FloatingControls,
     ) -> None:
         super().__init__(window)
+        self._controls = controls
         self._window = window
         self._surface = surface
         self._others = others
@@ -111,6 +152,7 @@ class Fullscreen(QObject):
         self.is_on = False
         self._cursor_timer.stop()
         self._surface.unsetCursor()
+        self._controls.bring_back()
         for widget in self._hidden:
             widget.show()
         if self._was_maximized:
@@ -129,10 +171,14 @@ class Fullscreen(QObject):
             self._hidden.remove(widget)
 
     def _hide_cursor(self) -> None:
-        if self.is_on:
+        if self.is_on and self._controls.are_used:
+            self._cursor_timer.start()
+        elif self.is_on:
+            self._controls.hide()
             self._surface.setCursor(Qt.CursorShape.BlankCursor)
 
     def _on_pointer_moved(self) -> None:
         if self.is_on:
             self._surface.unsetCursor()
+            self._controls.show()
             self._cursor_timer.start()

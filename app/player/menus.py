@@ -161,7 +161,7 @@ class ChooseMenus(QObject):
         super().__init__()
         recent = actions.add_menu("file", self.tr("Open &recent"), "open_demo")
         self.recent = RecentMenu(recent, history, open_path)
-        output = actions.add_menu("playback", self.tr("Sound &output"), "stop")
+        output = actions.add_menu("playback", self.tr("Sound &output"), "feedback")
         self.outputs = ChoiceMenu(
             output,
             lambda: [

@@ -3,18 +3,22 @@
 import math
 from typing import NamedTuple
 
-from PySide6.QtCore import QPointF, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import (
+    QContextMenuEvent,
     QImage,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QRegion,
     QResizeEvent,
+    QWheelEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from hapticplayer.media.frames import BgraImage, DecodedFrame, FrameConverter
+
+_SHAPE, _NOTCH = 10_000, 120  # of a wheel, in Qt's eighths of a degree
 
 
 class Box(NamedTuple):
@@ -47,11 +51,23 @@ def letterbox(clip: tuple[int, int], area: tuple[int, int]) -> Box:
     return Box((room_x - width) // 2, (room_y - height) // 2, width, height)
 
 
+def zoomed(box: Box, zoom: float) -> Box:
+    """The box grown or shrunk about its middle; its width stays even."""
+    if zoom == 1.0:
+        return box
+    width, height = round(zoom * box.width) & ~1, round(zoom * box.height)
+    x, y = box.x + (box.width - width) // 2, box.y + (box.height - height) // 2
+    return Box(x, y, max(2, width), max(2, height))
+
+
 class VideoSurface(QWidget):
     """Shows frames as they come, with black bars around them."""
 
     double_clicked = Signal()
     pointer_moved = Signal()
+    wheeled = Signal(int, bool)
+    """Notches, and whether Shift is held."""
+    menu_wanted = Signal(QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -62,6 +78,8 @@ class VideoSurface(QWidget):
         self.setMouseTracking(True)
         self.setAccessibleName(self.tr("Video"))
         self._clip_size = (16, 9)
+        self._aspect: float | None = None
+        self.zoom, self._notches = 1.0, 0.0
         self._target = Box(0, 0, 2, 2)
         self._ratio = self.devicePixelRatioF()
         # the target in logical pixels: itself, all that it touches, all that it fills
@@ -75,6 +93,21 @@ class VideoSurface(QWidget):
     def target(self) -> Box:
         """Where the video goes, in device pixels."""
         return self._target
+
+    @property
+    def video_rect(self) -> QRect:
+        """Where the video is, in logical pixels, as far as it is inside."""
+        return self._aligned.intersected(self.rect())
+
+    def set_aspect(self, ratio: float | None) -> None:
+        """Show the video in another shape than its own."""
+        self._aspect = ratio
+        self._place()
+
+    def set_zoom(self, zoom: float) -> None:
+        """Show the video larger or smaller than what fits; 1 fits."""
+        self.zoom = zoom
+        self._place()
 
     @property
     def frame(self) -> DecodedFrame | None:
@@ -117,7 +150,10 @@ class VideoSurface(QWidget):
         """Find the target again."""
         self._ratio = ratio = self.devicePixelRatioF()
         area = (int(self.width() * ratio), int(self.height() * ratio))
-        target = letterbox(self._clip_size, area)
+        shape = self._clip_size
+        if self._aspect is not None:
+            shape = (round(_SHAPE * self._aspect), _SHAPE)
+        target = zoomed(letterbox(shape, area), self.zoom)
         self._where = where = QRectF(*(value / ratio for value in target))
         self._aligned, self._covered = where.toAlignedRect(), _inside(where)
         if target != self._target:
@@ -155,6 +191,20 @@ class VideoSurface(QWidget):
 
     def mouseMoveEvent(self, _event: QMouseEvent) -> None:
         self.pointer_moved.emit()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Count whole notches: touch pads send small parts of one."""
+        turned = event.angleDelta()
+        self._notches += (turned.y() or turned.x()) / _NOTCH
+        whole = int(self._notches)
+        self._notches -= whole
+        if whole:
+            is_shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self.wheeled.emit(whole, is_shift)
+        event.accept()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        self.menu_wanted.emit(event.globalPos())
 
 
 class SurfaceSink:

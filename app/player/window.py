@@ -18,13 +18,15 @@ from app.player.dialogs import Dialogs
 from app.player.display import Display, PlotArea
 from app.player.empty_page import EmptyPage
 from app.player.extras import Extras
-from app.player.fullscreen import EscapeFilter, Fullscreen
+from app.player.fullscreen import EscapeFilter, FloatingControls, Fullscreen
 from app.player.health_line import HealthLine
 from app.player.menus import ThemeMenus
+from app.player.playlist import Playlist, Repeat, is_playable
 from app.player.session import Session
 from app.player.sync_plot import SyncPlot
 from app.player.transport import Transport
 from app.player.video_surface import VideoSurface
+from app.player.viewing import Viewing
 from app.widgets.files import FileDrops
 from app.widgets.layout import column_of
 from app.widgets.messages import JobBar, MessageBar
@@ -38,6 +40,7 @@ LEAST_SCREEN_PX = 520  # on a lower screen the plots would push STOP out of it
 LEAST_VIDEO_PX = 150  # high, also on a screen of 540 with all that can be shown
 DRAW_HZ = 30.0  # what is shown beside the video needs no more
 WATCH_HZ = 15.0
+WHEEL_S = 5.0  # of the clip, for each notch with Shift
 LONGEST_TITLE_PX = 600
 PLOTS_PX, _STAGE_PX = 190, 600  # only the proportion counts
 _HANDLE_PX = 3
@@ -73,7 +76,8 @@ class PlayerWindow(QMainWindow):
         self._lay_out()
         parts = (self.transport, self.plots, self.health)
         hidden = [self.menuBar(), *parts, self.sync_plot]
-        self.fullscreen = Fullscreen(self, surface, hidden)
+        floating = FloatingControls(self.transport, surface, self._middle)
+        self.fullscreen = Fullscreen(self, surface, hidden, floating)
         self._display = Display(self, self.session, clock, parts)
         self.extras = Extras(
             self.session,
@@ -83,6 +87,8 @@ class PlayerWindow(QMainWindow):
             surface,
             self.fullscreen,
         )
+        self.viewing = Viewing(self.session, surface, self.commands, settings)
+        self.playlist = Playlist(self.session.open_path)
         self.desktop = Desktop(player, self)
         self.study_menu.running.connect(
             lambda is_on: self.desktop.set_study_mode(is_on=is_on)
@@ -146,7 +152,11 @@ class PlayerWindow(QMainWindow):
         session.opened.connect(self._on_opened)
         session.changed.connect(self._on_changed)
         session.another_video.connect(self._on_another_video)
+        session.ended.connect(self._on_ended)
         self.surface.double_clicked.connect(self.toggle_fullscreen)
+        self.surface.wheeled.connect(self._on_wheel)
+        self.surface.menu_wanted.connect(lambda at: self.viewing.open_menu(at, self))
+        self.viewing.message.connect(self.extras.toast.show_text)
         self.job_bar.cancelled.connect(session.jobs.cancel)
         transport.play_clicked.connect(self.player.toggle)
         transport.stop_clicked.connect(session.stop_or_rearm)
@@ -219,6 +229,35 @@ class PlayerWindow(QMainWindow):
         """Show or hide the figures over the video."""
         self.extras.show_statistics(is_wanted=is_wanted)
 
+    def _on_wheel(self, notches: int, is_seek: bool) -> None:
+        if is_seek:
+            self.session.skip(WHEEL_S * notches)
+        else:
+            self.controls.turn(notches)
+
+    def show_playlist(self) -> None:
+        self.dialogs.show_playlist(self.playlist)
+
+    def go_to_file(self, steps: int) -> None:
+        """Open the next or the previous one of the list or folder."""
+        if not self.playlist.go(steps):
+            last, first = self.tr("No next file"), self.tr("No previous file")
+            self.extras.toast.show_text(last if steps > 0 else first)
+
+    def turn_repeat(self) -> None:
+        """Choose what follows the end of a clip."""
+        texts = {
+            Repeat.OFF: self.tr("Repeat off"),
+            Repeat.ONE: self.tr("Repeat this clip"),
+            Repeat.ALL: self.tr("Repeat all"),
+        }
+        self.extras.toast.show_text(texts[self.playlist.turn_repeat()])
+
+    def _on_ended(self) -> None:
+        if not self.playlist.follow_end():
+            self.player.seek(0.0)
+            self.player.play()
+
     @property
     def controls(self) -> Controls:
         """Speed, loop, single frames, volume and sound output."""
@@ -255,11 +294,18 @@ class PlayerWindow(QMainWindow):
         self.extras.apply_settings()
 
     def _take_files(self, paths: list[Path]) -> None:
-        """Open a file; several are a recording to be imported."""
+        """Open a file; several clips are a playlist, a clip with logs is imported."""
         if len(paths) == 1:
-            self.session.open_path(paths[0])
+            self.open_path(paths[0])
+        elif all(map(is_playable, paths)):
+            self.playlist.take(paths)
         else:
             self.dialogs.import_recording(paths)
+
+    def open_path(self, path: Path) -> None:
+        """Play a clip, or edit a study."""
+        if not (path.is_dir() and self.study_menu.open_folder(path)):
+            self.session.open_path(path)
 
     # --- signals of the session ----------------------------------------------
 
@@ -270,6 +316,7 @@ class PlayerWindow(QMainWindow):
             if not self.fullscreen.is_on:
                 self.job_bar.show_state(self.session.jobs.state(), now_s)
             self.extras.refresh(now_s)
+            self.viewing.refresh()
         if self._draw_cadence.is_due(now_s):
             self._display.refresh()
             self.sync_plot.follow(now_s, self.player.sync_traces)
@@ -288,6 +335,8 @@ class PlayerWindow(QMainWindow):
                 source.title, Qt.TextElideMode.ElideMiddle, LONGEST_TITLE_PX
             )
             title = f"{shown} \u2013 {title}"
+            if not source.clip.remote:
+                self.playlist.note_opened(source.path)
         self.setWindowTitle(title)
         self.plots.set_source(source)
         self.transport.set_duration(source.clip.duration_s if source else 0.0)
@@ -363,6 +412,7 @@ class PlayerWindow(QMainWindow):
         self._escape.remove()
         self._keep_geometry()
         self.extras.close()
+        self.viewing.close()
         self.study_menu.close()
         self.dialogs.close()
         self.desktop.close()

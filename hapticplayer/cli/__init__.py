@@ -248,6 +248,12 @@ def _run(words: list[str], open_window: OpenWindow | None) -> int:
 
         words = each_with_its_option(words)
     command = _command_in(words)
+    if (
+        command
+        and is_file_name(command)
+        and command not in {c.name for c in commands()}
+    ):
+        command, words = "play", ["play", *words]
     if command != "doctor" and (command or not words):
         _refuse_small_limits()
     try:
@@ -266,6 +272,11 @@ def _run(words: list[str], open_window: OpenWindow | None) -> int:
 
 def _command_in(words: Sequence[str]) -> str | None:
     return next((word for word in words if not word.startswith("-")), None)
+
+
+def is_file_name(word: str) -> bool:
+    """Whether a word in the place of a command is something to play."""
+    return "/" in word or bool(Path(word).suffix) or Path(word).exists()
 
 
 @contextlib.contextmanager
@@ -300,8 +311,10 @@ def build_parser(wanted: str | None) -> argparse.ArgumentParser:
     """Return the parser of all commands, with the options of the one that is wanted."""
     parser = _ArgumentParser(
         prog="hapticplayer",
+        usage="hapticplayer [-h] [--version] [COMMAND ... | FILE ...]",
         description="Play a video and feel the motion of whoever recorded it. "
-        "Without a command it opens the window on the built-in demo.",
+        "With files it plays them, as the command play does; without anything it opens "
+        "the window on the built-in demo.",
     )
     parser.add_argument("--version", action="version", version=__version__)
     parts = parser.add_subparsers(title="commands", metavar="COMMAND")

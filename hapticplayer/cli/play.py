@@ -69,7 +69,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "source",
         metavar="SEQUENCE_OR_VIDEO",
         help="folder of a sequence, a file that was packed, any video, or the URL of "
-        "a file that was packed",
+        "a file that was packed; in the window also the folder of a study",
+    )
+    parser.add_argument(
+        "more", nargs="*", metavar="MORE", help="in the window: played after it"
     )
     parser.add_argument(
         "--allow-network",
@@ -158,6 +161,11 @@ def run(options: argparse.Namespace, open_window: OpenWindow | None) -> int:
     """Play in the window, or without one."""
     if open_window is not None and not options.headless:
         return open_window(options)
+    if options.more:
+        raise UsageError(
+            "without a window one clip is played; give {name} to a run of its own",
+            name=options.more[0],
+        )
     if options.headless:
         refuse_idle(options, "without a window", *_OF_THE_WINDOW)
     elif idle := [one for one in _OF_THE_WINDOW if one in options.given]:

@@ -48,16 +48,18 @@ class AudioDecoder(ClipDecoder[AudioFrame]):
         *,
         rate_hz: int = 48_000,
         channels: int = 2,
+        track: int = 0,
     ) -> None:
-        """Open the sound of a clip at media time 0; more than 2 channels are mixed."""
+        """Open a sound of a clip at media time 0; more than 2 channels are mixed."""
         if channels not in LAYOUTS:
             raise ValueError(f"{channels} channels: only 1 or 2 can be asked for")
         self.rate_hz = rate_hz
-        self.channels = channels
+        self.channels, self._track = channels, track
         super().__init__(path)
 
     def _set_up(self) -> None:
-        stream = next((s for s in self._container.streams.audio if context_of(s)), None)
+        heard = [s for s in self._container.streams.audio if context_of(s)]
+        stream = heard[self._track] if self._track < len(heard) else None
         if stream is None or stream.time_base is None:
             raise MediaError(
                 "it holds no sound",

@@ -53,6 +53,7 @@ class ClipInfo:
     names_force: bool = False  # whether its metadata say that force belongs to it
     camera: str = ""  # that its metadata name
     remote: ClipBytes | None = None
+    audio_track: int = 0  # which of its sounds is heard
 
     @property
     def content(self) -> Path | ClipBytes:

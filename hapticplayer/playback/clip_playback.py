@@ -93,7 +93,7 @@ class ClipPlayback:
         self.source, self.end_s = source, source.clip.duration_s
         self.fetched_s = FETCHED_S
         self.video.open(source.clip.content)
-        self.sound.open(source.clip.content, has_sound=source.clip.has_audio)
+        self.sound.open(source.clip)
         self.handle(PhaseEvent.OPEN)
 
     def close(self) -> None:

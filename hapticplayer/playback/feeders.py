@@ -10,6 +10,7 @@ from typing import Generic, TypeVar
 from hapticplayer.errors import MediaError
 from hapticplayer.media.audio import AudioBlock, AudioDecoder
 from hapticplayer.media.clip_bytes import ClipBytes
+from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.media.tempo import TempoFilter
 from hapticplayer.media.video import VideoDecoder
@@ -186,9 +187,9 @@ class VideoFeeder(Feeder[VideoDecoder]):
 class AudioFeeder(Feeder[AudioDecoder]):
     """Decodes sound into the ring of the output, at the speed that the ring has."""
 
-    def __init__(self, path: Path | ClipBytes, ring: AudioRing) -> None:
-        super().__init__("audio-decoder", path)
-        self._ring = ring
+    def __init__(self, clip: ClipInfo, ring: AudioRing) -> None:
+        super().__init__("audio-decoder", clip.content)
+        self._ring, self._track = ring, clip.audio_track
         self._speed = 1.0
         self._tempo: TempoFilter | None = None
         self._ready: deque[AudioBlock] = deque()
@@ -199,7 +200,8 @@ class AudioFeeder(Feeder[AudioDecoder]):
             self._wake.notify_all()
 
     def _open(self) -> AudioDecoder:
-        return AudioDecoder(self._path, rate_hz=self._ring.rate_hz, channels=CHANNELS)
+        how = {"channels": CHANNELS, "track": self._track}
+        return AudioDecoder(self._path, rate_hz=self._ring.rate_hz, **how)
 
     def _seek(self, media_s: float) -> None:
         super()._seek(media_s)

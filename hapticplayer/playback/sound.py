@@ -7,11 +7,10 @@ go on, and the new sound joins the running clock, which never jumps for its sake
 
 from collections import deque
 from collections.abc import Callable
-from pathlib import Path
 
 from hapticplayer.clock import Clock
 from hapticplayer.errors import Message
-from hapticplayer.media.clip_bytes import ClipBytes
+from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.playback.clock import AudioReport, ClockSource, MediaClock
 from hapticplayer.playback.feeders import AudioFeeder
 from hapticplayer.playback.sound_process import AudioOut, OutputState
@@ -89,12 +88,12 @@ class Sound:
         """Open the output already, while something else is being done."""
         self._keeper.want(self._clock.now_s())
 
-    def open(self, path: Path | ClipBytes, *, has_sound: bool) -> None:
+    def open(self, clip: ClipInfo) -> None:
         """Take the sound of a clip; `go_to` begins to decode it."""
         self.forget()
-        if has_sound and self._keeper.make is not None:
+        if clip.has_audio and self._keeper.make is not None:
             self.prepare()
-            self.feeder = AudioFeeder(path, self.ring)
+            self.feeder = AudioFeeder(clip, self.ring)
         else:
             self._keeper.close()
 

@@ -93,7 +93,8 @@ def test_no_line_of_the_first_page_is_cut_off(application, qtbot, width_px):
 
 def test_a_new_window_has_no_clip_open(window):
     titles = [action.text() for action in window.menuBar().actions()]
-    assert titles == ["&File", "&Playback", "&View", "&Study", "&Help"]
+    menus = ("File", "Edit", "Playback", "View", "Device", "Study", "Help")
+    assert titles == [f"&{name}" for name in menus]
     assert window.stage.currentWidget() is window.empty_page
     assert window.player.snapshot().phase is Phase.EMPTY
     assert not window.transport.play.isEnabled()

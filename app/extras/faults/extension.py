@@ -7,7 +7,7 @@ from app.player.command import Command
 
 def commands() -> tuple[Command[Any], ...]:
     """The panel of faults."""
-    return (Command("faults", "Inject fa&ults\u2026", "view", 0, show_faults),)
+    return (Command("faults", "Inject fa&ults\u2026", "device", 2, show_faults),)
 
 
 def show_faults(window: Any) -> None:

@@ -9,7 +9,7 @@ from app.player.command import Command
 
 def commands() -> tuple[Command[Any], ...]:
     """A simulated rig to look at."""
-    return (Command("rig", "Simulated &motion rig\u2026", "view", 0, show_rig),)
+    return (Command("rig", "Simulated &motion rig\u2026", "device", 2, show_rig),)
 
 
 def show_rig(window: Any) -> None:
