@@ -78,9 +78,8 @@ def _make(options: argparse.Namespace, folder: Path) -> None:
     _use_screen(folder, scale)
     # only now: these begin Qt's platform
     from app.bridge.collector import Collector
-    from app.bridge.settings import Settings
+    from app.bridge.settings import LANGUAGE, THEME, Settings
     from app.player.application import make_application
-    from app.player.menus import LANGUAGE, THEME
     from app.player.remake import apply_appearance
     from hapticplayer.playback.source import open_source
     from tools.pages import device, editor, library, player, study

@@ -6,8 +6,9 @@ import traceback
 from collections import deque
 from collections.abc import Callable
 from types import TracebackType
+from typing import NamedTuple
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, QTime
 
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.extension import take_problems
@@ -15,8 +16,15 @@ from hapticplayer.extension import take_problems
 IsOver = Callable[[], bool]
 """Whether the cause of a message is gone; it is hidden then."""
 Show = Callable[[str, IsOver | None], None]
-_MANY = 50
+_MANY, _KEPT = 50, 200
 """Different places that may fail before the terminal stays quiet."""
+
+
+class Noted(NamedTuple):
+    """Something that was said, or a fault; `at` is the time of day."""
+
+    at: str
+    what: str | BaseException
 
 
 class Attempts:
@@ -44,6 +52,7 @@ class ErrorGateway:
         self._show = show
         self._halt = halt
         self._known: set[str] = set()
+        self.noted: deque[Noted] = deque(maxlen=_KEPT)
         self._from_threads: deque[BaseException] = deque(maxlen=16)
         self._hooks_before = (sys.excepthook, threading.excepthook)
 
@@ -59,6 +68,7 @@ class ErrorGateway:
     def report(self, problem: BaseException, is_over: IsOver | None = None) -> None:
         """Show a problem until it is over; on the window's thread."""
         if isinstance(problem, HapticPlayerError):
+            self._keep(message_of(problem))
             self._show(message_of(problem), is_over)
         else:
             self._unexpected(problem)
@@ -73,7 +83,12 @@ class ErrorGateway:
         while self._from_threads:
             self.report(self._from_threads.popleft())
         for message in take_problems():
+            self._keep(message)
             self._show(message, None)
+
+    def _keep(self, what: str | BaseException) -> None:
+        """Remember it for a report of a problem."""
+        self.noted.append(Noted(QTime.currentTime().toString("HH:mm:ss"), what))
 
     def _unexpected(self, problem: BaseException) -> None:
         self._halt()
@@ -82,6 +97,7 @@ class ErrorGateway:
         if place in self._known or len(self._known) >= _MANY:
             return  # a fault that returns with each frame is reported once
         self._known.add(place)
+        self._keep(problem)
         self.note(problem)
         text = QCoreApplication.translate(
             "ErrorGateway",

@@ -35,6 +35,9 @@ from hapticplayer.storage import StorageError, replace_json
 
 _GEOMETRY = "geometry"
 _OWN_PLACES = ("folder", "study_folder", "library", "recent", "positions")
+THEME, LANGUAGE = "look", "language"
+"""Names in the settings."""
+
 OUTPUTS, MOST_OUTPUTS = "outputs", 16
 """Name in the settings: the outputs in order, each with what was chosen of it."""
 

@@ -2,14 +2,15 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QFile, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QImage, QPixmap
+from PySide6.QtCore import QFile, QPoint, QSize, Qt, QUrl, Signal
+from PySide6.QtGui import QColor, QDesktopServices, QIcon, QImage, QPixmap
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
+    QMenu,
     QMessageBox,
     QSplitter,
     QVBoxLayout,
@@ -71,6 +72,8 @@ class LibraryPage(JobDialog):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.currentItemChanged.connect(lambda *_: self._on_chosen())
         self.list.itemActivated.connect(lambda _item: self._open())
+        self.list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.list.customContextMenuRequested.connect(self.open_menu)
         self.nothing = QLabel()  # lies on the list, where it is empty
         self.nothing.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.nothing.setWordWrap(True)
@@ -155,6 +158,28 @@ class LibraryPage(JobDialog):
             if name == "folder":
                 row.addStretch(1)
         return row
+
+    def open_menu(self, at: QPoint) -> QMenu | None:
+        """What a right click on a sequence offers."""
+        entry = self.chosen()
+        if entry is None or self.list.itemAt(at) is not self.list.currentItem():
+            return None
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for name in ("open", "edit", "rename", "check", "delete"):
+            button = self.buttons[name]
+            action = menu.addAction(button.text())
+            action.setEnabled(button.isEnabled())
+            action.triggered.connect(button.click)
+        rendering = menu.addAction(self.tr("&Rendering\u2026"))
+        rendering.setEnabled(self.buttons["open"].isEnabled())
+        rendering.triggered.connect(lambda: self.open_rendering(entry))
+        menu.addSeparator()
+        place = QUrl.fromLocalFile(str(entry.folder))
+        show = menu.addAction(self.tr("Show in the file &manager"))
+        show.triggered.connect(lambda: QDesktopServices.openUrl(place))
+        menu.popup(self.list.viewport().mapToGlobal(at))
+        return menu
 
     # --- what is there -------------------------------------------------------
 

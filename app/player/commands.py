@@ -46,6 +46,7 @@ class CommandTarget(Protocol):
     def show_sync_plot(self, *, is_wanted: bool) -> None: ...
     def show_statistics(self, *, is_wanted: bool) -> None: ...
     def show_playlist(self) -> None: ...
+    def show_preferences(self) -> None: ...
     def go_to_file(self, steps: int) -> None: ...
     def turn_repeat(self) -> None: ...
 
@@ -62,6 +63,7 @@ _OWN: tuple[Row, ...] = (
     Row("rendering", "Re&ndering\u2026", "edit", 0, lambda w: w.dialogs.rendering(), needs_clip=True),
     Row("share", "S&hare\u2026", "file", 1, lambda w: w.dialogs.share(), ("Ctrl+E",), needs_clip=True),
     Row("open_log", "Replay a &log\u2026", "file", 1, lambda w: w.dialogs.open_log(), ("Ctrl+L",), needs_clip=True),
+    Row("preferences", "&Preferences\u2026", "edit", 1, lambda w: w.show_preferences(), ("Ctrl+,",)),
     Row("export_settings", "E&xport settings\u2026", "edit", 1, lambda w: w.dialogs.export_settings()),
     Row("import_settings", "I&mport settings\u2026", "edit", 1, lambda w: w.dialogs.import_settings()),
     Row("quit", "&Quit", "file", 3, lambda w: w.close(), ("Ctrl+Q", "Q")),
@@ -86,7 +88,7 @@ _OWN: tuple[Row, ...] = (
     Row("mute", "&Mute", "playback", 4, None, ("M",), toggles=lambda w, on: w.controls.mute(is_wanted=on)),
     Row("stop", "&Stop the force", "device", 0, lambda w: w.stop(), ("Esc",), is_fixed=True),
     Row("rearm", "&Re-arm the force", "device", 0, lambda w: w.session.rearm(), SHARED["rearm"]),
-    Row("feedback", "Other feed&back\u2026", "playback", 5, lambda w: w.dialogs.other_feedback(), needs_clip=True),
+    Row("feedback", "Other feedbac&k\u2026", "playback", 5, lambda w: w.dialogs.other_feedback(), needs_clip=True),
     Row("set_up_device", "Set up the &device\u2026", "device", 1, lambda w: w.dialogs.set_up(w.clock)),
     Row("outputs", "&Outputs\u2026", "device", 1, lambda w: w.dialogs.outputs(w.clock)),
     Row("get_to_know", "&Try out the forces\u2026", "device", 1, lambda w: w.dialogs.get_to_know(w.clock), ("Ctrl+K",)),
@@ -96,12 +98,15 @@ _OWN: tuple[Row, ...] = (
     Row("sync_plot", "S&ync plot", "view", 0, None, ("S",), toggles=lambda w, on: w.show_sync_plot(is_wanted=on)),
     Row("statistics", "&Statistics", "view", 0, None, ("I",), toggles=lambda w, on: w.show_statistics(is_wanted=on)),
     Row("video_larger", "&Zoom in", "view", 1, lambda w: w.viewing.zoom(1), ("Ctrl++", "Ctrl+="), needs_clip=True),
-    Row("video_smaller", "Zoom &out", "view", 1, lambda w: w.viewing.zoom(-1), ("Ctrl+-",), needs_clip=True),
+    Row("video_smaller", "Zoom o&ut", "view", 1, lambda w: w.viewing.zoom(-1), ("Ctrl+-",), needs_clip=True),
     Row("video_fit", "As large as fits", "view", 1, lambda w: w.viewing.zoom(0), ("Ctrl+0",), needs_clip=True),
     Row("save_frame", "Save this frame as a pictu&re", "view", 1, lambda w: w.viewing.save_frame(), ("Shift+S",), needs_clip=True),
     Row("fullscreen", "&Fullscreen", "view", 2, lambda w: w.toggle_fullscreen(), ("F", "F11"), needs_clip=True),
-    Row("shortcuts", "&Keyboard shortcuts\u2026", "help", 0, lambda w: w.dialogs.shortcuts(COMMANDS), ("?", "F1")),
-    Row("about", "&About", "help", 0, lambda w: w.dialogs.about()),
+    Row("shortcuts", "&Keyboard shortcuts\u2026", "help", 0, lambda w: w.dialogs.shortcuts(COMMANDS), ("?",)),
+    Row("guide", "&Guide", "help", 0, lambda w: w.dialogs.guide(), ("F1",)),
+    Row("system_check", "&System check\u2026", "help", 1, lambda w: w.dialogs.system_check()),
+    Row("report_problem", "&Report a problem\u2026", "help", 1, lambda w: w.dialogs.report_problem()),
+    Row("about", "&About", "help", 2, lambda w: w.dialogs.about()),
 )  # fmt: skip
 COMMANDS: tuple[Row, ...] = tuple(rows("commands", Command, _OWN))
 

@@ -3,6 +3,7 @@
 import importlib
 import threading
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -224,6 +225,29 @@ class Dialogs(DeviceDialogs):
         page = page or PlaylistPage(playlist, self._folder(), self._window)
         page.show()
         page.raise_()
+
+    def guide(self) -> None:
+        """Show the documents, beside the window."""
+        from app.player.guide import GuideWindow
+
+        page = self._window.findChild(GuideWindow) or GuideWindow(self._window)
+        page.show()
+        page.raise_()
+
+    def system_check(self) -> None:
+        """Show what this machine lacks."""
+        from app.player.help_pages import CheckPage
+
+        CheckPage(self._window).open()
+
+    def report_problem(self) -> None:
+        """Show what a report of a problem would hold."""
+        from app.player.help_pages import ReportPage
+        from app.player.problem_report import parts_of
+
+        player, noted = self._session.player, self._session.gateway.noted
+        collect = partial(parts_of, player, noted, self._settings)
+        ReportPage(collect, self._folder(), self._window).open()
 
     def ask_about_video(self, source: Source) -> None:
         """Ask whether force may be felt with another video than it was made for."""

@@ -83,8 +83,8 @@ def warning(name: str, reported_s: float) -> str:
     return f"{what}; {todo}"
 
 
-SCREEN = "fullscreen_screen"
-"""Name in the settings."""
+SCREEN, RESUMES = "fullscreen_screen", "resumes"
+"""Names in the settings."""
 
 
 class Extras(QObject):
@@ -116,7 +116,7 @@ class Extras(QObject):
             self.history,
             self.controls,
             session.open_path,
-            (lambda: fullscreen.screen_name, self._choose_screen),
+            (lambda: fullscreen.screen_name, self.choose_screen),
         )
         self._connect()
         self._on_changed()
@@ -168,7 +168,7 @@ class Extras(QObject):
         self.thumbnails.close()
         self.controls.present.close()
 
-    def _choose_screen(self, name: str) -> None:
+    def choose_screen(self, name: str) -> None:
         self._fullscreen.screen_name = name
         self._settings.keep(SCREEN, name)
 
@@ -197,6 +197,8 @@ class Extras(QObject):
         if source.clip.remote:
             return
         self.history.note_opened(source.path)
+        if not self._settings.flag(RESUMES, default=True):
+            return
         at_s = self.history.position_s(source.path, source.clip.duration_s)
         if at_s > 0.0:
             self._player.seek(at_s)

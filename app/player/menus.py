@@ -4,16 +4,18 @@ import math
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtGui import QAction, QActionGroup, QGuiApplication
 from PySide6.QtWidgets import QMenu
 
 from app.bridge import languages
-from app.bridge.settings import Settings
+from app.bridge.settings import LANGUAGE, THEME, Settings
 from app.player.commands import Actions
 from app.player.controls import Controls
 from app.widgets import theme
 from hapticplayer.playback.player import Player
+
+translate = QCoreApplication.translate
 
 RECENT, POSITIONS = "recent", "positions"
 """Names in the settings."""
@@ -181,8 +183,18 @@ class ChooseMenus(QObject):
         )
 
 
-THEME, LANGUAGE = "look", "language"
-"""Names in the settings."""
+def theme_names() -> list[tuple[str, str]]:
+    return [
+        (theme.SYSTEM, translate("ThemeMenus", "System default")),
+        (theme.DARK, translate("ThemeMenus", "Dark")),
+        (theme.LIGHT, translate("ThemeMenus", "Light")),
+        (theme.CONTRAST, translate("ThemeMenus", "High contrast")),
+    ]
+
+
+def language_names() -> list[tuple[str, str]]:
+    system = translate("ThemeMenus", "System default")
+    return [(languages.SYSTEM, system), *languages.NAMES.items()]
 
 
 class ThemeMenus(QObject):
@@ -196,22 +208,14 @@ class ThemeMenus(QObject):
         themes = actions.add_menu("view", self.tr("&Theme"), "fullscreen")
         self.themes = ChoiceMenu(
             themes,
-            lambda: [
-                (theme.SYSTEM, self.tr("System default")),
-                (theme.DARK, self.tr("Dark")),
-                (theme.LIGHT, self.tr("Light")),
-                (theme.CONTRAST, self.tr("High contrast")),
-            ],
+            theme_names,
             lambda: settings.text(THEME, theme.DARK),
             lambda value: self._choose(THEME, value),
         )
         spoken = actions.add_menu("view", self.tr("&Language"), "fullscreen")
         self.languages = ChoiceMenu(
             spoken,
-            lambda: [
-                (languages.SYSTEM, self.tr("System default")),
-                *languages.NAMES.items(),
-            ],
+            language_names,
             lambda: settings.text(LANGUAGE, languages.SYSTEM),
             lambda value: self._choose(LANGUAGE, value),
         )

@@ -12,8 +12,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from app.bridge import languages
 from app.bridge.collector import Collector
-from app.bridge.settings import Settings
-from app.player.menus import LANGUAGE, THEME
+from app.bridge.settings import LANGUAGE, THEME, Settings
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.widgets import theme

@@ -1,6 +1,7 @@
 """The player's window: its parts, and what they do with the session."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QKeySequence
@@ -9,7 +10,7 @@ from PySide6.QtWidgets import QMainWindow, QSplitter, QStackedWidget, QWidget
 from app.bridge.desktop import Desktop
 from app.bridge.errors import IsOver
 from app.bridge.pump import Cadence, Pump
-from app.bridge.settings import Settings, keep_outputs
+from app.bridge.settings import Settings, choose_library, keep_outputs
 from app.experimenter.study_menu import StudyMenu
 from app.player import choices
 from app.player.commands import Actions
@@ -34,6 +35,9 @@ from app.widgets.theme import icon
 from hapticplayer.clock import Clock
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
+
+if TYPE_CHECKING:
+    from app.player.preferences import Chosen
 
 WIDTH_PX, HEIGHT_PX = 1280, 800
 LEAST_SCREEN_PX = 520  # on a lower screen the plots would push STOP out of it
@@ -237,6 +241,23 @@ class PlayerWindow(QMainWindow):
 
     def show_playlist(self) -> None:
         self.dialogs.show_playlist(self.playlist)
+
+    def show_preferences(self) -> None:
+        """Show on one page what the menus choose one by one."""
+        from app.player.preferences import PreferencesPage
+
+        page = PreferencesPage(self.settings, self.controls, self.viewing, self)
+        page.chosen.connect(self._on_preferences)
+        page.page_wanted.connect(lambda name: self.commands.by_name[name].trigger())
+        page.open()
+
+    def _on_preferences(self, chosen: "Chosen") -> None:
+        if chosen.output != self.controls.output:
+            self.controls.choose_output(chosen.output)
+        self.extras.choose_screen(chosen.screen)
+        choose_library(self.settings, chosen.library)
+        if chosen.is_rebuilt:
+            self.themes.changed.emit()
 
     def go_to_file(self, steps: int) -> None:
         """Open the next or the previous one of the list or folder."""

@@ -151,6 +151,7 @@ OWN = {
     ("hapticplayer/study/analysis/report.py", "read_bytes"): "written just before",
     ("hapticplayer/haptics/scheduling.py", "os.open"): "a device, to hold it",
     ("hapticplayer/haptics/records.py", "os.open"): "a new file",
+    ("app/player/problem_report.py", "ZipFile"): "a new file",
     ("hapticplayer/media/opening.py", "open"): "by its resolved name",
     ("hapticplayer/media/opening.py", "read_text"): "a file of the system",
     ("hapticplayer/media/clip_bytes.py", "open"): "a file of the system",
