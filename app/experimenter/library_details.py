@@ -262,7 +262,7 @@ class LibraryDetails(QWidget):
                 choices=WriteChoices(overwrite=True),  # the dialog has asked
                 progress=progress,
             ),
-            lambda cost: self._show_notes([local(translated(loss_line(cost)))]),
+            lambda cost: self._show_notes(_exported(target, cost)),
         )
 
     def _ask_name(self) -> None:
@@ -291,6 +291,13 @@ class LibraryDetails(QWidget):
         self.problem.setVisible(bool(text))
 
 
+def _exported(target: Path, cost: dict[str, Any]) -> list[str]:
+    """Where the file is, and what of the force it keeps."""
+    saved = translate("LibraryDetails", "Saved: {name}").format(name=str(target))
+    kept = translate("LibraryDetails", "It keeps {what}")
+    return [saved, local(kept.format(what=translated(loss_line(cost))))]
+
+
 def rendering_text(entry: Entry) -> str:
     """Return how the force of a sequence was rendered."""
     if entry.problem:
@@ -313,10 +320,7 @@ def read_filter() -> str:
         QCoreApplication.translate("ForceTexts", "Force tracks ({patterns})").format(
             patterns=" ".join(patterns.values())
         ),
-        *(
-            f"{translated(one.text)} ({patterns[one.name]})"
-            for one in read_formats().values()
-        ),
+        *(f"{_titled(one)} ({patterns[one.name]})" for one in read_formats().values()),
         QCoreApplication.translate("ForceTexts", "All files (*)"),
     ]
     return ";;".join(kinds)
@@ -325,6 +329,15 @@ def read_filter() -> str:
 def write_filters() -> dict[str, ForceFormat]:
     """Return the formats that are written, by their line in a file dialog."""
     return {
-        f"{translated(one.text).replace('(', '').replace(')', '')} (*{one.suffix})": one
-        for one in written_formats().values()
+        f"{_titled(one)} (*{one.suffix})": one for one in written_formats().values()
     }
+
+
+_WRITTEN = {"mpegv": "MPEG-V", "funscript": "Funscript"}
+"""Names of formats that are no capital letters."""
+
+
+def _titled(form: ForceFormat) -> str:
+    """The name that people look for, then what it is; parentheses hold patterns here."""
+    text = translated(form.text).replace("(", "").replace(")", "")
+    return f"{_WRITTEN.get(form.name, form.name.upper())} \u2013 {text}"

@@ -44,15 +44,27 @@ class Reading(NamedTuple):
     text: str
 
 
-def readings(snapshot: Snapshot, measured: Measurements) -> tuple[Reading, ...]:
-    """Return the entries in the order of the line."""
+class Frames(NamedTuple):
+    """Frames of a clip so far."""
+
+    shown: int = 0
+    dropped: int = 0
+
+
+NONE_YET = Frames()
+
+
+def readings(
+    snapshot: Snapshot, measured: Measurements, before: Frames = NONE_YET
+) -> tuple[Reading, ...]:
+    """The entries in the order of the line; `before` are the frames of 10 s ago."""
     return (
         device(snapshot),
         scheduling(snapshot),
         lateness(snapshot, measured.loop),
         sync(measured.force_minus_video),
         sync(measured.force_minus_audio if is_heard(snapshot) else None),
-        frames(snapshot),
+        frames(snapshot, before),
         clock(snapshot),
     )
 
@@ -164,10 +176,11 @@ def sync(stats: SyncStats | None) -> Reading:
     return Reading(level, text.replace("-", "\u2212"))
 
 
-def frames(snapshot: Snapshot) -> Reading:
-    """Return how many frames were shown and how many came too late."""
+def frames(snapshot: Snapshot, before: Frames = NONE_YET) -> Reading:
+    """How many frames were shown and came too late; judged by those since `before`."""
     shown, dropped = snapshot.frames_shown, snapshot.frames_dropped
-    share = dropped / max(1, shown + dropped)
+    lately = dropped - before.dropped
+    share = lately / max(1, shown - before.shown + lately)
     level = _judge(share, DROPPED_GOOD, DROPPED_BAD) if shown else Level.NEUTRAL
     text = translate("Health", "{shown} shown, {dropped} dropped")
     if snapshot.frames_damaged:

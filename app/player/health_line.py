@@ -1,11 +1,12 @@
 """The line at the bottom: is everything in order?"""
 
+from collections import deque
 from typing import NamedTuple
 
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QWidget
 
-from app.player.health import Level, Reading, level_word, readings
+from app.player.health import Frames, Level, Reading, level_word, readings
 from app.widgets import theme
 from app.widgets.layout import ElidedLabel, column_of, row_of
 from app.widgets.level_meter import LevelMeter
@@ -13,6 +14,8 @@ from app.widgets.texts import titled
 from hapticplayer.playback.snapshot import Measurements, Snapshot
 
 _SIGN_ROOM_PX = 20
+_LATELY = 20
+"""Readings, two a second: what was dropped earlier does not make the sign red."""
 _APART_PX = 4
 BETWEEN_PX = 14
 _IN_FIRST_ROW = 3  # of two: device, scheduling, real-time
@@ -95,12 +98,13 @@ class HealthLine(QFrame):
             self._rooms_px.append(room_px)
         self._needed_px = [0] * len(self.entries)
         self._letters = 0
+        self._frames: deque[Frames] = deque(maxlen=_LATELY)
         self._parts = [range(len(self.entries)), range(0)]
         """Which entries are in which row."""
 
     def show_readings(self, snapshot: Snapshot, measured: Measurements) -> None:
         """Show what the player reports."""
-        found = readings(snapshot, measured)
+        found = readings(snapshot, measured, self._frames_before(snapshot))
         for entry, reading in zip(self.entries, found, strict=True):
             entry.show_reading(reading)
         self.entries[0].meter.show_levels(snapshot.leading.levels)
@@ -110,6 +114,14 @@ class HealthLine(QFrame):
         layout = self.layout()
         assert layout is not None
         layout.activate()  # now: else new values are drawn once in the old room
+
+    def _frames_before(self, snapshot: Snapshot) -> Frames:
+        """The frames of some seconds ago; of another clip there were none."""
+        now = Frames(snapshot.frames_shown, snapshot.frames_dropped)
+        if self._frames and now < self._frames[-1]:
+            self._frames.clear()
+        self._frames.append(now)
+        return self._frames[0] if len(self._frames) == self._frames.maxlen else Frames()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -209,7 +221,10 @@ class HealthLine(QFrame):
             ),
             _Column(
                 self.tr("Frames"),
-                self.tr("Frames shown on time, and dropped because they were late"),
+                self.tr(
+                    "Frames shown on time, and dropped because they were late; the sign "
+                    "tells of the last 10 s"
+                ),
                 self.tr("88888 shown, 88 dropped"),
             ),
             _Column(

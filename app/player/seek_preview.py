@@ -103,6 +103,7 @@ class Thumbnails(QObject):
         self._slider, self._player = slider, player
         self.tip, self._over = ThumbnailTip(over), over
         self._path: Path | None = None
+        self._at_s = 0.0  # where the pointer is
         self._job: Job[list[Thumbnail]] | None = None
         self._made: list[tuple[float, QPixmap]] = []
         slider.hovered.connect(self._on_hovered)
@@ -124,6 +125,8 @@ class Thumbnails(QObject):
         if job is not None and job.is_done:
             self._job = None
             self._made = [(t.media_s, _pixmap(t)) for t in job.result or []]
+            if self.tip.isVisible():  # the pointer waits for it
+                self._on_hovered(self._at_s)
 
     def close(self) -> None:
         """End what runs."""
@@ -142,6 +145,7 @@ class Thumbnails(QObject):
             self.tip.hide()
             return
         self._begin()
+        self._at_s = media_s
         at = QPoint(round(self._slider.x_of(media_s)), 0)
         middle = self._slider.mapTo(self._over, at)
         self.tip.show_at(middle, time_text(media_s), self._image_at(media_s))

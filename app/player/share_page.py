@@ -75,7 +75,7 @@ class SharePage(JobDialog):
         self._lay_out()
         self.begin()
         self.jobs.run(
-            self.tr("Reading"),
+            self.tr("Preparing"),
             lambda progress: in_child(
                 shared_contents, folder, with_motion=True, progress=progress
             ),
@@ -248,6 +248,8 @@ class SharePage(JobDialog):
 
 
 def size_text(size_bytes: int) -> str:
-    digits = 3 if size_bytes < _MEGABYTE else 1
+    if size_bytes < _MEGABYTE:
+        text = translate("SharePage", "{number} kB")
+        return text.format(number=local(f"{1e-3 * size_bytes:.1f}"))
     text = translate("SharePage", "{number} MB")
-    return text.format(number=local(f"{size_bytes / _MEGABYTE:.{digits}f}"))
+    return text.format(number=local(f"{size_bytes / _MEGABYTE:.1f}"))

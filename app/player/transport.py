@@ -64,7 +64,12 @@ class Transport(QFrame):
         self._duration_s = 0.0
         self.slider = SeekSlider()
         self.slider.setAccessibleName(self.tr("Position"))
-        self.slider.setToolTip(self.tr("Position in the clip: click or drag"))
+        self.slider.setToolTip(
+            self.tr(
+                "Position in the clip: click or drag. The strip below shows how strong the "
+                "force is: the brighter, the stronger"
+            )
+        )
         self.slider.sought.connect(self.sought)
         self.play = tool_button("play", "", "")
         self.play.clicked.connect(self.play_clicked)

@@ -69,7 +69,7 @@ def date_text(moment_utc: str) -> str:
 def position_text(media_s: float, duration_s: float) -> str:
     """Return "mm:ss.s / mm:ss.s", with hours when the clip has them."""
     with_hours = duration_s >= 3600.0
-    both = (media_s, duration_s)
+    both = (min(media_s, duration_s), duration_s)  # the last frame may end later
     return " / ".join(time_text(value, with_hours=with_hours) for value in both)
 
 

@@ -40,7 +40,9 @@ _TEXTS = (
     ("truth.npz", Message("true motion of a simulation")),
     ("estimate.npz", Message("sigma and trust of an estimated motion")),
     ("effects", Message("effects")),
-    ("force_", Message("force, N, lossless")),
+    ("force_realistic", Message("force of the feedback realistic, lossless")),
+    ("force_random", Message("force of the feedback random, lossless")),
+    ("force_", Message("force, lossless")),
 )
 
 
@@ -216,7 +218,7 @@ def _contents(
 def _text_of(name: str, feedback: str | None) -> str:
     """The description of a file; of an added track, whose file has a number, with its name."""
     if feedback is not None:
-        return Message("force {name!r}, N, lossless", name=feedback)
+        return Message("force of the feedback {name}, lossless", name=feedback)
     if name.endswith(".hjif"):
         return Message("force for other programs")
     return next((text for begin, text in _TEXTS if name.startswith(begin)), "")

@@ -139,6 +139,7 @@ def test_a_picture_is_shown_under_the_pointer(playing, wait_for, qtbot):
     wait_for(thumbs.tip.isVisible)
     assert thumbs.tip.time.text().startswith("00:0")
     wait_for(lambda: not thumbs.is_busy)
+    assert thumbs.tip.image.isVisible()  # though the pointer rests
     slider.hovered.emit(1.6)
     late = thumbs.tip.image.pixmap().toImage()
     slider.hovered.emit(0.0)

@@ -236,3 +236,19 @@ def test_a_narrow_window_gets_two_rows(application, qtbot, code, width_px):
         assert line.sizeHint().height() < 1.5 * one_row_px
     finally:
         languages.install(application, languages.ENGLISH)
+
+
+def test_frames_dropped_long_ago_do_not_alarm(line):
+    """A busy start is over; the figures stay, and what is dropped now is seen."""
+    entry = line.entries[5]
+
+    def said(frames_shown, frames_dropped, times=1):
+        for _ in range(times):
+            show(line, frames_shown=frames_shown, frames_dropped=frames_dropped)
+        return entry.accessibleName()
+
+    assert "(bad)" in said(100, 40)
+    assert "(good)" in said(700, 40, times=25)
+    assert "40 dropped" in entry.text()
+    assert "(bad)" in said(710, 60)
+    assert "(good)" in said(30, 0)  # another clip

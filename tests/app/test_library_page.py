@@ -234,6 +234,8 @@ def test_a_track_is_exported_and_its_cost_is_told(page, library, wait_for, tmp_p
     (form,) = (one for one in write_filters().values() if one.name == "hjif")
     page.details.export_force(tmp_path / "for others", form)
     wait_for(lambda: "kbit/s" in page.details.notes.text())
+    assert page.details.notes.text().startswith("Saved: ")
+    assert "\nIt keeps the force in newtons" in page.details.notes.text()
     assert "largest 0" in page.details.notes.text()
     assert "left out: nothing" in page.details.notes.text()
     back = read_force(tmp_path / "for others.hjif").track
@@ -246,3 +248,5 @@ def test_every_format_is_offered_in_the_dialogs():
     for name, form in force_formats().items():
         assert (f"*{form.suffix}" in read_filter()) == (form.read is not None), name
         assert (form in write_filters().values()) == (form.write is not None), name
+    begins = [line.partition(" \u2013 ")[0] for line in write_filters()]
+    assert {"CSV", "HJIF", "Funscript", "MPEG-V"} <= set(begins)

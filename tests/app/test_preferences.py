@@ -39,7 +39,7 @@ def test_preferences_that_are_cancelled_are_not_kept(page, settings, tmp_path):
     assert settings.text(FRAMES) == ""
 
 
-def test_another_theme_asks_for_another_window_and_the_same_does_not(page, window):
+def test_only_another_theme_asks_for_another_window(page, window):
     asked = []
     window.themes.changed.connect(lambda: asked.append(True))
     page.accept()

@@ -65,6 +65,10 @@ def test_a_long_clip_has_hours_on_both_sides():
     assert position_text(65.0, 7325.0) == "0:01:05.0 / 2:02:05.0"
 
 
+def test_a_position_is_never_beyond_the_end():
+    assert position_text(12.5, 12.0) == "00:12.0 / 00:12.0"
+
+
 def test_a_long_label_asks_for_no_room(qtbot):
     label = ElidedLabel("x" * 500)
     qtbot.addWidget(label)

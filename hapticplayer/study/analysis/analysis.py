@@ -22,7 +22,7 @@ from hapticplayer.study.analysis.scores import (
     sample_of,
     scores_of,
 )
-from hapticplayer.study.analysis.statistic import Statistic, listed, plain
+from hapticplayer.study.analysis.statistic import Statistic, counted, listed, plain
 from hapticplayer.study.analysis.trial_force_report import trial_force_summary
 from hapticplayer.study.answers import Answers
 
@@ -260,12 +260,12 @@ def _participant_warnings(analysis: Analysis) -> Iterator[str]:
     n = min(len(one.sample.participants) for one in analysis.measures.values())
     if n < FEW:
         yield (
-            f"With {n} participants no pair of feedbacks can differ significantly in "
+            f"With {counted(n, 'participant')} no pair of feedbacks can differ significantly in "
             f"the signed-rank test; at least {FEW} are needed."
         )
     unknown = len(analysis.scores.participants) - len(analysis.scores.used_before)
     if unknown:
         yield (
-            f"{unknown} participants did not say whether they had used the device "
-            "before; they are excluded from the Mann-Whitney tests."
+            f"{counted(unknown, 'participant')} did not say whether they had used the "
+            "device before, and cannot be part of the Mann-Whitney tests."
         )

@@ -61,7 +61,11 @@ def people(answers: Answers) -> Iterator[ReportBlock]:
     rows.append(("age, years", _ages(ages, len(everyone))))
     rows.append(("gender", _counted([p.gender for p in everyone])))
     rows.append(("handedness", _counted([p.handedness for p in everyone])))
-    words = {True: "had used such a device before", False: "had not", None: None}
+    words = {
+        True: "had used such a device before",
+        False: "had not used one before",
+        None: None,
+    }
     rows.append(("experience", _counted([words[one] for one in used])))
     yield ReportTable("Participants of the study", ("", "value"), tuple(rows))
 

@@ -35,6 +35,7 @@ from hapticplayer.study.analysis.scores import QOE
 from hapticplayer.study.analysis.statistic import (
     ReportColumn,
     Statistic,
+    counted,
     interval,
     number,
 )
@@ -98,8 +99,10 @@ def _answers(analysis: Analysis) -> Iterator[ReportBlock]:
     found, scores = missing(analysis), analysis.scores
     yield Heading("Answers")
     yield Paragraph(
-        f"{found['participants']} participants rated {len(scores.sequences)} sequences x "
-        f"{len(scores.feedbacks)} feedbacks x {len(scores.factors)} factors. "
+        f"{counted(found['participants'], 'participant')} rated "
+        f"{counted(len(scores.sequences), 'sequence')} x "
+        f"{counted(len(scores.feedbacks), 'feedback')} x "
+        f"{counted(len(scores.factors), 'factor')}. "
         f"{found['answers_missing']} of {found['answers_planned']} answers are missing "
         f"({found['of_these_invalid']} because the playback was not valid); "
         f"{found['replaced_by_repetition']} were replaced by a repetition."

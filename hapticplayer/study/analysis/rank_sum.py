@@ -17,6 +17,7 @@ from hapticplayer.study.analysis.statistic import (
     Holm,
     ReportColumn,
     Statistic,
+    counted,
     interval,
     number,
     p_value,
@@ -84,7 +85,8 @@ def _group_warnings(found: dict[str, Found]) -> Iterator[str]:
     smaller = min(groups["n_before"], groups["n_new"])
     if smaller < _SMALL_GROUP:
         yield (
-            f"One of the groups of the Mann-Whitney tests has {smaller} participants: "
+            "One of the groups of the Mann-Whitney tests has "
+            f"{counted(smaller, 'participant')}: "
             "only very large effects of experience can be detected."
         )
 

@@ -95,8 +95,8 @@ def test_an_added_track_is_listed_by_its_name(sequence_folder):
     track = ForceTrack([0.0, 0.5], np.ones((2, 3)))
     editing.add_track(sequence_folder, "bump", lambda _duration_s: track)
     texts = [str(part.text) for part in contents(sequence_folder).attached]
-    assert "force 'bump', N, lossless" in texts
-    assert texts.count("force, N, lossless") == 2
+    assert "force of the feedback bump, lossless" in texts
+    assert len(set(texts)) == len(texts)  # each part says what it is
 
 
 def test_the_listing_says_what_is_written(sequence_folder, tmp_path):
@@ -511,7 +511,7 @@ def test_the_commands_report_what_they_do(sequence_folder, tmp_path, capsys):
     held = json.loads(capsys.readouterr().out)
     assert held["feedbacks"] == ["realistic", "none", "random"]
     assert cli.main(["unpack", target, "-o", again]) == 0
-    assert "force, N, lossless" in capsys.readouterr().out
+    assert "force of the feedback realistic, lossless" in capsys.readouterr().out
     verify_sequence(again)
     assert cli.main(["unpack", target]) == 2
 
