@@ -64,7 +64,7 @@ OTHERS = (
     OtherContainer("Ogg", (".ogv", ".ogg"), _ENCODE, b"OggS"),
     OtherContainer("RealMedia", (".rm", ".rmvb"), _ENCODE, b".RMF"),
     OtherContainer("IVF", (".ivf",), _COPY, b"DKIF"),
-    OtherContainer("HLS playlist", (".m3u8",), _COPY, b"#EXTM3U"),
+    OtherContainer("HLS", (".m3u8",), _COPY, b"#EXTM3U"),
     OtherContainer("NUT", (".nut",), _COPY, b"nut/multimedia container"),
     OtherContainer("Dahua", (".dav",), _COPY, b"DHAV"),
     OtherContainer("Dahua", (".dav",), _COPY, b"DAHUA"),

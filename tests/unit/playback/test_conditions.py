@@ -56,7 +56,7 @@ def test_the_force_of_another_folder(source, sequence_folder):
     made, name = with_feedback(source, f"shuffled:of={sequence_folder}")
     rms_n = source.tracks["realistic"].rms_n()
     assert made.tracks[name].rms_n() == pytest.approx(rms_n, rel=1e-4)
-    with pytest.raises(UsageError, match="of=FOLDER"):
+    with pytest.raises(UsageError, match="choose its folder"):
         with_feedback(source, "shuffled")
 
 
