@@ -83,7 +83,7 @@ class EditingLanes(Lanes):
     def _described(self, effect: Effect) -> str:
         span = span_text(effect.start_s, effect.end_s)
         text = f"{effect_title(effect)}, {span}"
-        return text if effect.enabled else f"{text}, {self.tr('off')}"
+        return text if effect.enabled else ", ".join((text, self.tr("off")))
 
     # --- snapping --------------------------------------------------------------
 

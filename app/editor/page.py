@@ -127,7 +127,7 @@ class EditorPage(QDialog):
         self.job_bar.cancelled.connect(self._cancel)
 
     def _lay_out(self) -> None:
-        self.setWindowTitle(f"{self.tr('Edit effects')}[*]")
+        self.setWindowTitle(self.tr("Edit effects") + "[*]")
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.playing.surface.setMinimumHeight(_VIDEO_PX)
         stage, below, split = QWidget(), QWidget(), QSplitter(Qt.Orientation.Vertical)

@@ -237,7 +237,7 @@ class MountingPage(QWidget):
         form.addRow(self.tr("Library"), row_of((self.place, 1), change))
         hint = paragraph(
             self.tr(
-                "The drawing shows the recorder on the actor, who faces "
+                "The drawing shows the recorder on the wearer, who faces "
                 "forward; the dashed line shows which way was up, from gravity."
             ),
             theme.DIM,

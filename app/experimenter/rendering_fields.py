@@ -133,7 +133,7 @@ class RenderingFields(QObject):
         self.axes.setMaxLength(200)
         self.axes_text = paragraph(
             self.tr(
-                "The device\u2019s right, up and towards the user in the actor\u2019s axes "
+                "The device\u2019s right, up and towards the user in the wearer\u2019s axes "
                 "(x right, y front, z up), such as x,z,-y, or the nine numbers of a "
                 "rotation, row by row"
             ),

@@ -123,7 +123,7 @@ def _device_permutation(text: str) -> Floats:
     if matrix is None:
         raise UsageError(
             "{text!r} are not three axes; give the device's right, up and towards the "
-            "user in the actor's axes (x right, y front, z up), such as x,z,-y, or the "
+            "user in the wearer's axes (x right, y front, z up), such as x,z,-y, or the "
             "nine numbers of a rotation, row by row",
             text=text[:80],
         )

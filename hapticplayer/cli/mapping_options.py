@@ -27,7 +27,7 @@ def add_mapping(command: argparse._ActionsContainer) -> None:
         "--axes",
         type=device_axes,
         metavar="AXES",
-        help="what the device's right, up and towards the user are in the actor's axes "
+        help="what the device's right, up and towards the user are in the wearer's axes "
         "(x right, y front, z up): three of them (default x,z,-y; write --axes=-x,...) "
         "or the nine numbers of a rotation, row by row",
     )

@@ -160,6 +160,106 @@
         <translation>Simulierte &amp;Bewegungsplattform…</translation>
     </message>
     <message>
+        <source>Effect or cursor a frame back</source>
+        <translation>Effekt oder Cursor ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>Effect or cursor a frame forward</source>
+        <translation>Effekt oder Cursor ein Bild vor</translation>
+    </message>
+    <message>
+        <source>Effect ten frames or cursor 1 s back</source>
+        <translation>Effekt zehn Bilder oder Cursor 1 s zurück</translation>
+    </message>
+    <message>
+        <source>Effect ten frames or cursor 1 s forward</source>
+        <translation>Effekt zehn Bilder oder Cursor 1 s vor</translation>
+    </message>
+    <message>
+        <source>End of the effect a frame back</source>
+        <translation>Ende des Effekts ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>End of the effect a frame forward</source>
+        <translation>Ende des Effekts ein Bild vor</translation>
+    </message>
+    <message>
+        <source>Start of the effect a frame back</source>
+        <translation>Anfang des Effekts ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>Start of the effect a frame forward</source>
+        <translation>Anfang des Effekts ein Bild vor</translation>
+    </message>
+    <message>
+        <source>Cursor a frame back</source>
+        <translation>Cursor ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>Cursor a frame forward</source>
+        <translation>Cursor ein Bild vor</translation>
+    </message>
+    <message>
+        <source>Cursor to the beginning</source>
+        <translation>Cursor an den Anfang</translation>
+    </message>
+    <message>
+        <source>Cursor to the end</source>
+        <translation>Cursor ans Ende</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Previous event</source>
+        <translation>Voriges Ereignis</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>Offer the effect of the event at the cursor</source>
+        <translation>Den Effekt zum Ereignis am Cursor vorschlagen</translation>
+    </message>
+    <message>
+        <source>Switch the effect on or off</source>
+        <translation>Effekt ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Delete the effect</source>
+        <translation>Effekt löschen</translation>
+    </message>
+    <message>
+        <source>Duplicate the effect</source>
+        <translation>Effekt duplizieren</translation>
+    </message>
+    <message>
+        <source>Copy the effect</source>
+        <translation>Effekt kopieren</translation>
+    </message>
+    <message>
+        <source>Paste the effect at the cursor</source>
+        <translation>Effekt am Cursor einfügen</translation>
+    </message>
+    <message>
+        <source>Undo the change of effects</source>
+        <translation>Änderung der Effekte rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo the change of effects</source>
+        <translation>Änderung der Effekte wiederholen</translation>
+    </message>
+    <message>
+        <source>Save the effects</source>
+        <translation>Effekte speichern</translation>
+    </message>
+    <message>
         <source>Inject fa&amp;ults…</source>
         <translation>&amp;Fehler einspeisen…</translation>
     </message>
@@ -407,6 +507,88 @@
     </message>
 </context>
 <context>
+    <name>ConditionList</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Choose a condition</source>
+        <translation>Bedingung wählen</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Level (delay and gain)</source>
+        <translation>Stufe (Verzögerung und Verstärkung)</translation>
+    </message>
+    <message>
+        <source>Each of them at these levels</source>
+        <translation>Jede davon mit diesen Stufen</translation>
+    </message>
+    <message>
+        <source>Delay of the force</source>
+        <translation>Verzögerung der Kraft</translation>
+    </message>
+    <message>
+        <source>Gain of the force</source>
+        <translation>Verstärkung der Kraft</translation>
+    </message>
+    <message>
+        <source>Repeats of each trial</source>
+        <translation>Wiederholungen jedes Durchgangs</translation>
+    </message>
+    <message>
+        <source>another condition</source>
+        <translation>andere Bedingung</translation>
+    </message>
+    <message>
+        <source>Each sequence is played under each condition. Sessions that have begun keep theirs.</source>
+        <translation>Jede Sequenz wird unter jeder Bedingung gespielt. Begonnene Sitzungen behalten ihre.</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Name in den Daten</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>In Daten und Abbildungen: a bis z, 0 bis 9, _ und -</translation>
+    </message>
+    <message>
+        <source>another name in the data</source>
+        <translation>anderer Name in den Daten</translation>
+    </message>
+    <message>
+        <source>another level</source>
+        <translation>andere Stufe</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionPreview</name>
+    <message>
+        <source>Recorded force</source>
+        <translation>Aufgezeichnete Kraft</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Gespürte Kraft</translation>
+    </message>
+    <message>
+        <source>Preview of the force</source>
+        <translation>Vorschau der Kraft</translation>
+    </message>
+    <message>
+        <source>Choose a recording for a sequence to see the force</source>
+        <translation>Wählen Sie für eine Sequenz eine Aufnahme, um die Kraft zu sehen</translation>
+    </message>
+    <message>
+        <source>Computing the force…</source>
+        <translation>Kraft wird berechnet…</translation>
+    </message>
+</context>
+<context>
     <name>Controls</name>
     <message>
         <source>Volume {n} %</source>
@@ -525,7 +707,7 @@
     </message>
     <message>
         <source>Platform of the rig</source>
-        <translation>Plattform des Bewegungssitzes</translation>
+        <translation>Platte der Bewegungsplattform</translation>
     </message>
     <message>
         <source>Motion shown {factor}× larger</source>
@@ -733,6 +915,10 @@
     <message>
         <source>Time line</source>
         <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
     </message>
     <message>
         <source>Switch off</source>
@@ -949,6 +1135,33 @@
     </message>
 </context>
 <context>
+    <name>EntryList</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove (Delete)</source>
+        <translation>Entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>removal</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>another order</source>
+        <translation>andere Reihenfolge</translation>
+    </message>
+</context>
+<context>
     <name>ErrorGateway</name>
     <message>
         <source>Internal error ({kind}: {text}). The force was stopped and playback paused. See the terminal for details.</source>
@@ -1086,60 +1299,6 @@
     <message>
         <source>Window hangs, 1.3 s</source>
         <translation>Fenster hängt 1,3 s</translation>
-    </message>
-</context>
-<context>
-    <name>FeedbackDialog</name>
-    <message>
-        <source>Add a feedback</source>
-        <translation>Feedback hinzufügen</translation>
-    </message>
-    <message>
-        <source>name of the condition</source>
-        <translation>Name der Bedingung</translation>
-    </message>
-    <message>
-        <source>In data and figures: a to z, 0 to 9, _ and -</source>
-        <translation>In Daten und Abbildungen: a bis z, 0 bis 9, _ und -</translation>
-    </message>
-    <message>
-        <source>Key</source>
-        <translation>Schlüssel</translation>
-    </message>
-    <message>
-        <source>&amp;Add</source>
-        <translation>&amp;Hinzufügen</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abb&amp;rechen</translation>
-    </message>
-</context>
-<context>
-    <name>FeedbackList</name>
-    <message>
-        <source>Feedbacks</source>
-        <translation>Feedbacks</translation>
-    </message>
-    <message>
-        <source>Add…</source>
-        <translation>Hinzufügen…</translation>
-    </message>
-    <message>
-        <source>Choose a condition and its parameters</source>
-        <translation>Bedingung und ihre Parameter wählen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the selected feedback</source>
-        <translation>Das ausgewählte Feedback entfernen</translation>
-    </message>
-    <message>
-        <source>Each sequence is played with each of these. Sessions that have begun keep theirs.</source>
-        <translation>Jede Sequenz wird mit jedem davon gespielt. Begonnene Sitzungen behalten ihre.</translation>
     </message>
 </context>
 <context>
@@ -1326,6 +1485,41 @@
     </message>
 </context>
 <context>
+    <name>GeneralFields</name>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Hide the condition from the operator</source>
+        <translation>Bedingung vor der Versuchsleitung verbergen</translation>
+    </message>
+    <message>
+        <source>Use the published wording of questions where there is one</source>
+        <translation>Den veröffentlichten Wortlaut der Fragen benutzen, wo es einen gibt</translation>
+    </message>
+    <message>
+        <source>Require a real device before a session starts</source>
+        <translation>Vor dem Beginn einer Sitzung ein wirkliches Gerät verlangen</translation>
+    </message>
+    <message>
+        <source>Ask the operator whether the sound is audible</source>
+        <translation>Die Versuchsleitung fragen, ob der Ton zu hören ist</translation>
+    </message>
+    <message>
+        <source>Stream markers and force to other programs on this computer (LSL)</source>
+        <translation>Marker und Kraft an andere Programme auf diesem Rechner senden (LSL)</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>Sprachen</translation>
+    </message>
+    <message>
+        <source>other languages</source>
+        <translation>andere Sprachen</translation>
+    </message>
+</context>
+<context>
     <name>GripView</name>
     <message>
         <source>The device has failed</source>
@@ -1454,7 +1648,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{damaged} damaged, {dropped} dropped</source>
-        <translation>{damaged} beschädigt, {dropped} ausgelassen</translation>
+        <translation>{damaged} beschädigt, {dropped} verworfen</translation>
     </message>
     <message>
         <source>FIFO</source>
@@ -1462,7 +1656,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>slice</source>
-        <translation>slice</translation>
+        <translation>Zeitscheibe</translation>
     </message>
     <message>
         <source>normal</source>
@@ -1486,7 +1680,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{shown} shown, {dropped} dropped</source>
-        <translation>{shown} gezeigt, {dropped} weg</translation>
+        <translation>{shown} gezeigt, {dropped} verworfen</translation>
     </message>
     <message>
         <source>audio</source>
@@ -1498,7 +1692,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>monotonic</source>
-        <translation>monoton</translation>
+        <translation>Systemuhr</translation>
     </message>
     <message>
         <source>no data</source>
@@ -1537,11 +1731,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Scheduling</source>
-        <translation>Scheduling</translation>
+        <translation>Zeitzuteilung</translation>
     </message>
     <message>
         <source>Scheduling class of the 1 kHz loop: FIFO is best, slice nearly as good; with normal it may be milliseconds late</source>
-        <translation>Scheduling-Klasse der 1-kHz-Schleife: FIFO ist am besten, slice fast so gut; mit normal kann sie Millisekunden zu spät sein</translation>
+        <translation>Zeitzuteilung der 1-kHz-Schleife: FIFO ist am besten, Zeitscheibe fast so gut; mit normal kann sie Millisekunden zu spät sein</translation>
     </message>
     <message>
         <source>99 % of the loop&apos;s wake-ups in the last 10 s were no later than this. Missed: skipped periods; above 1 % the force is limited to 3 N</source>
@@ -1565,11 +1759,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Frames shown on time, and dropped because they were late</source>
-        <translation>Rechtzeitig gezeigte und wegen Verspätung ausgelassene Bilder</translation>
+        <translation>Rechtzeitig gezeigte und wegen Verspätung verworfene Bilder</translation>
     </message>
     <message>
         <source>Master clock: the audio output, or the computer&apos;s monotonic clock when there is no sound</source>
-        <translation>Führende Uhr: die Tonausgabe, oder ohne Ton die monotone Uhr des Rechners</translation>
+        <translation>Führende Uhr: die Tonausgabe, oder ohne Ton die Systemuhr des Rechners</translation>
     </message>
     <message>
         <source>Real-time</source>
@@ -1589,7 +1783,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>88888 shown, 88 dropped</source>
-        <translation>88888 gezeigt, 88 weg</translation>
+        <translation>88888 gezeigt, 88 verworfen</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -1597,7 +1791,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>monotonic</source>
-        <translation>monoton</translation>
+        <translation>Systemuhr</translation>
     </message>
 </context>
 <context>
@@ -2022,6 +2216,45 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>LibraryChoice</name>
+    <message>
+        <source>Choose a recording</source>
+        <translation>Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>There is no sequence in {folder}. Import a recording first (File &gt; Import), or choose another folder.</source>
+        <translation>In {folder} ist keine Sequenz. Importieren Sie zuerst eine Aufnahme (Datei &gt; Aufnahme importieren), oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Ordner…</translation>
+    </message>
+    <message>
+        <source>Choose a sequence in another folder</source>
+        <translation>Eine Sequenz in einem anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>Sequence folder</source>
+        <translation>Sequenzordner</translation>
+    </message>
+</context>
+<context>
     <name>LibraryDetails</name>
     <message>
         <source>Force tracks</source>
@@ -2090,6 +2323,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Adding {name}</source>
         <translation>{name} wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>{name} does not say what its haptics are (modality Other, as the published encoder writes it for sound and AHAP). What are they?</source>
+        <translation>{name} sagt nicht, was seine Haptik ist (Modalität Other, wie sie der veröffentlichte Encoder für Ton und AHAP schreibt). Was ist sie?</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>&amp;Kraft</translation>
+    </message>
+    <message>
+        <source>&amp;Vibration</source>
+        <translation>&amp;Vibration</translation>
+    </message>
+    <message>
+        <source>&amp;Leave them out</source>
+        <translation>&amp;Weglassen</translation>
     </message>
     <message>
         <source>Export the track</source>
@@ -2276,6 +2525,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Befestigung</translation>
     </message>
     <message>
+        <source>For short recordings: the file with what a longer one of the same sensor tells of its errors</source>
+        <translation>Für kurze Aufnahmen: die Datei mit dem, was eine längere desselben Sensors über seine Fehler verrät</translation>
+    </message>
+    <message>
         <source>Title</source>
         <translation>Titel</translation>
     </message>
@@ -2298,10 +2551,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>None</source>
         <translation>Keine</translation>
-    </message>
-    <message>
-        <source>For short recordings: what a longer one of the same sensor tells of it, from process --save-calibration</source>
-        <translation>Für kurze Aufnahmen: was eine längere desselben Sensors über ihn verrät, aus process --save-calibration</translation>
     </message>
     <message>
         <source>Choose another library folder</source>
@@ -2328,7 +2577,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bibliothek</translation>
     </message>
     <message>
-        <source>The drawing shows the recorder on the actor, who faces forward; the dashed line shows which way was up, from gravity.</source>
+        <source>The drawing shows the recorder on the wearer, who faces forward; the dashed line shows which way was up, from gravity.</source>
         <translation>Die Zeichnung zeigt den Rekorder an der Person, die nach vorn blickt; die gestrichelte Linie zeigt nach der Schwerkraft, wo oben war.</translation>
     </message>
     <message>
@@ -2353,11 +2602,141 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>NewStudyDialog</name>
+    <message>
+        <source>New study</source>
+        <translation>Neue Studie</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>For example: Bicycle rides 2026</source>
+        <translation>Zum Beispiel: Fahrradfahrten 2026</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>An&amp;legen</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Languages of participants</source>
+        <translation>Sprachen der Teilnehmenden</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>The study will be kept in {folder}</source>
+        <translation>Die Studie wird in {folder} gespeichert</translation>
+    </message>
+    <message>
+        <source>Choose where to create the study</source>
+        <translation>Wählen Sie, wo die Studie angelegt wird</translation>
+    </message>
+    <message>
+        <source>Choose a language for the participants&apos; pages</source>
+        <translation>Wählen Sie eine Sprache für die Seiten der Teilnehmenden</translation>
+    </message>
+</context>
+<context>
     <name>Numbers</name>
     <message>
         <source>yyyy-MM-dd</source>
         <extracomment>how a date is written in figures, in Qt&apos;s letters</extracomment>
         <translation>dd.MM.yyyy</translation>
+    </message>
+</context>
+<context>
+    <name>OrderPage</name>
+    <message>
+        <source>Orders</source>
+        <translation>Reihenfolgen</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Never the same sequence twice in a row</source>
+        <translation>Nie zweimal nacheinander dieselbe Sequenz</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same orders</source>
+        <translation>Derselbe Startwert ergibt dieselben Reihenfolgen</translation>
+    </message>
+    <message>
+        <source>Take the orders of a file…</source>
+        <translation>Reihenfolgen aus einer Datei übernehmen…</translation>
+    </message>
+    <message>
+        <source>A CSV file with order, position, sequence and feedback</source>
+        <translation>Eine CSV-Datei mit order, position, sequence und feedback</translation>
+    </message>
+    <message>
+        <source>Random for each participant</source>
+        <translation>Zufällig für jede Person</translation>
+    </message>
+    <message>
+        <source>Latin square</source>
+        <translation>Lateinisches Quadrat</translation>
+    </message>
+    <message>
+        <source>Williams: balanced for carry-over</source>
+        <translation>Williams: ausgewogen für Nachwirkungen</translation>
+    </message>
+    <message>
+        <source>From a table of your own (orders.csv)</source>
+        <translation>Aus einer eigenen Tabelle (orders.csv)</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Teilnehmende</translation>
+    </message>
+    <message>
+        <source>next participant</source>
+        <translation>nächste Person</translation>
+    </message>
+    <message>
+        <source>example</source>
+        <translation>Beispiel</translation>
+    </message>
+    <message>
+        <source>There is no order yet: see the problems below.</source>
+        <translation>Es gibt noch keine Reihenfolge: siehe die Probleme unten.</translation>
+    </message>
+    <message>
+        <source>Every participant gets an order of their own, drawn from the seed and the participant&apos;s code.</source>
+        <translation>Jede Person bekommt eine eigene Reihenfolge, aus dem Startwert und ihrem Code ausgelost.</translation>
+    </message>
+    <message>
+        <source>Participants get the order that was used least; that of a session which ended early is given again.</source>
+        <translation>Jede Person bekommt die bisher am seltensten verwendete Reihenfolge; die einer vorzeitig beendeten Sitzung wird noch einmal vergeben.</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -2469,6 +2848,21 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Move up</source>
         <translation>Nach oben</translation>
+    </message>
+</context>
+<context>
+    <name>PagePreview</name>
+    <message>
+        <source>Full size</source>
+        <translation>Volle Größe</translation>
+    </message>
+    <message>
+        <source>Show the page on the participant&apos;s screen</source>
+        <translation>Die Seite auf dem Bildschirm der Person zeigen</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
 </context>
 <context>
@@ -2789,6 +3183,105 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>QuestionList</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a question to a page</source>
+        <translation>Einer Seite eine Frage hinzufügen</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>(no wording yet)</source>
+        <translation>(noch kein Wortlaut)</translation>
+    </message>
+    <message>
+        <source>Wording</source>
+        <translation>Wortlaut</translation>
+    </message>
+    <message>
+        <source>Kind of answer</source>
+        <translation>Art der Antwort</translation>
+    </message>
+    <message>
+        <source>An answer is required</source>
+        <translation>Eine Antwort ist nötig</translation>
+    </message>
+    <message>
+        <source>Ask once for each kind of feedback</source>
+        <translation>Für jede Art von Feedback einmal fragen</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Name in den Daten</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>In Daten und Abbildungen: a bis z, 0 bis 9, _ und -</translation>
+    </message>
+    <message>
+        <source>Published wording</source>
+        <translation>Veröffentlichter Wortlaut</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinste</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>At most so many characters</source>
+        <translation>Höchstens so viele Zeichen</translation>
+    </message>
+    <message>
+        <source>Label of 1</source>
+        <translation>Beschriftung der 1</translation>
+    </message>
+    <message>
+        <source>Label of 5</source>
+        <translation>Beschriftung der 5</translation>
+    </message>
+    <message>
+        <source>All five-point scales of a study have the same labels.</source>
+        <translation>Alle fünfstufigen Skalen einer Studie haben dieselben Beschriftungen.</translation>
+    </message>
+    <message>
+        <source>Answer {n}</source>
+        <translation>Antwort {n}</translation>
+    </message>
+    <message>
+        <source>Add an answer</source>
+        <translation>Antwort hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove this answer</source>
+        <translation>Diese Antwort entfernen</translation>
+    </message>
+    <message>
+        <source>removal of an answer</source>
+        <translation>Entfernen einer Antwort</translation>
+    </message>
+    <message>
+        <source>another question</source>
+        <translation>andere Frage</translation>
+    </message>
+    <message>
+        <source>another kind of answer</source>
+        <translation>andere Art der Antwort</translation>
+    </message>
+    <message>
+        <source>another answer</source>
+        <translation>andere Antwort</translation>
+    </message>
+</context>
+<context>
     <name>RecentMenu</name>
     <message>
         <source>Clear list</source>
@@ -2866,7 +3359,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Achsen</translation>
     </message>
     <message>
-        <source>The device’s right, up and towards the user in the actor’s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
+        <source>The device’s right, up and towards the user in the wearer’s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
         <translation>Rechts, oben und zur Person hin am Gerät, in den Achsen der Person mit dem Rekorder (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
     </message>
     <message>
@@ -3064,8 +3557,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
 <context>
     <name>RenderingPicture</name>
     <message>
-        <source>Force and predicted excursion, before and after</source>
-        <translation>Kraft und vorhergesagte Auslenkung, vorher und nachher</translation>
+        <source>Force and predicted excursion: {before}, {after}</source>
+        <translation>Kraft und vorhergesagte Auslenkung: {before}, {after}</translation>
     </message>
     <message>
         <source>Excursion from the centre: beyond {far} mm outward force is reduced, at {end} mm the workspace ends</source>
@@ -3099,8 +3592,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
 <context>
     <name>RigPanel</name>
     <message>
-        <source>Listening on this computer at the ports {ports}. Play with --device rig:outsim, or let a game send its telemetry here.</source>
-        <translation>Hört auf diesem Rechner an den Ports {ports}. Spielen Sie mit --device rig:outsim ab oder lassen Sie ein Spiel seine Telemetrie hierher senden.</translation>
+        <source>Listening on this computer at the ports {ports}. Play on this rig, or let a game send its telemetry here.</source>
+        <translation>Hört auf diesem Rechner an den Ports {ports}. Spielen Sie auf dieser Bewegungsplattform ab, oder lassen Sie ein Spiel seine Telemetrie hierher senden.</translation>
     </message>
     <message>
         <source>Not listening</source>
@@ -3129,6 +3622,65 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Stop listening</source>
         <translation>Nicht mehr hören</translation>
+    </message>
+</context>
+<context>
+    <name>SequenceList</name>
+    <message>
+        <source>Add from the library…</source>
+        <translation>Aus der Bibliothek hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Choose one or several</source>
+        <translation>Eine oder mehrere wählen</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source>no recording yet</source>
+        <translation>noch keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>Choose a recording…</source>
+        <translation>Aufnahme wählen…</translation>
+    </message>
+    <message>
+        <source>Choose from the library</source>
+        <translation>Aus der Bibliothek wählen</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Name in den Daten</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>In Daten und Abbildungen: a bis z, 0 bis 9, _ und -</translation>
+    </message>
+    <message>
+        <source>Titles are for you and for figures; participants never see them.</source>
+        <translation>Titel sind für Sie und für Abbildungen; Teilnehmende sehen sie nie.</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>another sequence</source>
+        <translation>andere Sequenz</translation>
+    </message>
+    <message>
+        <source>another recording</source>
+        <translation>andere Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -3229,6 +3781,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sitzung beenden; sie lässt sich nicht fortsetzen</translation>
     </message>
     <message>
+        <source>Participant&apos;s page</source>
+        <translation>Seite der Person</translation>
+    </message>
+    <message>
+        <source>Show the participant&apos;s page over this panel</source>
+        <translation>Die Seite der Person über diesem Bedienfeld zeigen</translation>
+    </message>
+    <message>
         <source>Retry saving</source>
         <translation>Speichern erneut versuchen</translation>
     </message>
@@ -3306,6 +3866,33 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>SessionOutputs</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Let the session play on this device</source>
+        <translation>Die Sitzung auf diesem Gerät spielen lassen</translation>
+    </message>
+    <message>
+        <source>No device: participants feel nothing</source>
+        <translation>Kein Gerät: Teilnehmende spüren nichts</translation>
+    </message>
+    <message>
+        <source>Remove this device</source>
+        <translation>Dieses Gerät entfernen</translation>
+    </message>
+    <message>
+        <source>Remove {device}</source>
+        <translation>{device} entfernen</translation>
+    </message>
+    <message>
+        <source>This device is already in use</source>
+        <translation>Dieses Gerät wird schon verwendet</translation>
+    </message>
+</context>
+<context>
     <name>SessionWords</name>
     <message>
         <source>paused</source>
@@ -3318,6 +3905,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>safety stop ({0})</source>
         <translation>Sicherheitsabschaltung ({0})</translation>
+    </message>
+    <message>
+        <source>an output did not play ({0})</source>
+        <translation>eine Ausgabe hat nicht gespielt ({0})</translation>
     </message>
     <message>
         <source>force and video out of sync</source>
@@ -3361,7 +3952,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>frames dropped</source>
-        <translation>Bilder ausgelassen</translation>
+        <translation>Bilder verworfen</translation>
     </message>
     <message>
         <source>no sound</source>
@@ -3378,10 +3969,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>device lost</source>
         <translation>Gerät verloren</translation>
-    </message>
-    <message>
-        <source>an output did not play</source>
-        <translation>eine Ausgabe hat nicht gespielt</translation>
     </message>
     <message>
         <source>missed periods in the haptic loop</source>
@@ -3736,12 +4323,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ton</translation>
     </message>
     <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
         <source>Checks</source>
         <translation>Prüfungen</translation>
     </message>
     <message>
         <source>Balance so far</source>
         <translation>Bisherige Verteilung</translation>
+    </message>
+    <message>
+        <source>There is one screen: from the start, the participant&apos;s page covers this panel. {keys} brings the panel back and pauses; participants are not told.</source>
+        <translation>Es gibt nur einen Bildschirm: Vom Start an verdeckt die Seite der Person dieses Bedienfeld. {keys} holt es zurück und hält an; die Teilnehmenden erfahren davon nichts.</translation>
+    </message>
+    <message>
+        <source>this is the first participant</source>
+        <translation>dies ist die erste Person</translation>
     </message>
     <message>
         <source>each condition {a} to {b} times at each position, {c} to {d} times after each other condition</source>
@@ -3753,7 +4352,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Scheduling</source>
-        <translation>Scheduling</translation>
+        <translation>Zeitzuteilung</translation>
     </message>
     <message>
         <source>Device</source>
@@ -3784,7 +4383,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{shown} shown, {dropped} dropped</source>
-        <translation>{shown} gezeigt, {dropped} weg</translation>
+        <translation>{shown} gezeigt, {dropped} verworfen</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -3800,7 +4399,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Scheduling</source>
-        <translation>Scheduling</translation>
+        <translation>Zeitzuteilung</translation>
     </message>
     <message>
         <source>Ticks</source>
@@ -3866,72 +4465,87 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sequenzen</translation>
     </message>
     <message>
-        <source>Feedbacks</source>
-        <translation>Feedbacks</translation>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Rückgängig (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo (Ctrl+Shift+Z)</source>
+        <translation>Wiederholen (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Wird gespeichert…</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved as a draft until the problems are solved</source>
+        <translation>Als Entwurf gespeichert, bis die Probleme gelöst sind</translation>
+    </message>
+    <message>
+        <source>Saved; not ready for participants yet</source>
+        <translation>Gespeichert; noch nicht bereit für Teilnehmende</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>Changes that were not complete were restored. Undo goes back to the last complete study.</source>
+        <translation>Unvollständige Änderungen wurden wiederhergestellt. Rückgängig führt zur letzten vollständigen Studie zurück.</translation>
+    </message>
+    <message>
+        <source>restored changes</source>
+        <translation>wiederhergestellte Änderungen</translation>
+    </message>
+    <message>
+        <source>{trials} trials for each participant, about {minutes} minutes</source>
+        <translation>{trials} Durchgänge je Person, etwa {minutes} Minuten</translation>
     </message>
     <message>
         <source>Questions</source>
         <translation>Fragen</translation>
     </message>
     <message>
-        <source>Never the same sequence twice in a row</source>
-        <translation>Nie zweimal nacheinander dieselbe Sequenz</translation>
-    </message>
-    <message>
-        <source>Hide the condition from the operator</source>
-        <translation>Bedingung vor der Versuchsleitung verbergen</translation>
-    </message>
-    <message>
-        <source>Use the published wording where available</source>
-        <translation>Veröffentlichten Wortlaut benutzen, wo es ihn gibt</translation>
-    </message>
-    <message>
-        <source>Stream markers and force to other programs on this computer (LSL)</source>
-        <translation>Marker und Kraft an andere Programme auf diesem Rechner senden (LSL)</translation>
-    </message>
-    <message>
-        <source>Williams: balanced for carry-over</source>
-        <translation>Williams: ausgewogen für Nachwirkungen</translation>
-    </message>
-    <message>
-        <source>Choose a sequence folder</source>
-        <translation>Sequenzordner wählen</translation>
-    </message>
-    <message>
-        <source>Sequence folder</source>
-        <translation>Sequenzordner</translation>
-    </message>
-    <message>
-        <source>Title</source>
-        <translation>Titel</translation>
-    </message>
-    <message>
         <source>Order</source>
         <translation>Reihenfolge</translation>
     </message>
+</context>
+<context>
+    <name>StudyFields</name>
     <message>
-        <source>Seed</source>
-        <translation>Startwert</translation>
+        <source>{text} ({language})</source>
+        <translation>{text} ({language})</translation>
     </message>
     <message>
-        <source>Random for each participant</source>
-        <translation>Zufällig für jede Person</translation>
-    </message>
-    <message>
-        <source>Latin square</source>
-        <translation>Lateinisches Quadrat</translation>
-    </message>
-    <message>
-        <source>From orders.csv</source>
-        <translation>Aus orders.csv</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Durchsuchen…</translation>
-    </message>
-    <message>
-        <source> (published)</source>
-        <translation> (veröffentlicht)</translation>
+        <source>change of {what}</source>
+        <translation>Änderung: {what}</translation>
     </message>
 </context>
 <context>
@@ -3957,14 +4571,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Studie &amp;auswerten…</translation>
     </message>
     <message>
-        <source>New study</source>
-        <translation>Neue Studie</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Vorlage</translation>
-    </message>
-    <message>
         <source>Study folder</source>
         <translation>Studienordner</translation>
     </message>
@@ -3977,18 +4583,217 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>StudyWords</name>
+    <message>
+        <source>After each clip</source>
+        <translation>Nach jedem Clip</translation>
+    </message>
+    <message>
+        <source>Before the first clip</source>
+        <translation>Vor dem ersten Clip</translation>
+    </message>
+    <message>
+        <source>After the last clip</source>
+        <translation>Nach dem letzten Clip</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>Information about the device</source>
+        <translation>Hinweise zum Gerät</translation>
+    </message>
+    <message>
+        <source>Before each clip</source>
+        <translation>Vor jedem Clip</translation>
+    </message>
+    <message>
+        <source>Above the questions after a clip</source>
+        <translation>Über den Fragen nach einem Clip</translation>
+    </message>
+    <message>
+        <source>Above the last questions</source>
+        <translation>Über den letzten Fragen</translation>
+    </message>
+    <message>
+        <source>Closing words</source>
+        <translation>Schlussworte</translation>
+    </message>
+    <message>
+        <source>How long data are kept</source>
+        <translation>Wie lange Daten aufbewahrt werden</translation>
+    </message>
+    <message>
+        <source>Button: agree to take part</source>
+        <translation>Taste: der Teilnahme zustimmen</translation>
+    </message>
+    <message>
+        <source>Button: decline to take part</source>
+        <translation>Taste: die Teilnahme ablehnen</translation>
+    </message>
+    <message>
+        <source>Button: next page</source>
+        <translation>Taste: nächste Seite</translation>
+    </message>
+    <message>
+        <source>Button: start the clip</source>
+        <translation>Taste: den Clip starten</translation>
+    </message>
+    <message>
+        <source>Button: feel the device</source>
+        <translation>Taste: das Gerät spüren</translation>
+    </message>
+    <message>
+        <source>Answer: yes</source>
+        <translation>Antwort: ja</translation>
+    </message>
+    <message>
+        <source>Answer: no</source>
+        <translation>Antwort: nein</translation>
+    </message>
+    <message>
+        <source>Name of a feedback, before its number</source>
+        <translation>Name eines Feedbacks, vor seiner Nummer</translation>
+    </message>
+    <message>
+        <source>Name of a clip, before its number</source>
+        <translation>Name eines Clips, vor seiner Nummer</translation>
+    </message>
+    <message>
+        <source>Mark of a question that may stay open</source>
+        <translation>Kennzeichnung einer Frage, die offen bleiben darf</translation>
+    </message>
+    <message>
+        <source>Message: a question is not answered</source>
+        <translation>Meldung: Eine Frage ist nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>Message: bring the grip to the centre</source>
+        <translation>Meldung: den Griff in die Mitte bringen</translation>
+    </message>
+    <message>
+        <source>Page: paused</source>
+        <translation>Seite: angehalten</translation>
+    </message>
+    <message>
+        <source>Button: resume</source>
+        <translation>Taste: fortsetzen</translation>
+    </message>
+    <message>
+        <source>Button: end early</source>
+        <translation>Taste: vorzeitig beenden</translation>
+    </message>
+    <message>
+        <source>Page: ended early</source>
+        <translation>Seite: vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>Page: answers cannot be saved</source>
+        <translation>Seite: Antworten lassen sich nicht speichern</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Buttons and messages</source>
+        <translation>Tasten und Meldungen</translation>
+    </message>
+    <message>
+        <source>Labels of the scale</source>
+        <translation>Beschriftungen der Skala</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>Sprachen</translation>
+    </message>
+    <message>
+        <source>Published wording</source>
+        <translation>Veröffentlichter Wortlaut</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Name in den Daten</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Wording</source>
+        <translation>Wortlaut</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Smallest number</source>
+        <translation>Kleinste Zahl</translation>
+    </message>
+    <message>
+        <source>Largest number or length</source>
+        <translation>Größte Zahl oder Länge</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Lower end</source>
+        <translation>Unteres Ende</translation>
+    </message>
+    <message>
+        <source>Upper end</source>
+        <translation>Oberes Ende</translation>
+    </message>
+</context>
+<context>
     <name>SuggestionBox</name>
     <message>
         <source>S&amp;uggest motion from the picture (estimate)</source>
         <translation>Bewegung aus dem Bild &amp;vorschlagen (Schätzung)</translation>
     </message>
     <message>
-        <source>Expect to feel turns of a vehicle, and steps when walking or riding; braking, knocks and potholes will be missing. Nothing measures this motion: set its strength by hand with the gain, and do not use it in a study without saying so.</source>
-        <translation>Zu spüren sind Kurven eines Fahrzeugs und Schritte beim Gehen oder Reiten; Bremsen, Stöße und Schlaglöcher fehlen. Nichts misst diese Bewegung: stellen Sie ihre Stärke von Hand mit der Verstärkung ein, und verwenden Sie sie in keiner Studie, ohne es zu sagen.</translation>
+        <source>Expect to feel turns of a vehicle, and steps when walking or riding; braking, knocks and potholes will be missing. Nothing measures this motion: set its strength by hand with the gain, and do not use it in a study without saying so. Slow motion and time lapse are taken as they play.</source>
+        <translation>Zu spüren sind Kurven eines Fahrzeugs und Schritte beim Gehen oder Reiten; Bremsen, Stöße und Schlaglöcher fehlen. Nichts misst diese Bewegung: Stellen Sie ihre Stärke von Hand mit der Verstärkung ein, und verwenden Sie sie in keiner Studie, ohne es zu sagen. Zeitlupe und Zeitraffer werden genommen, wie sie laufen.</translation>
     </message>
     <message>
-        <source>This needs OpenCV; `hapticplayer doctor` shows how to install it.</source>
-        <translation>Das braucht OpenCV; `hapticplayer doctor` zeigt, wie es installiert wird.</translation>
+        <source>This needs OpenCV; Help &gt; System check shows how to install it.</source>
+        <translation>Das braucht OpenCV; Hilfe &gt; Systemprüfung zeigt, wie es installiert wird.</translation>
     </message>
     <message>
         <source>Choose its motion log above, if there is one.</source>
@@ -4078,6 +4883,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Methode</translation>
     </message>
     <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>Slow motion</source>
+        <translation>Zeitlupe</translation>
+    </message>
+    <message>
+        <source>How many times slower than it was recorded the video plays: 8 if 240 frames per second play at 30; below 1 for a time lapse</source>
+        <translation>Wievielmal langsamer als aufgenommen das Video läuft: 8, wenn 240 Bilder je Sekunde mit 30 laufen; unter 1 bei einem Zeitraffer</translation>
+    </message>
+    <message>
         <source>&amp;Whole clip</source>
         <translation>&amp;Ganzer Clip</translation>
     </message>
@@ -4102,6 +4919,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>&amp;Methode</translation>
     </message>
     <message>
+        <source>Slow mo&amp;tion</source>
+        <translation>Zeit&amp;lupe</translation>
+    </message>
+    <message>
         <source>Drag the log&apos;s curves until they line up with the clip&apos;s; the arrow keys move them by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
         <translation>Ziehen Sie die Kurven des Protokolls unter die des Clips; die Pfeiltasten verschieben sie um 1 ms, mit Umschalt 10 ms, mit Strg 100 ms. Das Rad zoomt. Gezeigt wird das Bild am Cursor; Komma und Punkt bewegen ihn.</translation>
     </message>
@@ -4120,6 +4941,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>gyro</source>
         <translation>Gyroskop</translation>
+    </message>
+    <message>
+        <source>{why}. Check below how much slower it plays than it was recorded (1: it does not), then enter the offset, or drag the log&apos;s curves.</source>
+        <translation>{why}. Prüfen Sie unten, wievielmal langsamer als aufgenommen es läuft (1: gar nicht), und geben Sie dann den Versatz ein, oder ziehen Sie die Kurven des Protokolls.</translation>
     </message>
     <message>
         <source>Enter the offset, or drag the log&apos;s curves.</source>
@@ -4178,6 +5003,25 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{time} s</source>
         <translation>{time} s</translation>
+    </message>
+</context>
+<context>
+    <name>TextList</name>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Buttons and messages</source>
+        <translation>Tasten und Meldungen</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>{code} stands for the participant&apos;s code, {minutes} for the expected duration, {trials} and {feedbacks} for their numbers, {feel} for the label of the button that plays the demonstration.</source>
+        <translation>{code} steht für den Code der Person, {minutes} für die erwartete Dauer, {trials} und {feedbacks} für deren Anzahl, {feel} für die Beschriftung der Taste, die die Vorführung spielt.</translation>
     </message>
 </context>
 <context>
@@ -4359,14 +5203,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>_LargePage</name>
+    <message>
+        <source>Close the preview (Esc)</source>
+        <translation>Vorschau schließen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>_Picture</name>
+    <message>
+        <source>The page as the participant sees it</source>
+        <translation>Die Seite, wie die Person sie sieht</translation>
+    </message>
+</context>
+<context>
     <name>_Question</name>
     <message>
         <source>Answer</source>
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>KEY=VALUE, separated by spaces</source>
-        <translation>SCHLÜSSEL=WERT, durch Leerzeichen getrennt</translation>
+        <source>Another answer, written like those above</source>
+        <translation>Eine andere Antwort, geschrieben wie die darüber</translation>
     </message>
     <message>
         <source>&amp;Answer</source>
@@ -4428,22 +5286,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>1 Zeile ist beschädigt und wurde weggelassen (die erste: Zeile {line})</translation>
     </message>
     <message>
-        <source>--largest must be between 3 and {most}</source>
-        <translation>--largest muss zwischen 3 und {most} liegen</translation>
-    </message>
-    <message>
-        <source>--offset {offset_s:.3f} ({by})</source>
-        <translation>--offset {offset_s:.3f} ({by})</translation>
-    </message>
-    <message>
-        <source>--read-as {sign}, or </source>
-        <translation>--read-as {sign} oder </translation>
-    </message>
-    <message>
-        <source>--studies must be between {least} and {most}</source>
-        <translation>--studies muss zwischen {least} und {most} liegen</translation>
-    </message>
-    <message>
         <source>Broken pipe</source>
         <translation>die Verbindung ist abgebrochen</translation>
     </message>
@@ -4464,8 +5306,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Arbeitsspeicher reicht nicht</translation>
     </message>
     <message>
+        <source>Choice</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and its power supply. The settings choose another axis, or reverse the direction.</source>
+        <translation>Schließen Sie USB-Kabel und Netzteil an. Die Einstellungen wählen eine andere Achse oder kehren die Richtung um.</translation>
+    </message>
+    <message>
+        <source>Connect the amplifier of the shakers to the sound output. By default channels 1 and 2 play; the settings choose others.</source>
+        <translation>Schließen Sie den Verstärker der Shaker an den Tonausgang an. Ohne Angabe spielen die Kanäle 1 und 2; die Einstellungen wählen andere.</translation>
+    </message>
+    <message>
         <source>Connection timed out</source>
         <translation>es kam keine Antwort in der Zeit</translation>
+    </message>
+    <message>
+        <source>Consistency of force and video</source>
+        <translation>Übereinstimmung von Kraft und Video</translation>
     </message>
     <message>
         <source>Device or resource busy</source>
@@ -4494,6 +5352,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>File too large</source>
         <translation>die Datei ist zu groß</translation>
+    </message>
+    <message>
+        <source>Five-point scale</source>
+        <translation>Fünfstufige Skala</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -4564,6 +5426,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Nur das Bild bewegt sich.</translation>
     </message>
     <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
         <source>Operation not permitted</source>
         <translation>nicht erlaubt</translation>
     </message>
@@ -4574,6 +5440,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Permission denied</source>
         <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Quality of experience</source>
+        <translation>Erlebnisqualität</translation>
     </message>
     <message>
         <source>Random</source>
@@ -4592,6 +5462,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Realistisch</translation>
     </message>
     <message>
+        <source>Recorded force and controls</source>
+        <translation>Aufgezeichnete Kraft und Kontrollen</translation>
+    </message>
+    <message>
         <source>Sensor Logger ({system})</source>
         <translation>Sensor Logger ({system})</translation>
     </message>
@@ -4606,6 +5480,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Tap marks</source>
         <translation>Klopfzeichen</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
     </message>
     <message>
         <source>The compass is ignored: the file does not declare its axes.</source>
@@ -4628,6 +5506,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Zeitstempel der Bewegung weichen um {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms) von den Bildern ab, gemessen an der Ausrichtung, die die Kamera zu jedem Bild speichert (CORI); das ist korrigiert.</translation>
     </message>
     <message>
+        <source>The protocol of Danieau et al. (2012): each clip with the recorded force, without force and with a random one; four questions after each.</source>
+        <translation>Das Protokoll von Danieau et al. (2012): jeder Clip mit der aufgezeichneten Kraft, ohne Kraft und mit einer zufälligen; vier Fragen nach jedem.</translation>
+    </message>
+    <message>
+        <source>The recorded force earlier or later than the video; after each clip, whether both went together.</source>
+        <translation>Die aufgezeichnete Kraft früher oder später als das Video; nach jedem Clip die Frage, ob beide zusammenpassten.</translation>
+    </message>
+    <message>
+        <source>The same questions; the recorded force beside no force, the force of another clip, and the recorded force half a second late.</source>
+        <translation>Dieselben Fragen; die aufgezeichnete Kraft neben keiner Kraft, der Kraft eines anderen Clips und der um eine halbe Sekunde verspäteten.</translation>
+    </message>
+    <message>
         <source>This camera does not timestamp its samples: they are {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off the frames, measured from the rotation in the frames; this is corrected.</source>
         <translation>Diese Kamera stempelt ihre Messwerte nicht: Sie weichen um {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) von den Bildern ab, gemessen an der Drehung in den Bildern; das ist korrigiert.</translation>
     </message>
@@ -4646,6 +5536,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Ultimate IMU, stock firmware</source>
         <translation>Ultimate IMU, Firmware des Herstellers</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>Ja oder nein</translation>
     </message>
     <message>
         <source>`study status` lists them</source>
@@ -4670,6 +5564,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>a cutoff of {cutoff_hz:g} Hz is not below half the rate of the samples, {half_rate_hz:.4g} Hz</source>
         <translation>eine Grenzfrequenz von {cutoff_hz:g} Hz liegt nicht unter der halben Rate der Werte, {half_rate_hz:.4g} Hz</translation>
+    </message>
+    <message>
+        <source>a device is left out: {reason}</source>
+        <translation>ein Gerät wird weggelassen: {reason}</translation>
     </message>
     <message>
         <source>a direction of length 0 was taken as x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
@@ -4698,6 +5596,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>a number</source>
         <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a part of it was recorded faster (Super Slow-mo)</source>
+        <translation>ein Teil davon wurde schneller aufgenommen (Super Slow-mo)</translation>
     </message>
     <message>
         <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
@@ -4769,7 +5671,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>an effect of {share:g} times the paper&apos;s leaves the scale of {low} to {high}; choose a smaller one</source>
-        <translation>ein Effekt vom {share:g}-fachen der Veröffentlichung verlässt die Skala von {low} bis {high}; einen kleineren wählen</translation>
+        <translation>ein Effekt vom {share:g}-fachen der Veröffentlichung verlässt die Skala von {low} bis {high}; wählen Sie einen kleineren</translation>
     </message>
     <message>
         <source>an object</source>
@@ -4786,6 +5688,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>another record has this number</source>
         <translation>ein anderer Eintrag hat diese Nummer</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>Antworten</translation>
     </message>
     <message>
         <source>applied as given: {answers}</source>
@@ -4810,6 +5716,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>as the edit list cuts the video</source>
         <translation>wie die Schnittliste das Video schneidet</translation>
+    </message>
+    <message>
+        <source>ask for a file that was packed with it</source>
+        <translation>verlangen Sie eine Datei, die damit gepackt wurde</translation>
+    </message>
+    <message>
+        <source>ask for the file again, or accept it</source>
+        <translation>verlangen Sie die Datei noch einmal, oder lassen Sie sie zu</translation>
+    </message>
+    <message>
+        <source>ask for the file again, or agree</source>
+        <translation>verlangen Sie die Datei noch einmal, oder stimmen Sie zu</translation>
     </message>
     <message>
         <source>at the beginning</source>
@@ -4838,6 +5756,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>axes={axes}, or the axes that were right, front, up</source>
         <translation>axes={axes} oder was sonst rechts, vorn, oben war</translation>
+    </message>
+    <message>
+        <source>axis without an id</source>
+        <translation>Achse ohne ID</translation>
     </message>
     <message>
         <source>begin the file with {header}</source>
@@ -4916,6 +5838,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ändern Sie die Rechte der Datei</translation>
     </message>
     <message>
+        <source>changes of the frequency within a second</source>
+        <translation>Änderungen der Frequenz innerhalb einer Sekunde</translation>
+    </message>
+    <message>
         <source>check the name and the folder</source>
         <translation>prüfen Sie Namen und Ordner</translation>
     </message>
@@ -4932,16 +5858,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wählen Sie einen Clip mit Ton</translation>
     </message>
     <message>
+        <source>choose a device first</source>
+        <translation>wählen Sie zuerst ein Gerät</translation>
+    </message>
+    <message>
         <source>choose a file</source>
         <translation>wählen Sie eine Datei</translation>
     </message>
     <message>
         <source>choose a file that was exported by it</source>
         <translation>wählen Sie eine Datei, die es exportiert hat</translation>
-    </message>
-    <message>
-        <source>choose a log that `play --log` wrote</source>
-        <translation>wählen Sie ein Protokoll, das `play --log` geschrieben hat</translation>
     </message>
     <message>
         <source>choose another file</source>
@@ -4977,7 +5903,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>convert it with &apos;hapticplayer export&apos;</source>
-        <translation>mit &apos;hapticplayer export&apos; umwandeln</translation>
+        <translation>wandeln Sie es mit &apos;hapticplayer export&apos; um</translation>
     </message>
     <message>
         <source>convert its sound to stereo at 48 kHz</source>
@@ -5048,10 +5974,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fehler lassen sich nur bei einem simulierten Gerät einspielen, das dafür geöffnet wurde</translation>
     </message>
     <message>
-        <source>film something with detail, or use --sync pats (sync: --method pats)</source>
-        <translation>filmen Sie etwas mit Einzelheiten, oder nehmen Sie --sync pats (sync: --method pats)</translation>
-    </message>
-    <message>
         <source>has an invalid header</source>
         <translation>hat einen ungültigen Kopf</translation>
     </message>
@@ -5086,10 +6008,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>ended</source>
         <translation>beendet</translation>
-    </message>
-    <message>
-        <source>enter it under sequences, or with `study new --sequence KEY=FOLDER`</source>
-        <translation>tragen Sie ihn unter sequences ein, oder mit `study new --sequence KEY=FOLDER`</translation>
     </message>
     <message>
         <source>every sequence needs its track {name!r}</source>
@@ -5184,10 +6102,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>gcsv von {logger}</translation>
     </message>
     <message>
-        <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
-        <translation>geben Sie --offset S an, die Medienzeit, zu der die Uhr des Protokolls 0 zeigt</translation>
-    </message>
-    <message>
         <source>give a frequency in Hz</source>
         <translation>geben Sie eine Frequenz in Hz an</translation>
     </message>
@@ -5218,10 +6132,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>give a recording with at least two samples</source>
         <translation>geben Sie eine Aufnahme mit mindestens zwei Werten an</translation>
-    </message>
-    <message>
-        <source>give another --offset</source>
-        <translation>geben Sie ein anderes --offset an</translation>
     </message>
     <message>
         <source>give at least {least_hz:g} samples a second</source>
@@ -5308,6 +6218,106 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nach der Schwerkraft war {sign}{axis} des Rekorders oben, nicht sein z</translation>
     </message>
     <message>
+        <source>, or {sign}</source>
+        <translation>, oder {sign}</translation>
+    </message>
+    <message>
+        <source>choose a folder with write permission</source>
+        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>choose a folder; a part of this path is a file or a dead link</source>
+        <translation>wählen Sie einen Ordner; ein Teil dieses Pfads ist eine Datei oder ein toter Verweis</translation>
+    </message>
+    <message>
+        <source>choose a playback log</source>
+        <translation>wählen Sie ein Wiedergabeprotokoll</translation>
+    </message>
+    <message>
+        <source>choose a refresh rate of 30 Hz or more</source>
+        <translation>wählen Sie eine Bildwiederholrate von 30 Hz oder mehr</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>wählen Sie einen kürzeren Namen</translation>
+    </message>
+    <message>
+        <source>choose another file, or replace it</source>
+        <translation>wählen Sie eine andere Datei, oder ersetzen Sie sie</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>choose another place; the report was printed</source>
+        <translation>wählen Sie einen anderen Ort; der Bericht wurde ausgegeben</translation>
+    </message>
+    <message>
+        <source>choose its folder</source>
+        <translation>wählen Sie ihren Ordner</translation>
+    </message>
+    <message>
+        <source>choose one</source>
+        <translation>wählen Sie eine</translation>
+    </message>
+    <message>
+        <source>choose the mounting: right, front and up of the wearer</source>
+        <translation>wählen Sie die Befestigung: rechts, vorn und oben der Person</translation>
+    </message>
+    <message>
+        <source>close other programs, or give pings more time in Intiface</source>
+        <translation>schließen Sie andere Programme, oder lassen Sie Pings in Intiface mehr Zeit</translation>
+    </message>
+    <message>
+        <source>compare sound and motion by eye, then enter the offset</source>
+        <translation>vergleichen Sie Ton und Bewegung mit dem Auge, und geben Sie dann den Versatz ein</translation>
+    </message>
+    <message>
+        <source>each tick of the device</source>
+        <translation>jeder Takt des Geräts</translation>
+    </message>
+    <message>
+        <source>effects without a time begin at 0 s</source>
+        <translation>Effekte ohne Zeit beginnen bei 0 s</translation>
+    </message>
+    <message>
+        <source>enter another offset</source>
+        <translation>geben Sie einen anderen Versatz ein</translation>
+    </message>
+    <message>
+        <source>enter the media time at which the log&apos;s clock reads 0</source>
+        <translation>geben Sie die Medienzeit ein, zu der die Uhr des Protokolls 0 zeigt</translation>
+    </message>
+    <message>
+        <source>enter what is asked for by hand</source>
+        <translation>geben Sie das Gefragte von Hand ein</translation>
+    </message>
+    <message>
+        <source>export it again as PCM of 16, 24 or 32 bits, of up to {most} channels</source>
+        <translation>exportieren Sie es noch einmal als PCM mit 16, 24 oder 32 Bit und bis zu {most} Kanälen</translation>
+    </message>
+    <message>
+        <source>film something with detail, or use the taps</source>
+        <translation>filmen Sie etwas mit Einzelheiten, oder nehmen Sie das Klopfen</translation>
+    </message>
+    <message>
+        <source>free {need_mb} MB there</source>
+        <translation>machen Sie dort {need_mb} MB frei</translation>
+    </message>
+    <message>
+        <source>give its log, too, and {option} if asked</source>
+        <translation>geben Sie auch sein Protokoll an, und {option}, wenn danach gefragt wird</translation>
+    </message>
+    <message>
+        <source>give the log of a motion sensor, too</source>
+        <translation>geben Sie auch das Protokoll eines Bewegungssensors an</translation>
+    </message>
+    <message>
+        <source>give the log, too, or have the motion estimated from the frames</source>
+        <translation>geben Sie auch das Protokoll an, oder lassen Sie die Bewegung aus den Bildern schätzen</translation>
+    </message>
+    <message>
         <source>gravity seems to be removed already: give the acceleration with gravity</source>
         <translation>die Schwerkraft scheint schon entfernt zu sein: Geben Sie die Beschleunigung mit Schwerkraft an</translation>
     </message>
@@ -5324,6 +6334,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Gyroskop</translation>
     </message>
     <message>
+        <source>has an unusual format ({bits} bits in {block} bytes for {channels} channels, {rate_hz} Hz)</source>
+        <translation>hat ein unübliches Format ({bits} Bit in {block} Byte für {channels} Kanäle, {rate_hz} Hz)</translation>
+    </message>
+    <message>
         <source>has changed since it was written (its checksum differs)</source>
         <translation>hat sich geändert, seit es geschrieben wurde (die Prüfsumme ist eine andere)</translation>
     </message>
@@ -5338,6 +6352,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has no answers yet</source>
         <translation>hat noch keine Antworten</translation>
+    </message>
+    <message>
+        <source>has no recording yet</source>
+        <translation>hat noch keine Aufnahme</translation>
     </message>
     <message>
         <source>has no timestamps, and its firmware has no fixed rate</source>
@@ -5420,6 +6438,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält kein bekanntes Protokoll</translation>
     </message>
     <message>
+        <source>holds no order</source>
+        <translation>enthält keine Reihenfolge</translation>
+    </message>
+    <message>
+        <source>holds no positions that are read ({first})</source>
+        <translation>enthält keine Positionen, die gelesen werden ({first})</translation>
+    </message>
+    <message>
         <source>holds no settings of this program</source>
         <translation>enthält keine Einstellungen dieses Programms</translation>
     </message>
@@ -5446,6 +6472,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>if it is in g, multiply it by 9.80665; if gravity was removed already, give the acceleration with gravity</source>
         <translation>wenn es in g ist, multiplizieren Sie mit 9.80665; wenn die Schwerkraft schon entfernt ist, geben Sie die Beschleunigung mit Schwerkraft an</translation>
+    </message>
+    <message>
+        <source>import a recording, or ask for a file with its motion</source>
+        <translation>importieren Sie eine Aufnahme, oder verlangen Sie eine Datei mit ihrer Bewegung</translation>
     </message>
     <message>
         <source>import it again</source>
@@ -5776,10 +6806,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Zeile {number}</translation>
     </message>
     <message>
-        <source>compare sound and motion with `hapticplayer sync --plot FILE`, then give --offset S</source>
-        <translation>sehen Sie `hapticplayer sync` mit --plot FILE an, und geben Sie dann --offset S an</translation>
-    </message>
-    <message>
         <source>look for values far beyond what a sensor can measure</source>
         <translation>suchen Sie nach Werten, die weit über dem liegen, was ein Sensor messen kann</translation>
     </message>
@@ -5814,10 +6840,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>names {count} columns, the table has {total} ({shown})</source>
         <translation>nennt {count} Spalten, die Tabelle hat {total} ({shown})</translation>
-    </message>
-    <message>
-        <source>the log is not synchronised: its clock is taken as media time; give --offset S</source>
-        <translation>das Protokoll ist nicht synchronisiert: Seine Uhr gilt als Medienzeit; geben Sie --offset S an</translation>
     </message>
     <message>
         <source>no Falcon is plugged in</source>
@@ -5897,7 +6919,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>/dev/input/{node}: it has no such force feedback; devices that have: {known}</source>
-        <translation>/dev/input/{node}: hat keine solche Kraftrückmeldung; Geräte, die sie haben: {known}</translation>
+        <translation>/dev/input/{node}: hat kein solches Force-Feedback; Geräte, die es haben: {known}</translation>
     </message>
     <message>
         <source>; </source>
@@ -5986,10 +7008,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Connect its power supply and its USB cable.</source>
         <translation>Schließen Sie Netzteil und USB-Kabel an.</translation>
-    </message>
-    <message>
-        <source>Connect the amplifier of the shakers to the sound output. By default channels 1 and 2 play; pulse,channels=3+4 chooses others.</source>
-        <translation>Schließen Sie den Verstärker der Shaker an den Tonausgang an. Ohne Angabe spielen die Kanäle 1 und 2; pulse,channels=3+4 wählt andere.</translation>
     </message>
     <message>
         <source>Connect the board, and add yourself to the group dialout.</source>
@@ -6408,16 +7426,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Effekt liegt außerhalb jedes Clips</translation>
     </message>
     <message>
-        <source>ask for a file that was packed with --with-motion</source>
-        <translation>verlangen Sie eine Datei, die mit --with-motion gepackt wurde</translation>
-    </message>
-    <message>
         <source>ask for the file again</source>
         <translation>verlangen Sie die Datei noch einmal</translation>
-    </message>
-    <message>
-        <source>ask for the file again, or accept it with --accept-changed-video</source>
-        <translation>verlangen Sie die Datei noch einmal, oder lassen Sie sie mit --accept-changed-video zu</translation>
     </message>
     <message>
         <source>at most {most} effects in a list</source>
@@ -6425,7 +7435,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>audio of three channels, for transducers</source>
-        <translation>Audio mit drei Kanälen, für Körperschallwandler</translation>
+        <translation>Audio mit drei Kanälen, für Shaker</translation>
     </message>
     <message>
         <source>cannot be copied into {kind} without changing its video</source>
@@ -6461,27 +7471,23 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>choose a larger tolerance, or another format</source>
-        <translation>größere Toleranz oder anderes Format wählen</translation>
+        <translation>wählen Sie eine größere Toleranz oder ein anderes Format</translation>
     </message>
     <message>
         <source>choose a lower sample rate, or another format</source>
-        <translation>eine niedrigere Abtastrate oder ein anderes Format wählen</translation>
+        <translation>wählen Sie eine niedrigere Abtastrate oder ein anderes Format</translation>
     </message>
     <message>
         <source>choose an address of this machine and a free port</source>
-        <translation>eine Adresse dieses Rechners und einen freien Port wählen</translation>
+        <translation>wählen Sie eine Adresse dieses Rechners und einen freien Port</translation>
     </message>
     <message>
         <source>choose another clip</source>
         <translation>wählen Sie einen anderen Clip</translation>
     </message>
     <message>
-        <source>choose another file, or replace it with --overwrite</source>
-        <translation>wählen Sie eine andere Datei, oder ersetzen Sie sie mit --overwrite</translation>
-    </message>
-    <message>
         <source>choose another format</source>
-        <translation>ein anderes Format wählen</translation>
+        <translation>wählen Sie ein anderes Format</translation>
     </message>
     <message>
         <source>choose another key</source>
@@ -6700,10 +7706,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>geben Sie &quot;realistic&quot; den Parameter &quot;effects&quot;: &quot;off&quot;</translation>
     </message>
     <message>
-        <source>give --mounting (right, front and up of the actor)</source>
-        <translation>Geben Sie --mounting an (rechts, vorne und oben der Person)</translation>
-    </message>
-    <message>
         <source>give a recording of sensors that worked</source>
         <translation>geben Sie eine Aufnahme an, deren Sensoren funktioniert haben</translation>
     </message>
@@ -6718,14 +7720,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>give the folder of one of them instead</source>
         <translation>geben Sie stattdessen den Ordner einer davon an</translation>
-    </message>
-    <message>
-        <source>give the log with --imu LOG, and {option} if asked</source>
-        <translation>geben Sie das Protokoll mit --imu LOG an, und {option}, wo danach gefragt wird</translation>
-    </message>
-    <message>
-        <source>give the log with --imu LOG, or have the motion estimated from the picture with --suggest-motion</source>
-        <translation>geben Sie das Protokoll mit --imu LOG an, oder lassen Sie die Bewegung mit --suggest-motion aus dem Bild schätzen</translation>
     </message>
     <message>
         <source>give the times in seconds of media time</source>
@@ -6762,10 +7756,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has a row for each reading of one sensor (column {number} holds {names})</source>
         <translation>hat eine Zeile je Messwert eines einzelnen Sensors (Spalte {number} enthält {names})</translation>
-    </message>
-    <message>
-        <source>has an unusual format ({bits} bits in {block} bytes for {channels} channels)</source>
-        <translation>hat ein unübliches Format ({bits} Bit in {block} Byte für {channels} Kanäle)</translation>
     </message>
     <message>
         <source>has decimal commas between commas: {count} cells below {names} names</source>
@@ -6832,10 +7822,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält zwei Anhänge mit demselben Namen</translation>
     </message>
     <message>
-        <source>import a recording, or ask for a file that was packed --with-motion</source>
-        <translation>importieren Sie eine Aufnahme, oder bitten Sie um eine Datei, die --with-motion gepackt wurde</translation>
-    </message>
-    <message>
         <source>in test, or being set up</source>
         <translation>wird getestet oder eingerichtet</translation>
     </message>
@@ -6845,7 +7831,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>install hapticplayer[vision], or convert it to H.264</source>
-        <translation>hapticplayer[vision] installieren oder nach H.264 umwandeln</translation>
+        <translation>installieren Sie hapticplayer[vision], oder wandeln Sie es nach H.264 um</translation>
     </message>
     <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
@@ -6916,6 +7902,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ist im Kopf abgeschnitten</translation>
     </message>
     <message>
+        <source>it has more than {most} boxes</source>
+        <translation>es hat mehr als {most} Boxen</translation>
+    </message>
+    <message>
+        <source>it is a time lapse or TimeWarp (GoPro&apos;s rate: {rate})</source>
+        <translation>es ist ein Zeitraffer oder TimeWarp (Rate der GoPro: {rate})</translation>
+    </message>
+    <message>
         <source>it looks like microseconds: divide time_s by 1000000</source>
         <translation>es sieht nach Mikrosekunden aus: Teilen Sie time_s durch 1000000</translation>
     </message>
@@ -6936,6 +7930,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>seine Kopfzeilen sind zu groß</translation>
     </message>
     <message>
+        <source>its lines end with CR alone</source>
+        <translation>seine Zeilen enden nur mit CR</translation>
+    </message>
+    <message>
         <source>its positions of {axis} go from 0 to 1, but a funscript&apos;s go to 100</source>
         <translation>seine Positionen von {axis} gehen von 0 bis 1, die eines Funscripts aber bis 100</translation>
     </message>
@@ -6946,6 +7944,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>die Telemetrie hat keine brauchbaren Zeitstempel und zu wenige Blöcke ({count}), um die Rate der Sensoren zu bestimmen</translation>
+    </message>
+    <message>
+        <source>its times of {axis} look like seconds, but a funscript&apos;s are milliseconds</source>
+        <translation>seine Zeiten von {axis} sehen nach Sekunden aus, aber die eines Funscripts sind Millisekunden</translation>
     </message>
     <message>
         <source>its video ({codec}) holds no motion vectors that can be read</source>
@@ -6962,6 +7964,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>lacks what is to be exported</source>
         <translation>enthält nicht, was zu exportieren ist</translation>
+    </message>
+    <message>
+        <source>make another of it with: {command}</source>
+        <translation>machen Sie ein anderes daraus mit: {command}</translation>
     </message>
     <message>
         <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
@@ -6984,8 +7990,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bewegung ohne Schwerkraft</translation>
     </message>
     <message>
+        <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the wearer in the recorder&apos;s axes</source>
+        <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Rekorders an</translation>
+    </message>
+    <message>
         <source>multiply its positions by 100</source>
         <translation>multiplizieren Sie seine Positionen mit 100</translation>
+    </message>
+    <message>
+        <source>multiply its times by 1000</source>
+        <translation>multiplizieren Sie seine Zeiten mit 1000</translation>
     </message>
     <message>
         <source>must be at least {limit}</source>
@@ -7029,7 +8043,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>no device with such force feedback is plugged in; connect it, and see whether its driver is loaded</source>
-        <translation>kein Gerät mit solcher Kraftrückmeldung ist angeschlossen; schließen Sie es an und prüfen Sie, ob sein Treiber geladen ist</translation>
+        <translation>kein Gerät mit solchem Force-Feedback ist angeschlossen; schließen Sie es an, und prüfen Sie, ob sein Treiber geladen ist</translation>
     </message>
     <message>
         <source>no direction in the file: x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
@@ -7050,6 +8064,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no motion can be estimated from its picture ({why})</source>
         <translation>aus seinem Bild lässt sich keine Bewegung schätzen ({why})</translation>
+    </message>
+    <message>
+        <source>no offset is given, which this method needs</source>
+        <translation>es ist kein Versatz angegeben, den dieses Verfahren braucht</translation>
+    </message>
+    <message>
+        <source>nobody feels a simulated device: choose a real one, or let the study do without (its first page in the editor)</source>
+        <translation>ein simuliertes Gerät spürt niemand: Wählen Sie ein wirkliches, oder lassen Sie die Studie ohne auskommen (erste Seite im Studieneditor)</translation>
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
@@ -7120,10 +8142,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>andere Versätze passen fast ebenso gut</translation>
     </message>
     <message>
-        <source>otherwise give --offset S</source>
-        <translation>sonst geben Sie --offset S an</translation>
-    </message>
-    <message>
         <source>parts of the clip give different offsets</source>
         <translation>Teile des Videos ergeben verschiedene Versätze</translation>
     </message>
@@ -7188,10 +8206,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>nehmen Sie noch einmal mit dem Schwerkraftsensor auf</translation>
     </message>
     <message>
-        <source>record at 100 Hz or more, or give --offset S</source>
-        <translation>nehmen Sie mit 100 Hz oder mehr auf, oder geben Sie --offset S an</translation>
-    </message>
-    <message>
         <source>record at least {least} s</source>
         <translation>nehmen Sie mindestens {least} s auf</translation>
     </message>
@@ -7218,10 +8232,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>record with a camera that stores its motion, or give an IMU log</source>
         <translation>nehmen Sie mit einer Kamera auf, die ihre Bewegung speichert, oder geben Sie ein IMU-Protokoll an</translation>
-    </message>
-    <message>
-        <source>record with sound, or give --offset S</source>
-        <translation>nehmen Sie mit Ton auf, oder geben Sie --offset S an</translation>
     </message>
     <message>
         <source>recorded samples</source>
@@ -7280,8 +8290,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>speichern Sie sie als Text in UTF-8</translation>
     </message>
     <message>
+        <source>say what it is</source>
+        <translation>geben Sie an, was es ist</translation>
+    </message>
+    <message>
         <source>scene</source>
         <translation>Szene</translation>
+    </message>
+    <message>
+        <source>see whether the toy is connected and charged</source>
+        <translation>sehen Sie nach, ob das Gerät verbunden und geladen ist</translation>
     </message>
     <message>
         <source>sends another part than was asked for</source>
@@ -7392,6 +8410,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Vorlage</translation>
     </message>
     <message>
+        <source>text answers</source>
+        <translation>Textantworten</translation>
+    </message>
+    <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
         <translation>der Falcon hat auf keine Nachricht geantwortet; referenzieren und noch einmal versuchen</translation>
     </message>
@@ -7424,10 +8446,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Falcon wird von einem anderen Programm benutzt; schließen Sie es, und versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>the Falcon is not homed; run `hapticplayer device home`</source>
-        <translation>der Falcon ist nicht referenziert; `hapticplayer device home` ausführen</translation>
-    </message>
-    <message>
         <source>the Falcon is not open; choose the device again</source>
         <translation>der Falcon ist nicht geöffnet; wählen Sie das Gerät noch einmal</translation>
     </message>
@@ -7442,10 +8460,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the Falcon was unplugged, or its cable is loose; plug it in and choose the device again</source>
         <translation>der Falcon wurde abgezogen, oder sein Kabel ist lose; stecken Sie ihn an, und wählen Sie das Gerät noch einmal</translation>
-    </message>
-    <message>
-        <source>the Falcon&apos;s firmware is missing ({path}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it with `hapticplayer device upload-firmware FILE`, or in the window with Playback &gt; Set up the device</source>
-        <translation>die Firmware des Falcon fehlt ({path}); sie darf mit diesem Programm nicht weitergegeben werden: Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon und installieren Sie sie mit `hapticplayer device upload-firmware FILE`, oder im Fenster mit Wiedergabe &gt; Gerät einrichten</translation>
     </message>
     <message>
         <source>the Falcon&apos;s position has jumped and stayed away; home it again, then choose the device again</source>
@@ -7569,7 +8583,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
-        <translation>die Kraft ist dem Ton {ms:.0f} ms voraus: der Rechner ist vielleicht überlastet; andere Programme schließen</translation>
+        <translation>die Kraft ist dem Ton {ms:.0f} ms voraus: Der Rechner ist vielleicht überlastet; schließen Sie andere Programme</translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
@@ -7586,10 +8600,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the force of a motion that was estimated from the picture</source>
         <translation>die Kraft einer Bewegung, die aus dem Bild geschätzt wurde</translation>
-    </message>
-    <message>
-        <source>the force of another clip needs its sequence: of=FOLDER</source>
-        <translation>die Kraft eines anderen Clips braucht dessen Sequenz: of=ORDNER</translation>
     </message>
     <message>
         <source>the force of the recorded motion</source>
@@ -7649,7 +8659,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the shaker is not open; choose the device again</source>
-        <translation>der Körperschallwandler ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
+        <translation>der Shaker ist nicht geöffnet; wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>the simulated service has ended; choose the device again to start a new one</source>
@@ -7668,6 +8678,66 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ihre Drehung ist nicht die des Gyroskops</translation>
     </message>
     <message>
+        <source>turn the volume up</source>
+        <translation>drehen Sie die Lautstärke auf</translation>
+    </message>
+    <message>
+        <source>up and down</source>
+        <translation>Auf und Ab</translation>
+    </message>
+    <message>
+        <source>update or restart it</source>
+        <translation>aktualisieren Sie es, oder starten Sie es neu</translation>
+    </message>
+    <message>
+        <source>use a record of the haptic loop</source>
+        <translation>verwenden Sie eine Aufzeichnung der haptischen Schleife</translation>
+    </message>
+    <message>
+        <source>use the taps, or enter the offset</source>
+        <translation>nehmen Sie das Klopfen, oder geben Sie den Versatz ein</translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>vibration of {hertz:g} Hz along x {x:.2f}, y {y:.2f}, z {z:.2f}: strength 100 was taken as {full_n:.3g} N</source>
+        <translation>Vibration mit {hertz:g} Hz entlang x {x:.2f}, y {y:.2f}, z {z:.2f}: Stärke 100 wurde als {full_n:.3g} N genommen</translation>
+    </message>
+    <message>
+        <source>wait for it</source>
+        <translation>warten Sie darauf</translation>
+    </message>
+    <message>
+        <source>wait until it is ready, or choose it again</source>
+        <translation>warten Sie, bis es bereit ist, oder wählen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>when each trial and interruption was</source>
+        <translation>wann jeder Durchgang und jede Unterbrechung war</translation>
+    </message>
+    <message>
+        <source>write one from a long log</source>
+        <translation>schreiben Sie eine aus einem langen Protokoll</translation>
+    </message>
+    <message>
+        <source>{axis}: its actions are null</source>
+        <translation>{axis}: seine Aktionen sind null</translation>
+    </message>
+    <message>
+        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; take it, or keep the axes of the log</source>
+        <translation>{clip}: Die Bilder zeigen die Befestigung {axes} (Verhältnis {ratio:.1f}), nicht {used}; übernehmen Sie sie, oder behalten Sie die Achsen des Protokolls</translation>
+    </message>
+    <message>
+        <source>{clip}: motion is estimated as the video plays</source>
+        <translation>{clip}: Die Bewegung wird so geschätzt, wie das Video läuft</translation>
+    </message>
+    <message>
+        <source>{clip}: taps and frames cannot be compared at another speed; enter the offset, too</source>
+        <translation>{clip}: Klopfen und Bilder lassen sich bei anderer Geschwindigkeit nicht vergleichen; geben Sie auch den Versatz ein</translation>
+    </message>
+    <message>
         <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
         <translation>{clip}: Die Bilder lassen offen, ob die Befestigung {axes} oder {next_best} ist (Verhältnis {ratio:.2f}); {give}</translation>
     </message>
@@ -7682,10 +8752,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} holds no motion; choose one of {known}</source>
         <translation>{name} enthält keine Bewegung; wählen Sie {known}</translation>
-    </message>
-    <message>
-        <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
-        <translation>{text!r} sind keine drei Achsen; gesucht sind rechts, oben und zur Person hin am Gerät, in den Achsen der Person mit dem Rekorder (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
     </message>
     <message>
         <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>
@@ -7710,6 +8776,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{where} cannot be opened: {reason}; see whether the board is connected and you may use it</source>
         <translation>{where} kann nicht geöffnet werden: {reason}; prüfen Sie, ob die Platine angeschlossen ist und Sie sie benutzen dürfen</translation>
+    </message>
+    <message>
+        <source>{where} reports an error ({reason}); {remedy}, and choose the device again</source>
+        <translation>{where} meldet einen Fehler ({reason}); {remedy}, und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>{who} reports the error {code}; look at it in Haply&apos;s own program, and choose the device again</source>
+        <translation>{who} meldet den Fehler {code}; sehen Sie in Haplys eigenem Programm nach, und wählen Sie das Gerät erneut</translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>
@@ -7804,6 +8878,38 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wird in Durchgängen der Art {kind} nicht verwendet</translation>
     </message>
     <message>
+        <source>the Falcon is not homed; home it</source>
+        <translation>der Falcon ist nicht referenziert; referenzieren Sie ihn</translation>
+    </message>
+    <message>
+        <source>the Falcon&apos;s firmware is missing ({path}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it: Device &gt; Set up the device</source>
+        <translation>die Firmware des Falcon fehlt ({path}); sie darf mit diesem Programm nicht weitergegeben werden: Nehmen Sie nvent_firmware.bin aus einem Quellarchiv von libnifalcon, und installieren Sie sie: Gerät &gt; Gerät einrichten</translation>
+    </message>
+    <message>
+        <source>the board at {where} has restarted ({said}); check its supply and cable</source>
+        <translation>die Platine an {where} hat neu gestartet ({said}); prüfen Sie Netzteil und Kabel</translation>
+    </message>
+    <message>
+        <source>the board at {where} reports an error ({said}); check its channel, cable and supply, and choose the device again</source>
+        <translation>die Platine an {where} meldet einen Fehler ({said}); prüfen Sie Kanal, Kabel und Netzteil, und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>the buttons of the wireless grip cannot be read; stop with Esc, and look at the grip in Haply&apos;s own program</source>
+        <translation>die Tasten des kabellosen Griffs lassen sich nicht lesen; halten Sie mit Esc an, und sehen Sie in Haplys eigenem Programm nach dem Griff</translation>
+    </message>
+    <message>
+        <source>the column {name!r} is not of a force</source>
+        <translation>die Spalte {name!r} gehört nicht zu einer Kraft</translation>
+    </message>
+    <message>
+        <source>the first sudden rise of sound and motion is uncertain</source>
+        <translation>der erste plötzliche Anstieg von Ton und Bewegung ist unsicher</translation>
+    </message>
+    <message>
+        <source>the force of another clip needs its sequence: choose its folder</source>
+        <translation>die Kraft eines anderen Clips braucht dessen Sequenz: Wählen Sie deren Ordner</translation>
+    </message>
+    <message>
         <source>the guard did not start, so nothing is measured; run &apos;hapticplayer doctor&apos;</source>
         <translation>der Wächter ist nicht gestartet, daher wird nichts gemessen; &apos;hapticplayer doctor&apos; ausführen</translation>
     </message>
@@ -7822,6 +8928,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the largest angular rate is {largest:.3g} rad/s</source>
         <translation>die größte Drehrate ist {largest:.3g} rad/s</translation>
+    </message>
+    <message>
+        <source>the largest number of participants must be between 3 and {most}</source>
+        <translation>die größte Zahl von Teilnehmenden muss zwischen 3 und {most} liegen</translation>
     </message>
     <message>
         <source>the legs cannot be assembled at these joint angles</source>
@@ -7844,16 +8954,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Protokoll hat keine Zeiten: Es werden 50 Werte je Sekunde angenommen</translation>
     </message>
     <message>
+        <source>the log is not synchronised: its clock is taken as media time; enter the offset</source>
+        <translation>das Protokoll ist nicht synchronisiert: Seine Uhr gilt als Medienzeit; geben Sie den Versatz ein</translation>
+    </message>
+    <message>
         <source>the low-pass has no heading; choose one of ekf, vqf</source>
-        <translation>der Tiefpass kennt keine Richtung; ekf oder vqf wählen</translation>
+        <translation>der Tiefpass kennt keine Richtung; wählen Sie ekf oder vqf</translation>
     </message>
     <message>
         <source>the magnetometer was left out: {count} of {total} samples are empty</source>
         <translation>das Magnetometer wurde weggelassen: {count} von {total} Werten sind leer</translation>
-    </message>
-    <message>
-        <source>the method offset needs --offset S</source>
-        <translation>das Verfahren offset braucht einen Versatz; geben Sie --offset S an</translation>
     </message>
     <message>
         <source>the motion cannot be separated from gravity</source>
@@ -7872,6 +8982,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Bewegung passt nicht eindeutig zur Einheit der Drehrate; sie wurde unverändert übernommen</translation>
     </message>
     <message>
+        <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without an estimate</source>
+        <translation>die Bewegung von {name} wurde aufgezeichnet, und das ist besser als eine Schätzung aus dem Bild; importieren Sie es ohne Schätzung</translation>
+    </message>
+    <message>
         <source>the motion track is empty, so there is no force to render</source>
         <translation>die Bewegungsspur ist leer, es gibt also keine Kraft zu berechnen</translation>
     </message>
@@ -7886,6 +9000,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the number of samples is {count}; {least} to {most} can be used</source>
         <translation>die Zahl der Werte ist {count}; {least} bis {most} sind zu gebrauchen</translation>
+    </message>
+    <message>
+        <source>the number of simulated studies must be between {least} and {most}</source>
+        <translation>die Zahl der simulierten Studien muss zwischen {least} und {most} liegen</translation>
     </message>
     <message>
         <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, otherwise taps and frames</source>
@@ -8009,7 +9127,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the smoother has no heading; choose one of ekf, vqf, offline-vqf for it</source>
-        <translation>der Glätter kennt keine Richtung; dafür ekf, vqf oder offline-vqf wählen</translation>
+        <translation>der Glätter kennt keine Richtung; wählen Sie dafür ekf, vqf oder offline-vqf</translation>
     </message>
     <message>
         <source>the sound has the shape {shape}, expected (n, 1) or (n, 2)</source>
@@ -8026,6 +9144,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the specific force is {norm:.3g} m/s2 at rest when read in {accel_unit}, but gravity is 9.81</source>
         <translation>die spezifische Kraft ist in Ruhe {norm:.3g} m/s2, wenn sie in {accel_unit} gelesen wird, aber die Schwerkraft ist 9.81</translation>
+    </message>
+    <message>
+        <source>the study requires a device: choose it above</source>
+        <translation>die Studie verlangt ein Gerät: Wählen Sie es oben</translation>
     </message>
     <message>
         <source>the time stamps jitter by {share:.0f} % of an interval; an even clock fitted to them was used</source>
@@ -8070,10 +9192,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>there is no measure {measure!r}; choose one of {known}</source>
         <translation>die Messgröße {measure!r} ist unbekannt; es gibt {known}</translation>
-    </message>
-    <message>
-        <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
-        <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Rekorders an, etwa --mounting=-x,y,-z</translation>
     </message>
     <message>
         <source>there is no sound output, so the clip plays silently</source>
@@ -8176,10 +9294,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ohne Namen</translation>
     </message>
     <message>
-        <source>write one with --save-template</source>
-        <translation>schreiben Sie eine mit --save-template</translation>
-    </message>
-    <message>
         <source>written to</source>
         <translation>beschrieben</translation>
     </message>
@@ -8210,6 +9324,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{count} damaged lines were skipped (the first: line {line})</source>
         <translation>{count} Zeilen sind beschädigt und wurden weggelassen (die erste: Zeile {line})</translation>
+    </message>
+    <message>
+        <source>{clip}: the skew of the sound would have no effect, because the offset comes from elsewhere ({method}); leave it out</source>
+        <translation>{clip}: Die Tonverzögerung hätte keine Wirkung, weil der Versatz anderswoher kommt ({method}); lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>{clip}: the taps give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose one of them, or enter the offset; if the camera&apos;s sound is late, say by how much</source>
+        <translation>{clip}: Das Klopfen ergibt einen Versatz von {pats_s:.3f} s, die Bilder {frames_s:.3f} s; wählen Sie einen davon, oder geben Sie den Versatz ein; kommt der Ton der Kamera spät, geben Sie an, um wie viel</translation>
+    </message>
+    <message>
+        <source>{clip}: {what}, and neither frames nor taps tell which is right ({why}); enter the offset: {places}, or another one</source>
+        <translation>{clip}: {what}, und weder Bilder noch Klopfen zeigen, was stimmt ({why}); geben Sie den Versatz ein: {places} oder einen anderen</translation>
+    </message>
+    <message>
+        <source>{clip}: {why}; make a copy at its real speed ({copy}), or take it as it plays, or stretch the motion</source>
+        <translation>{clip}: {why}; machen Sie eine Kopie in wirklicher Geschwindigkeit ({copy}), oder nehmen Sie den Clip, wie er läuft, oder dehnen Sie die Bewegung</translation>
     </message>
     <message>
         <source>{count} missing or implausible times were interpolated</source>
@@ -8264,6 +9394,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{file}, Zeile {line}</translation>
     </message>
     <message>
+        <source>{file}: as its axes are given, the wearer was upside down: by gravity the other side is up; choose another mounting, or {sign}, or keep the axes of the log</source>
+        <translation>{file}: Mit diesen Achsen stand die Person auf dem Kopf: Nach der Schwerkraft ist die andere Seite oben; wählen Sie eine andere Befestigung, oder {sign}, oder behalten Sie die Achsen des Protokolls</translation>
+    </message>
+    <message>
         <source>{file}: columns={columns} {fault}</source>
         <translation>{file}: columns={columns} {fault}</translation>
     </message>
@@ -8281,7 +9415,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>{leak_mps2:.2f} m/s2 of gravity remain while the recorder is stationary</source>
-        <translation>{leak_mps2:.2f} m/s2 der Schwerkraft bleiben übrig, wo die Aufnahme stillsteht</translation>
+        <translation>{leak_mps2:.2f} m/s2 der Schwerkraft bleiben übrig, wo der Rekorder stillsteht</translation>
     </message>
     <message>
         <source>{line}, column {column}</source>
@@ -8298,10 +9432,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>(default)</source>
         <translation>(Standard)</translation>
-    </message>
-    <message>
-        <source>Connect its USB cable and its power supply. axis=y chooses another axis, sign=- reverses the direction.</source>
-        <translation>Schließen Sie USB-Kabel und Netzteil an. axis=y wählt eine andere Achse, sign=- kehrt die Richtung um.</translation>
     </message>
     <message>
         <source>Delay</source>
@@ -8428,10 +9558,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>eine andere Umsetzung braucht den Ordner der Sequenz; entpacken Sie sie</translation>
     </message>
     <message>
-        <source>ask for the file again, or agree with --accept-changed-video</source>
-        <translation>lassen Sie sich die Datei noch einmal geben, oder stimmen Sie mit --accept-changed-video zu</translation>
-    </message>
-    <message>
         <source>check the address and the network</source>
         <translation>prüfen Sie die Adresse und das Netzwerk</translation>
     </message>
@@ -8538,14 +9664,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>give the address that it leads to, if you trust it</source>
         <translation>geben Sie die Adresse an, zu der sie führt, wenn Sie ihr vertrauen</translation>
-    </message>
-    <message>
-        <source>give the log of a motion sensor with --imu LOG</source>
-        <translation>geben Sie das Protokoll eines Bewegungssensors mit --imu LOG an</translation>
-    </message>
-    <message>
-        <source>give what is asked for by hand, such as --offset S or --mounting</source>
-        <translation>geben Sie das Gefragte von Hand an, etwa mit --offset S oder --mounting</translation>
     </message>
     <message>
         <source>gone</source>
@@ -8784,10 +9902,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>machen Sie ein MP4 daraus mit: {command}</translation>
     </message>
     <message>
-        <source>make another of it, of up to 8 channels, with: {command}</source>
-        <translation>machen Sie ein anderes daraus, mit bis zu 8 Kanälen, mit: {command}</translation>
-    </message>
-    <message>
         <source>make the force again</source>
         <translation>berechnen Sie die Kraft neu</translation>
     </message>
@@ -8830,10 +9944,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>must be {wanted}, not {kind}</source>
         <translation>muss {wanted} sein, nicht {kind}</translation>
-    </message>
-    <message>
-        <source>must have 1 to {most} characters</source>
-        <translation>braucht 1 bis {most} Zeichen</translation>
     </message>
     <message>
         <source>must have 2 to {most} conditions, has {count}</source>
@@ -8932,8 +10042,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>öffnen Sie die Studie noch einmal, und wiederholen Sie die Änderung</translation>
     </message>
     <message>
+        <source>other programs may delay the force: close them</source>
+        <translation>andere Programme können die Kraft verzögern: Schließen Sie sie</translation>
+    </message>
+    <message>
+        <source>otherwise enter the offset</source>
+        <translation>geben Sie sonst den Versatz ein</translation>
+    </message>
+    <message>
         <source>pairs: Wilcoxon with Holm, exact to {most} participants, then normal approximation; friedman: chi-square approximation</source>
         <translation>pairs: Wilcoxon mit Holm, exakt bis {most} Personen, darüber Normalnäherung; friedman: Chi-Quadrat-Näherung</translation>
+    </message>
+    <message>
+        <source>planned force, velocity, buttons and timing of each tick</source>
+        <translation>geplante Kraft, Geschwindigkeit, Tasten und Zeiten jedes Takts</translation>
+    </message>
+    <message>
+        <source>play a clip, and tick the box if you hear it</source>
+        <translation>spielen Sie einen Clip, und setzen Sie das Häkchen, wenn Sie ihn hören</translation>
     </message>
     <message>
         <source>play again</source>
@@ -8945,7 +10071,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>predicting excursions</source>
-        <translation>Ausschläge werden vorhergesagt</translation>
+        <translation>Auslenkungen werden vorhergesagt</translation>
+    </message>
+    <message>
+        <source>pull the grip all the way out, then push it in until it locks</source>
+        <translation>ziehen Sie den Griff ganz heraus, und schieben Sie ihn dann hinein, bis er einrastet</translation>
     </message>
     <message>
         <source>rate-axes={axes} to keep both as they are</source>
@@ -8964,8 +10094,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} wird gelesen</translation>
     </message>
     <message>
+        <source>record at 100 Hz or more, or enter the offset</source>
+        <translation>nehmen Sie mit 100 Hz oder mehr auf, oder geben Sie den Versatz ein</translation>
+    </message>
+    <message>
         <source>record both</source>
         <translation>zeichnen Sie beide auf</translation>
+    </message>
+    <message>
+        <source>record with sound, or enter the offset</source>
+        <translation>nehmen Sie mit Ton auf, oder geben Sie den Versatz ein</translation>
     </message>
     <message>
         <source>record {number} ({kind}) was left out: {reason}</source>
@@ -8996,6 +10134,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>entfernen Sie es</translation>
     </message>
     <message>
+        <source>remove the column</source>
+        <translation>entfernen Sie die Spalte</translation>
+    </message>
+    <message>
         <source>remove the constraint</source>
         <translation>die Einschränkung entfernen</translation>
     </message>
@@ -9012,8 +10154,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Schwerkraft wird entfernt</translation>
     </message>
     <message>
+        <source>remux it with FFmpeg (-c copy)</source>
+        <translation>packen Sie es mit FFmpeg um (-c copy)</translation>
+    </message>
+    <message>
         <source>remux it with MKVToolNix or FFmpeg, without them</source>
         <translation>packen Sie es mit MKVToolNix oder FFmpeg ohne sie um</translation>
+    </message>
+    <message>
+        <source>rename it to {name!r} to feel it as {as_what}</source>
+        <translation>benennen Sie es in {name!r} um, um es als {as_what} zu spüren</translation>
     </message>
     <message>
         <source>rename one of them</source>
@@ -9040,16 +10190,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Drehungen</translation>
     </message>
     <message>
+        <source>rotations, and what of the motion changes within {span_ms} ms</source>
+        <translation>Drehungen, und was sich an der Bewegung innerhalb von {span_ms} ms ändert</translation>
+    </message>
+    <message>
         <source>samples of {bits} bits were taken from the lower end of {width} bytes</source>
         <translation>Werte von {bits} Bit wurden vom unteren Ende von {width} Byte genommen</translation>
     </message>
     <message>
-        <source>say it once</source>
-        <translation>geben Sie es nur einmal an</translation>
+        <source>save it with the line ends of Unix or Windows</source>
+        <translation>speichern Sie es mit den Zeilenenden von Unix oder Windows</translation>
     </message>
     <message>
-        <source>say what it is with --other-is force or --other-is vibration</source>
-        <translation>geben Sie an, was es ist: --other-is force oder --other-is vibration</translation>
+        <source>save the answers of another log</source>
+        <translation>speichern Sie die Antworten eines anderen Protokolls</translation>
+    </message>
+    <message>
+        <source>say it once</source>
+        <translation>geben Sie es nur einmal an</translation>
     </message>
     <message>
         <source>session {code}: {key} was left out; it is not in the definition</source>
@@ -9073,7 +10231,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>slice</source>
-        <translation>slice</translation>
+        <translation>Zeitscheibe</translation>
     </message>
     <message>
         <source>sort the file by time and remove duplicates</source>
@@ -9126,10 +10284,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>takes column {number} for {name}, but it holds {text!r}; ignore it with -, or write it as numbers</source>
         <translation>nimmt Spalte {number} für {name}, aber sie enthält {text!r}; übergehen Sie sie mit -, oder schreiben Sie sie als Zahlen</translation>
-    </message>
-    <message>
-        <source>the Inverse3 reports the error {code}; look at it in Haply&apos;s own program, and choose the device again</source>
-        <translation>das Inverse3 meldet den Fehler {code}; sehen Sie in Haplys eigenem Programm nach und wählen Sie das Gerät neu</translation>
     </message>
     <message>
         <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
@@ -9272,10 +10426,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Verfahren frames braucht ein Video</translation>
     </message>
     <message>
-        <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
-        <translation>die Bewegung von {name} wurde aufgezeichnet, und das ist besser als eine Schätzung aus dem Bild; importieren Sie es ohne --suggest-motion</translation>
-    </message>
-    <message>
         <source>the quaternion Kalman filter of Sabatini 2006</source>
         <translation>das Quaternionen-Kalman-Filter von Sabatini 2006</translation>
     </message>
@@ -9356,6 +10506,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>CSV-Tabellen mit einem Verzeichnis der Spalten</translation>
     </message>
     <message>
+        <source>times before that of their group count from it</source>
+        <translation>Zeiten, die vor der ihrer Gruppe liegen, zählen ab dieser</translation>
+    </message>
+    <message>
+        <source>times in a declared group count from its reference</source>
+        <translation>Zeiten in einer deklarierten Gruppe zählen ab deren Verweis</translation>
+    </message>
+    <message>
         <source>title, mapping and provenance</source>
         <translation>Titel, Zuordnung und Herkunft</translation>
     </message>
@@ -9370,10 +10528,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>true motion of a simulation</source>
         <translation>wahre Bewegung einer Simulation</translation>
-    </message>
-    <message>
-        <source>--bind {text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
-        <translation>--bind {text!r} ist keine Adresse dieses Rechners; geben Sie sie ganz an, etwa {loopback} oder 192.168.1.5</translation>
     </message>
     <message>
         <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
@@ -9456,16 +10610,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>verwenden Sie &apos;repeats&apos;</translation>
     </message>
     <message>
-        <source>use --sync pats (sync: --method pats), or give --offset S</source>
-        <translation>nehmen Sie --sync pats (sync: --method pats), oder geben Sie --offset S an</translation>
-    </message>
-    <message>
         <source>use L, R, V or A and a digit, such as V0</source>
         <translation>verwenden Sie L, R, V oder A und eine Ziffer, etwa V0</translation>
-    </message>
-    <message>
-        <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
-        <translation>eine Datei verwenden, die &apos;hapticplayer play --record&apos; geschrieben hat</translation>
     </message>
     <message>
         <source>use a name in /dev/input, such as event5</source>
@@ -9548,10 +10694,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die hier nichts liest</translation>
     </message>
     <message>
-        <source>whose track another program has renamed; the camera&apos;s file is read</source>
-        <translation>deren Spur ein anderes Programm umbenannt hat; die Datei der Kamera wird gelesen</translation>
-    </message>
-    <message>
         <source>window not responding</source>
         <translation>Fenster reagierte nicht</translation>
     </message>
@@ -9562,10 +10704,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>write numbers without units or signs, or choose another log</source>
         <translation>schreiben Sie Zahlen ohne Einheiten und Zeichen, oder wählen Sie ein anderes Protokoll</translation>
-    </message>
-    <message>
-        <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>
-        <translation>schreiben Sie eine mit `hapticplayer process LOG --save-calibration FILE`</translation>
     </message>
     <message>
         <source>write the rows of each sensor to a file of its own and give both</source>
@@ -9628,10 +10766,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{bytes} Byte, {rate:.3g} kbit/s ({packed:.3g} komprimiert; die Spur: {own:.3g})</translation>
     </message>
     <message>
-        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; give --mounting auto to take it, or --mounting forward to keep the axes of the log</source>
-        <translation>{clip}: Die Bilder zeigen die Befestigung {axes} (Verhältnis {ratio:.1f}), nicht {used}; geben Sie --mounting auto an, um sie zu übernehmen, oder --mounting forward, um die Achsen des Protokolls zu behalten</translation>
-    </message>
-    <message>
         <source>{clip}: {why}; {look}</source>
         <translation>{clip}: {why}; {look}</translation>
     </message>
@@ -9672,12 +10806,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{empty} von {count} Sitzungen haben keine Antworten</translation>
     </message>
     <message>
-        <source>{file}: as its axes are given, the actor was upside down: by gravity the other side is up; give another --mounting, or --read-as {sign}, or --mounting forward to keep the axes of the log</source>
-        <translation>{file}: Mit diesen Achsen stand der Akteur auf dem Kopf: Nach der Schwerkraft ist die andere Seite oben; geben Sie eine andere --mounting oder --read-as {sign} an, oder --mounting forward, um die Achsen des Protokolls zu behalten</translation>
-    </message>
-    <message>
         <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}: ist beschädigt; die Definition der Studie wurde verwendet</translation>
+    </message>
+    <message>
+        <source>{file}: {what}</source>
+        <translation>{file}: {what}</translation>
+    </message>
+    <message>
+        <source>{file}: {what}; choose the mounting {name}, or another of {known}, or auto for what the frames tell, or forward to keep its axes{sign}</source>
+        <translation>{file}: {what}; wählen Sie die Befestigung {name} oder eine andere von {known}, oder auto für das, was die Bilder zeigen, oder forward, um seine Achsen zu behalten{sign}</translation>
     </message>
     <message>
         <source>{free_gb:.1f} GB free</source>
@@ -9754,6 +10892,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{name} does not hold numbers only ({reason})</source>
         <translation>{name} enthält nicht nur Zahlen ({reason})</translation>
+    </message>
+    <message>
+        <source>{name} does not know the clip&apos;s clock; use the taps, or enter the offset</source>
+        <translation>{name} kennt die Uhr des Clips nicht; nehmen Sie das Klopfen, oder geben Sie den Versatz ein</translation>
     </message>
     <message>
         <source>{name} has the shape {shape}, expected {count} x 3</source>
@@ -9864,6 +11006,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{note} (zuerst in Zeile {line})</translation>
     </message>
     <message>
+        <source>{offset_s:.3f} s, {by}</source>
+        <translation>{offset_s:.3f} s, {by}</translation>
+    </message>
+    <message>
         <source>{one}; {other}</source>
         <translation>{one}; {other}</translation>
     </message>
@@ -9896,6 +11042,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{path}: {reason}</translation>
     </message>
     <message>
+        <source>{percent:.2g} % of the force samples reach the force limit</source>
+        <translation>{percent:.2g} % der Kraftwerte erreichen die Kraftgrenze</translation>
+    </message>
+    <message>
         <source>{percent} %</source>
         <translation>{percent} %</translation>
     </message>
@@ -9916,12 +11066,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{scripted} von {count} Sitzungen sind simuliert: Niemand saß dort</translation>
     </message>
     <message>
+        <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it</source>
+        <translation>{source}: einwandfrei, aber keine der bekannten Firmware-Dateien ({known}; SHA-256 {sha256}...); sie würde die Motoren betreiben: Sagen Sie, dass Sie das wollen</translation>
+    </message>
+    <message>
+        <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the wearer&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
+        <translation>{text!r} sind keine drei Achsen; gesucht sind rechts, oben und zur Person hin am Gerät, in den Achsen der Person mit dem Rekorder (x rechts, y vorn, z oben), etwa x,z,-y, oder die neun Zahlen einer Drehung, Zeile für Zeile</translation>
+    </message>
+    <message>
         <source>{text!r} is not HOST:PORT</source>
         <translation>{text!r} ist nicht HOST:PORT</translation>
     </message>
     <message>
         <source>{text!r} is not a parameter; write NAME=VALUE</source>
         <translation>{text!r} ist kein Parameter; schreiben Sie NAME=WERT</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a serial number, which has letters and digits only, nor gain=; see &apos;hapticplayer device list&apos;</source>
+        <translation>{text!r} ist weder eine Seriennummer, die nur Buchstaben und Ziffern hat, noch gain=; siehe „hapticplayer device list“</translation>
+    </message>
+    <message>
+        <source>{text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
+        <translation>{text!r} ist keine Adresse dieses Rechners; geben Sie eine ganz an, etwa {loopback} oder 192.168.1.5</translation>
     </message>
     <message>
         <source>{time_s:.3g} s is later than any clip</source>
@@ -9976,16 +11142,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{what}, {why}</translation>
     </message>
     <message>
+        <source>{what}; choose the mounting</source>
+        <translation>{what}; wählen Sie die Befestigung</translation>
+    </message>
+    <message>
         <source>{where} does not answer {name}; restart it</source>
         <translation>{where} antwortet nicht auf {name}; starten Sie es neu</translation>
     </message>
     <message>
-        <source>{where} refuses: {reason}; update it</source>
-        <translation>{where} lehnt ab: {reason}; aktualisieren Sie es</translation>
+        <source>{where} does not answer; see whether the toy is connected and charged, and restart Intiface</source>
+        <translation>{where} antwortet nicht; sehen Sie nach, ob das Gerät verbunden und geladen ist, und starten Sie Intiface neu</translation>
     </message>
     <message>
-        <source>{where} reports an error ({reason}); see whether the toy is connected and charged, and choose the device again</source>
-        <translation>{where} meldet einen Fehler ({reason}); sehen Sie nach, ob das Gerät verbunden und geladen ist, und wählen Sie es erneut</translation>
+        <source>{where} refuses: {reason}; update it</source>
+        <translation>{where} lehnt ab: {reason}; aktualisieren Sie es</translation>
     </message>
     <message>
         <source>{where} sends messages that make no sense; restart it</source>
@@ -10006,30 +11176,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the sound output was lost; video and force continue</source>
         <translation>die Tonausgabe ist ausgefallen; Video und Kraft laufen weiter</translation>
-    </message>
-    <message>
-        <source>{clip}: motion is estimated as the video plays; give --slow-motion 1</source>
-        <translation>{clip}: Die Bewegung wird so geschätzt, wie das Video läuft; geben Sie --slow-motion 1 an</translation>
-    </message>
-    <message>
-        <source>{clip}: taps and frames cannot be compared at another speed; give --offset S with --slow-motion</source>
-        <translation>{clip}: Klopfen und Bilder lassen sich bei anderer Geschwindigkeit nicht vergleichen; geben Sie --offset S mit --slow-motion an</translation>
-    </message>
-    <message>
-        <source>{clip}: the skew of the sound would have no effect, because the offset comes from elsewhere (method {method}); leave out --skew and --camera</source>
-        <translation>{clip}: Die Tonverzögerung hätte keine Wirkung, weil der Versatz anderswoher kommt (Methode {method}); lassen Sie --skew und --camera weg</translation>
-    </message>
-    <message>
-        <source>{clip}: the taps give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose --sync pats or --sync frames (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
-        <translation>{clip}: Das Klopfen ergibt einen Versatz von {pats_s:.3f} s, die Bilder {frames_s:.3f} s; wählen Sie --sync pats oder --sync frames (sync: --method), oder geben Sie --offset S an; kommt der Ton der Kamera spät, klärt --skew es</translation>
-    </message>
-    <message>
-        <source>{clip}: {what}, and neither frames nor taps tell which is right ({why}); give {places}, or another --offset S</source>
-        <translation>{clip}: {what}, und weder Bilder noch Klopfen zeigen, was stimmt ({why}); geben Sie {places} an oder ein anderes --offset S</translation>
-    </message>
-    <message>
-        <source>{clip}: {why}; make a copy at its real speed ({copy}), or give --slow-motion 1 to take it as it plays, or --slow-motion {slowed} with --offset S to stretch the motion</source>
-        <translation>{clip}: {why}; machen Sie eine Kopie in wirklicher Geschwindigkeit ({copy}), oder geben Sie --slow-motion 1 an, um ihn zu nehmen, wie er läuft, oder --slow-motion {slowed} mit --offset S, um die Bewegung zu dehnen</translation>
     </message>
     <message>
         <source>{count} places are damaged: {first}</source>
@@ -10064,20 +11210,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{file}: {option} {key}={value} hat keine Wirkung auf ein Protokoll von {form}: {why}; lassen Sie es weg</translation>
     </message>
     <message>
-        <source>{file}: {what}; give {sign}--mounting {name}, or another of {known}, or auto for what the frames tell, or --mounting forward to keep its axes</source>
-        <translation>{file}: {what}; geben Sie {sign}--mounting {name} an, oder etwas anderes von {known}, oder auto für das, was die Bilder zeigen, oder --mounting forward, um seine Achsen zu behalten</translation>
-    </message>
-    <message>
-        <source>{name} does not know the clip&apos;s clock; use --sync pats (sync: --method pats) or give --offset S</source>
-        <translation>{name} kennt die Uhr des Videos nicht; nehmen Sie --sync pats (sync: --method pats), oder geben Sie --offset S an</translation>
-    </message>
-    <message>
         <source>{reason}, or set {variable} to another path</source>
         <translation>{reason}, oder setzen Sie {variable} auf einen anderen Pfad</translation>
-    </message>
-    <message>
-        <source>{share:.1%} of the force samples reach the force limit</source>
-        <translation>{share:.1%} der Kraftwerte erreichen die Grenze der Kraft</translation>
     </message>
     <message>
         <source>{share} of the motion is not valid (gaps, missing or clipped samples) and has no force</source>
@@ -10088,20 +11222,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{share} der Werte liegen an der Grenze des Sensors</translation>
     </message>
     <message>
-        <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it (--accept-unknown)</source>
-        <translation>{source}: einwandfrei, aber keine der bekannten Firmware-Dateien ({known}; SHA-256 {sha256}...); sie würde die Motoren betreiben: Sagen Sie, dass Sie das wollen (--accept-unknown)</translation>
-    </message>
-    <message>
         <source>{text!r} is not a number</source>
         <translation>{text!r} ist keine Zahl</translation>
     </message>
     <message>
         <source>{text!r} is not a participant&apos;s code</source>
         <translation>{text!r} ist kein Teilnahmecode</translation>
-    </message>
-    <message>
-        <source>{text!r} is not a serial number; it has letters and digits only, see &apos;hapticplayer device list&apos;</source>
-        <translation>{text!r} ist keine Seriennummer; sie hat nur Buchstaben und Ziffern, siehe „hapticplayer device list“</translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>
@@ -10126,10 +11252,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{what} and are marked as not valid</source>
         <translation>{what} und sind als ungültig markiert</translation>
-    </message>
-    <message>
-        <source>{what}; see --mounting</source>
-        <translation>{what}; siehe --mounting</translation>
     </message>
     <message>
         <source>{what}; {remedy}</source>

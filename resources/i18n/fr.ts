@@ -141,7 +141,7 @@
     </message>
     <message>
         <source>Other feed&amp;back…</source>
-        <translation>Autre re&amp;tour…</translation>
+        <translation>Autre re&amp;tour haptique…</translation>
     </message>
     <message>
         <source>Set up the &amp;device…</source>
@@ -157,7 +157,107 @@
     </message>
     <message>
         <source>Simulated &amp;motion rig…</source>
-        <translation>Plate-forme de &amp;mouvement simulée…</translation>
+        <translation>Plateforme de &amp;mouvement simulée…</translation>
+    </message>
+    <message>
+        <source>Effect or cursor a frame back</source>
+        <translation>Effet ou curseur une image en arrière</translation>
+    </message>
+    <message>
+        <source>Effect or cursor a frame forward</source>
+        <translation>Effet ou curseur une image en avant</translation>
+    </message>
+    <message>
+        <source>Effect ten frames or cursor 1 s back</source>
+        <translation>Effet dix images ou curseur 1 s en arrière</translation>
+    </message>
+    <message>
+        <source>Effect ten frames or cursor 1 s forward</source>
+        <translation>Effet dix images ou curseur 1 s en avant</translation>
+    </message>
+    <message>
+        <source>End of the effect a frame back</source>
+        <translation>Fin de l’effet une image en arrière</translation>
+    </message>
+    <message>
+        <source>End of the effect a frame forward</source>
+        <translation>Fin de l’effet une image en avant</translation>
+    </message>
+    <message>
+        <source>Start of the effect a frame back</source>
+        <translation>Début de l’effet une image en arrière</translation>
+    </message>
+    <message>
+        <source>Start of the effect a frame forward</source>
+        <translation>Début de l’effet une image en avant</translation>
+    </message>
+    <message>
+        <source>Cursor a frame back</source>
+        <translation>Curseur une image en arrière</translation>
+    </message>
+    <message>
+        <source>Cursor a frame forward</source>
+        <translation>Curseur une image en avant</translation>
+    </message>
+    <message>
+        <source>Cursor to the beginning</source>
+        <translation>Curseur au début</translation>
+    </message>
+    <message>
+        <source>Cursor to the end</source>
+        <translation>Curseur à la fin</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Agrandir</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Réduire</translation>
+    </message>
+    <message>
+        <source>Previous event</source>
+        <translation>Événement précédent</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Événement suivant</translation>
+    </message>
+    <message>
+        <source>Offer the effect of the event at the cursor</source>
+        <translation>Proposer l’effet de l’événement au curseur</translation>
+    </message>
+    <message>
+        <source>Switch the effect on or off</source>
+        <translation>Activer ou désactiver l’effet</translation>
+    </message>
+    <message>
+        <source>Delete the effect</source>
+        <translation>Supprimer l’effet</translation>
+    </message>
+    <message>
+        <source>Duplicate the effect</source>
+        <translation>Dupliquer l’effet</translation>
+    </message>
+    <message>
+        <source>Copy the effect</source>
+        <translation>Copier l’effet</translation>
+    </message>
+    <message>
+        <source>Paste the effect at the cursor</source>
+        <translation>Coller l’effet au curseur</translation>
+    </message>
+    <message>
+        <source>Undo the change of effects</source>
+        <translation>Annuler la modification des effets</translation>
+    </message>
+    <message>
+        <source>Redo the change of effects</source>
+        <translation>Rétablir la modification des effets</translation>
+    </message>
+    <message>
+        <source>Save the effects</source>
+        <translation>Enregistrer les effets</translation>
     </message>
     <message>
         <source>Inject fa&amp;ults…</source>
@@ -364,7 +464,7 @@
     <name>ConditionDialog</name>
     <message>
         <source>Other feedback</source>
-        <translation>Autre retour</translation>
+        <translation>Autre retour haptique</translation>
     </message>
     <message>
         <source>&amp;Play</source>
@@ -383,7 +483,7 @@
     <name>ConditionForm</name>
     <message>
         <source>Feedback</source>
-        <translation>Retour</translation>
+        <translation>Retour haptique</translation>
     </message>
     <message>
         <source>As rendered</source>
@@ -404,6 +504,88 @@
     <message>
         <source>Choose a sequence folder</source>
         <translation>Choisir le dossier d’une séquence</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionList</name>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Choose a condition</source>
+        <translation>Choisir une condition</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Conditions</translation>
+    </message>
+    <message>
+        <source>Level (delay and gain)</source>
+        <translation>Niveau (retard et gain)</translation>
+    </message>
+    <message>
+        <source>Each of them at these levels</source>
+        <translation>Chacune à ces niveaux</translation>
+    </message>
+    <message>
+        <source>Delay of the force</source>
+        <translation>Retard de la force</translation>
+    </message>
+    <message>
+        <source>Gain of the force</source>
+        <translation>Gain de la force</translation>
+    </message>
+    <message>
+        <source>Repeats of each trial</source>
+        <translation>Répétitions de chaque essai</translation>
+    </message>
+    <message>
+        <source>another condition</source>
+        <translation>autre condition</translation>
+    </message>
+    <message>
+        <source>Each sequence is played under each condition. Sessions that have begun keep theirs.</source>
+        <translation>Chaque séquence est jouée sous chaque condition. Les séances commencées gardent les leurs.</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Nom dans les données</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>Dans les données et les figures&#xa0;: a à z, 0 à 9, _ et -</translation>
+    </message>
+    <message>
+        <source>another name in the data</source>
+        <translation>autre nom dans les données</translation>
+    </message>
+    <message>
+        <source>another level</source>
+        <translation>autre niveau</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionPreview</name>
+    <message>
+        <source>Recorded force</source>
+        <translation>Force enregistrée</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Force ressentie</translation>
+    </message>
+    <message>
+        <source>Preview of the force</source>
+        <translation>Aperçu de la force</translation>
+    </message>
+    <message>
+        <source>Choose a recording for a sequence to see the force</source>
+        <translation>Choisissez un enregistrement pour une séquence afin de voir la force</translation>
+    </message>
+    <message>
+        <source>Computing the force…</source>
+        <translation>Calcul de la force…</translation>
     </message>
 </context>
 <context>
@@ -525,7 +707,7 @@
     </message>
     <message>
         <source>Platform of the rig</source>
-        <translation>Plateforme du siège</translation>
+        <translation>Plateau de la plateforme</translation>
     </message>
     <message>
         <source>Motion shown {factor}× larger</source>
@@ -733,6 +915,10 @@
     <message>
         <source>Time line</source>
         <translation>Ligne de temps</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
     </message>
     <message>
         <source>Switch off</source>
@@ -949,6 +1135,33 @@
     </message>
 </context>
 <context>
+    <name>EntryList</name>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Remove (Delete)</source>
+        <translation>Retirer (Suppr)</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Monter</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Descendre</translation>
+    </message>
+    <message>
+        <source>removal</source>
+        <translation>retrait</translation>
+    </message>
+    <message>
+        <source>another order</source>
+        <translation>autre ordre</translation>
+    </message>
+</context>
+<context>
     <name>ErrorGateway</name>
     <message>
         <source>Internal error ({kind}: {text}). The force was stopped and playback paused. See the terminal for details.</source>
@@ -1086,60 +1299,6 @@
     <message>
         <source>Window hangs, 1.3 s</source>
         <translation>Fenêtre figée, 1,3 s</translation>
-    </message>
-</context>
-<context>
-    <name>FeedbackDialog</name>
-    <message>
-        <source>Add a feedback</source>
-        <translation>Ajouter un retour</translation>
-    </message>
-    <message>
-        <source>name of the condition</source>
-        <translation>nom de la condition</translation>
-    </message>
-    <message>
-        <source>In data and figures: a to z, 0 to 9, _ and -</source>
-        <translation>Dans les données et les figures&#xa0;: a à z, 0 à 9, _ et -</translation>
-    </message>
-    <message>
-        <source>Key</source>
-        <translation>Clé</translation>
-    </message>
-    <message>
-        <source>&amp;Add</source>
-        <translation>&amp;Ajouter</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-</context>
-<context>
-    <name>FeedbackList</name>
-    <message>
-        <source>Feedbacks</source>
-        <translation>Retours</translation>
-    </message>
-    <message>
-        <source>Add…</source>
-        <translation>Ajouter…</translation>
-    </message>
-    <message>
-        <source>Choose a condition and its parameters</source>
-        <translation>Choisir une condition et ses paramètres</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Retirer</translation>
-    </message>
-    <message>
-        <source>Remove the selected feedback</source>
-        <translation>Retirer le retour sélectionné</translation>
-    </message>
-    <message>
-        <source>Each sequence is played with each of these. Sessions that have begun keep theirs.</source>
-        <translation>Chaque séquence est jouée avec chacun d’eux. Les séances commencées gardent les leurs.</translation>
     </message>
 </context>
 <context>
@@ -1326,6 +1485,41 @@
     </message>
 </context>
 <context>
+    <name>GeneralFields</name>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Hide the condition from the operator</source>
+        <translation>Cacher la condition à l’opérateur</translation>
+    </message>
+    <message>
+        <source>Use the published wording of questions where there is one</source>
+        <translation>Utiliser la formulation publiée des questions quand elle existe</translation>
+    </message>
+    <message>
+        <source>Require a real device before a session starts</source>
+        <translation>Exiger un appareil réel avant le début d’une séance</translation>
+    </message>
+    <message>
+        <source>Ask the operator whether the sound is audible</source>
+        <translation>Demander à l’opérateur si le son est audible</translation>
+    </message>
+    <message>
+        <source>Stream markers and force to other programs on this computer (LSL)</source>
+        <translation>Diffuser marqueurs et force vers d’autres programmes de cet ordinateur (LSL)</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>Langues</translation>
+    </message>
+    <message>
+        <source>other languages</source>
+        <translation>autres langues</translation>
+    </message>
+</context>
+<context>
     <name>GripView</name>
     <message>
         <source>The device has failed</source>
@@ -1454,7 +1648,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{damaged} damaged, {dropped} dropped</source>
-        <translation>{damaged} endommagées, {dropped} perdues</translation>
+        <translation>endommagées&#xa0;: {damaged}, sautées&#xa0;: {dropped}</translation>
     </message>
     <message>
         <source>FIFO</source>
@@ -1462,7 +1656,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>slice</source>
-        <translation>slice</translation>
+        <translation>tranche</translation>
     </message>
     <message>
         <source>normal</source>
@@ -1498,7 +1692,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>monotonic</source>
-        <translation>monotone</translation>
+        <translation>système</translation>
     </message>
     <message>
         <source>no data</source>
@@ -1541,7 +1735,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Scheduling class of the 1 kHz loop: FIFO is best, slice nearly as good; with normal it may be milliseconds late</source>
-        <translation>Classe d’ordonnancement de la boucle à 1 kHz&#xa0;: FIFO est la meilleure, slice presque aussi bonne&#xa0;; avec normal, elle peut avoir des millisecondes de retard</translation>
+        <translation>Classe d’ordonnancement de la boucle à 1 kHz&#xa0;: FIFO est la meilleure, tranche presque aussi bonne&#xa0;; avec normal, elle peut avoir des millisecondes de retard</translation>
     </message>
     <message>
         <source>99 % of the loop&apos;s wake-ups in the last 10 s were no later than this. Missed: skipped periods; above 1 % the force is limited to 3 N</source>
@@ -1565,11 +1759,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Frames shown on time, and dropped because they were late</source>
-        <translation>Images affichées à temps, et perdues car en retard</translation>
+        <translation>Images affichées à temps, et sautées car en retard</translation>
     </message>
     <message>
         <source>Master clock: the audio output, or the computer&apos;s monotonic clock when there is no sound</source>
-        <translation>Horloge de référence&#xa0;: la sortie audio, ou l’horloge monotone de l’ordinateur sans son</translation>
+        <translation>Horloge de référence&#xa0;: la sortie audio, ou sans son l’horloge du système</translation>
     </message>
     <message>
         <source>Real-time</source>
@@ -1589,7 +1783,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>88888 shown, 88 dropped</source>
-        <translation>88888 vues, 88 sautées</translation>
+        <translation>vues&#xa0;: 88888, sautées&#xa0;: 88</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -1597,7 +1791,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>monotonic</source>
-        <translation>monotone</translation>
+        <translation>système</translation>
     </message>
 </context>
 <context>
@@ -2022,6 +2216,45 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>LibraryChoice</name>
+    <message>
+        <source>Choose a recording</source>
+        <translation>Choisir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>There is no sequence in {folder}. Import a recording first (File &gt; Import), or choose another folder.</source>
+        <translation>Il n’y a aucune séquence dans {folder}. Importez d’abord un enregistrement (Fichier &gt; Importer un enregistrement), ou choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Choisir</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Dossier…</translation>
+    </message>
+    <message>
+        <source>Choose a sequence in another folder</source>
+        <translation>Choisir une séquence dans un autre dossier</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Sequence folder</source>
+        <translation>Dossier de séquence</translation>
+    </message>
+</context>
+<context>
     <name>LibraryDetails</name>
     <message>
         <source>Force tracks</source>
@@ -2090,6 +2323,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Adding {name}</source>
         <translation>Ajout de {name}</translation>
+    </message>
+    <message>
+        <source>{name} does not say what its haptics are (modality Other, as the published encoder writes it for sound and AHAP). What are they?</source>
+        <translation>{name} ne dit pas ce que sont ses effets haptiques (modalité Other, comme l’encodeur publié l’écrit pour le son et AHAP). Que sont-ils&#xa0;?</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>&amp;Force</translation>
+    </message>
+    <message>
+        <source>&amp;Vibration</source>
+        <translation>&amp;Vibration</translation>
+    </message>
+    <message>
+        <source>&amp;Leave them out</source>
+        <translation>Les &amp;omettre</translation>
     </message>
     <message>
         <source>Export the track</source>
@@ -2276,6 +2525,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Fixation</translation>
     </message>
     <message>
+        <source>For short recordings: the file with what a longer one of the same sensor tells of its errors</source>
+        <translation>Pour les enregistrements courts&#xa0;: le fichier de ce qu’un plus long du même capteur dit de ses erreurs</translation>
+    </message>
+    <message>
         <source>Title</source>
         <translation>Titre</translation>
     </message>
@@ -2298,10 +2551,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>None</source>
         <translation>Aucun</translation>
-    </message>
-    <message>
-        <source>For short recordings: what a longer one of the same sensor tells of it, from process --save-calibration</source>
-        <translation>Pour les enregistrements courts&#xa0;: ce qu’un plus long du même capteur dit de lui, écrit par process --save-calibration</translation>
     </message>
     <message>
         <source>Choose another library folder</source>
@@ -2328,8 +2577,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Bibliothèque</translation>
     </message>
     <message>
-        <source>The drawing shows the recorder on the actor, who faces forward; the dashed line shows which way was up, from gravity.</source>
-        <translation>Le dessin montre l’enregistreur sur la personne, qui regarde devant elle&#xa0;; la ligne pointillée indique le haut d’après la pesanteur.</translation>
+        <source>The drawing shows the recorder on the wearer, who faces forward; the dashed line shows which way was up, from gravity.</source>
+        <translation>Le dessin montre l’enregistreur sur le porteur, qui regarde devant lui&#xa0;; la ligne pointillée indique le haut d’après la pesanteur.</translation>
     </message>
     <message>
         <source>The frames show this mounting (ratio {ratio} to the next best); gravity does not contradict it.</source>
@@ -2353,11 +2602,141 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>NewStudyDialog</name>
+    <message>
+        <source>New study</source>
+        <translation>Nouvelle étude</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>For example: Bicycle rides 2026</source>
+        <translation>Par exemple&#xa0;: Parcours à vélo 2026</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>&amp;Créer</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Parcourir…</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Choisir un autre dossier</translation>
+    </message>
+    <message>
+        <source>Languages of participants</source>
+        <translation>Langues des participants</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Commencer avec</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>The study will be kept in {folder}</source>
+        <translation>L’étude sera conservée dans {folder}</translation>
+    </message>
+    <message>
+        <source>Choose where to create the study</source>
+        <translation>Choisissez où créer l’étude</translation>
+    </message>
+    <message>
+        <source>Choose a language for the participants&apos; pages</source>
+        <translation>Choisissez une langue pour les pages des participants</translation>
+    </message>
+</context>
+<context>
     <name>Numbers</name>
     <message>
         <source>yyyy-MM-dd</source>
         <extracomment>how a date is written in figures, in Qt&apos;s letters</extracomment>
         <translation>dd/MM/yyyy</translation>
+    </message>
+</context>
+<context>
+    <name>OrderPage</name>
+    <message>
+        <source>Orders</source>
+        <translation>Ordres</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Never the same sequence twice in a row</source>
+        <translation>Jamais deux fois de suite la même séquence</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>The same seed gives the same orders</source>
+        <translation>La même graine donne les mêmes ordres</translation>
+    </message>
+    <message>
+        <source>Take the orders of a file…</source>
+        <translation>Reprendre les ordres d’un fichier…</translation>
+    </message>
+    <message>
+        <source>A CSV file with order, position, sequence and feedback</source>
+        <translation>Un fichier CSV avec order, position, sequence et feedback</translation>
+    </message>
+    <message>
+        <source>Random for each participant</source>
+        <translation>Aléatoire pour chaque participant</translation>
+    </message>
+    <message>
+        <source>Latin square</source>
+        <translation>Carré latin</translation>
+    </message>
+    <message>
+        <source>Williams: balanced for carry-over</source>
+        <translation>Williams&#xa0;: équilibré pour l’effet de report</translation>
+    </message>
+    <message>
+        <source>From a table of your own (orders.csv)</source>
+        <translation>D’après votre propre tableau (orders.csv)</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Participants</translation>
+    </message>
+    <message>
+        <source>next participant</source>
+        <translation>prochain participant</translation>
+    </message>
+    <message>
+        <source>example</source>
+        <translation>exemple</translation>
+    </message>
+    <message>
+        <source>There is no order yet: see the problems below.</source>
+        <translation>Il n’y a pas encore d’ordre&#xa0;: voir les problèmes ci-dessous.</translation>
+    </message>
+    <message>
+        <source>Every participant gets an order of their own, drawn from the seed and the participant&apos;s code.</source>
+        <translation>Chaque participant reçoit son propre ordre, tiré de la graine et de son code.</translation>
+    </message>
+    <message>
+        <source>Participants get the order that was used least; that of a session which ended early is given again.</source>
+        <translation>Chaque participant reçoit l’ordre le moins utilisé&#xa0;; celui d’une séance terminée avant la fin est redonné.</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -2469,6 +2848,21 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Move up</source>
         <translation>Monter</translation>
+    </message>
+</context>
+<context>
+    <name>PagePreview</name>
+    <message>
+        <source>Full size</source>
+        <translation>Taille réelle</translation>
+    </message>
+    <message>
+        <source>Show the page on the participant&apos;s screen</source>
+        <translation>Montrer la page sur l’écran du participant</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
     </message>
 </context>
 <context>
@@ -2743,7 +3137,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>relaxed hand</source>
-        <translation>main souple</translation>
+        <translation>main détendue</translation>
     </message>
     <message>
         <source>normal hand</source>
@@ -2786,6 +3180,105 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>QuestionList</name>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Add a question to a page</source>
+        <translation>Ajouter une question à une page</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Questions</translation>
+    </message>
+    <message>
+        <source>(no wording yet)</source>
+        <translation>(pas encore de formulation)</translation>
+    </message>
+    <message>
+        <source>Wording</source>
+        <translation>Formulation</translation>
+    </message>
+    <message>
+        <source>Kind of answer</source>
+        <translation>Type de réponse</translation>
+    </message>
+    <message>
+        <source>An answer is required</source>
+        <translation>Une réponse est obligatoire</translation>
+    </message>
+    <message>
+        <source>Ask once for each kind of feedback</source>
+        <translation>Demander une fois pour chaque type de retour</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Nom dans les données</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>Dans les données et les figures&#xa0;: a à z, 0 à 9, _ et -</translation>
+    </message>
+    <message>
+        <source>Published wording</source>
+        <translation>Formulation publiée</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>At most so many characters</source>
+        <translation>Nombre maximal de caractères</translation>
+    </message>
+    <message>
+        <source>Label of 1</source>
+        <translation>Libellé de 1</translation>
+    </message>
+    <message>
+        <source>Label of 5</source>
+        <translation>Libellé de 5</translation>
+    </message>
+    <message>
+        <source>All five-point scales of a study have the same labels.</source>
+        <translation>Toutes les échelles à cinq points d’une étude ont les mêmes libellés.</translation>
+    </message>
+    <message>
+        <source>Answer {n}</source>
+        <translation>Réponse {n}</translation>
+    </message>
+    <message>
+        <source>Add an answer</source>
+        <translation>Ajouter une réponse</translation>
+    </message>
+    <message>
+        <source>Remove this answer</source>
+        <translation>Retirer cette réponse</translation>
+    </message>
+    <message>
+        <source>removal of an answer</source>
+        <translation>retrait d’une réponse</translation>
+    </message>
+    <message>
+        <source>another question</source>
+        <translation>autre question</translation>
+    </message>
+    <message>
+        <source>another kind of answer</source>
+        <translation>autre type de réponse</translation>
+    </message>
+    <message>
+        <source>another answer</source>
+        <translation>autre réponse</translation>
     </message>
 </context>
 <context>
@@ -2866,8 +3359,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Axes</translation>
     </message>
     <message>
-        <source>The device’s right, up and towards the user in the actor’s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
-        <translation>La droite, le haut et la direction de l’utilisateur de l’appareil, dans les axes de la personne qui porte l’enregistreur (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
+        <source>The device’s right, up and towards the user in the wearer’s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
+        <translation>La droite, le haut et la direction de l’utilisateur de l’appareil, dans les axes du porteur de l’enregistreur (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
     </message>
     <message>
         <source>Handlebar</source>
@@ -3064,8 +3557,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
 <context>
     <name>RenderingPicture</name>
     <message>
-        <source>Force and predicted excursion, before and after</source>
-        <translation>Force et excursion prévue, avant et après</translation>
+        <source>Force and predicted excursion: {before}, {after}</source>
+        <translation>Force et excursion prévue&#xa0;: {before}, {after}</translation>
     </message>
     <message>
         <source>Excursion from the centre: beyond {far} mm outward force is reduced, at {end} mm the workspace ends</source>
@@ -3099,8 +3592,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
 <context>
     <name>RigPanel</name>
     <message>
-        <source>Listening on this computer at the ports {ports}. Play with --device rig:outsim, or let a game send its telemetry here.</source>
-        <translation>À l’écoute sur cet ordinateur aux ports {ports}. Lisez avec --device rig:outsim, ou laissez un jeu envoyer sa télémétrie ici.</translation>
+        <source>Listening on this computer at the ports {ports}. Play on this rig, or let a game send its telemetry here.</source>
+        <translation>À l’écoute sur cet ordinateur aux ports {ports}. Lisez sur cette plateforme, ou laissez un jeu envoyer sa télémétrie ici.</translation>
     </message>
     <message>
         <source>Not listening</source>
@@ -3120,7 +3613,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Simulated motion rig</source>
-        <translation>Plate-forme de mouvement simulée</translation>
+        <translation>Plateforme de mouvement simulée</translation>
     </message>
     <message>
         <source>Close</source>
@@ -3129,6 +3622,65 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Stop listening</source>
         <translation>Ne plus écouter</translation>
+    </message>
+</context>
+<context>
+    <name>SequenceList</name>
+    <message>
+        <source>Add from the library…</source>
+        <translation>Ajouter depuis la bibliothèque…</translation>
+    </message>
+    <message>
+        <source>Choose one or several</source>
+        <translation>En choisir une ou plusieurs</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>no recording yet</source>
+        <translation>pas encore d’enregistrement</translation>
+    </message>
+    <message>
+        <source>Choose a recording…</source>
+        <translation>Choisir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Choose from the library</source>
+        <translation>Choisir dans la bibliothèque</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Nom dans les données</translation>
+    </message>
+    <message>
+        <source>In data and figures: a to z, 0 to 9, _ and -</source>
+        <translation>Dans les données et les figures&#xa0;: a à z, 0 à 9, _ et -</translation>
+    </message>
+    <message>
+        <source>Titles are for you and for figures; participants never see them.</source>
+        <translation>Les titres sont pour vous et pour les figures&#xa0;; les participants ne les voient jamais.</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Aucun pour l’instant</translation>
+    </message>
+    <message>
+        <source>another sequence</source>
+        <translation>autre séquence</translation>
+    </message>
+    <message>
+        <source>another recording</source>
+        <translation>autre enregistrement</translation>
     </message>
 </context>
 <context>
@@ -3229,6 +3781,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Terminer la séance&#xa0;; elle ne pourra pas être reprise</translation>
     </message>
     <message>
+        <source>Participant&apos;s page</source>
+        <translation>Page du participant</translation>
+    </message>
+    <message>
+        <source>Show the participant&apos;s page over this panel</source>
+        <translation>Montrer la page du participant par-dessus ce panneau</translation>
+    </message>
+    <message>
         <source>Retry saving</source>
         <translation>Réessayer d’enregistrer</translation>
     </message>
@@ -3306,6 +3866,33 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>SessionOutputs</name>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Let the session play on this device</source>
+        <translation>Faire jouer la séance sur cet appareil</translation>
+    </message>
+    <message>
+        <source>No device: participants feel nothing</source>
+        <translation>Aucun appareil&#xa0;: les participants ne sentent rien</translation>
+    </message>
+    <message>
+        <source>Remove this device</source>
+        <translation>Retirer cet appareil</translation>
+    </message>
+    <message>
+        <source>Remove {device}</source>
+        <translation>Retirer {device}</translation>
+    </message>
+    <message>
+        <source>This device is already in use</source>
+        <translation>Cet appareil est déjà utilisé</translation>
+    </message>
+</context>
+<context>
     <name>SessionWords</name>
     <message>
         <source>paused</source>
@@ -3318,6 +3905,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>safety stop ({0})</source>
         <translation>arrêt de sécurité ({0})</translation>
+    </message>
+    <message>
+        <source>an output did not play ({0})</source>
+        <translation>une sortie n’a pas joué ({0})</translation>
     </message>
     <message>
         <source>force and video out of sync</source>
@@ -3361,7 +3952,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>frames dropped</source>
-        <translation>images perdues</translation>
+        <translation>images sautées</translation>
     </message>
     <message>
         <source>no sound</source>
@@ -3378,10 +3969,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>device lost</source>
         <translation>appareil perdu</translation>
-    </message>
-    <message>
-        <source>an output did not play</source>
-        <translation>une sortie n’a pas joué</translation>
     </message>
     <message>
         <source>missed periods in the haptic loop</source>
@@ -3736,12 +4323,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Son</translation>
     </message>
     <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
+    <message>
         <source>Checks</source>
         <translation>Vérifications</translation>
     </message>
     <message>
         <source>Balance so far</source>
         <translation>Équilibre actuel</translation>
+    </message>
+    <message>
+        <source>There is one screen: from the start, the participant&apos;s page covers this panel. {keys} brings the panel back and pauses; participants are not told.</source>
+        <translation>Il n’y a qu’un écran&#xa0;: dès le début, la page du participant recouvre ce panneau. {keys} le fait revenir et met en pause&#xa0;; les participants n’en sont pas informés.</translation>
+    </message>
+    <message>
+        <source>this is the first participant</source>
+        <translation>c’est le premier participant</translation>
     </message>
     <message>
         <source>each condition {a} to {b} times at each position, {c} to {d} times after each other condition</source>
@@ -3866,72 +4465,87 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Séquences</translation>
     </message>
     <message>
-        <source>Feedbacks</source>
-        <translation>Retours</translation>
+        <source>Conditions</source>
+        <translation>Conditions</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Annuler (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo (Ctrl+Shift+Z)</source>
+        <translation>Rétablir (Ctrl+Maj+Z)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Enregistrement…</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Non enregistrée</translation>
+    </message>
+    <message>
+        <source>Saved as a draft until the problems are solved</source>
+        <translation>Enregistrée comme brouillon jusqu’à la résolution des problèmes</translation>
+    </message>
+    <message>
+        <source>Saved; not ready for participants yet</source>
+        <translation>Enregistrée&#xa0;; pas encore prête pour des participants</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Enregistrée</translation>
+    </message>
+    <message>
+        <source>Changes that were not complete were restored. Undo goes back to the last complete study.</source>
+        <translation>Des modifications incomplètes ont été restaurées. Annuler revient à la dernière étude complète.</translation>
+    </message>
+    <message>
+        <source>restored changes</source>
+        <translation>modifications restaurées</translation>
+    </message>
+    <message>
+        <source>{trials} trials for each participant, about {minutes} minutes</source>
+        <translation>{trials} essais par participant, environ {minutes} minutes</translation>
     </message>
     <message>
         <source>Questions</source>
         <translation>Questions</translation>
     </message>
     <message>
-        <source>Never the same sequence twice in a row</source>
-        <translation>Jamais deux fois de suite la même séquence</translation>
-    </message>
-    <message>
-        <source>Hide the condition from the operator</source>
-        <translation>Cacher la condition à l’opérateur</translation>
-    </message>
-    <message>
-        <source>Use the published wording where available</source>
-        <translation>Utiliser la formulation publiée si elle existe</translation>
-    </message>
-    <message>
-        <source>Stream markers and force to other programs on this computer (LSL)</source>
-        <translation>Diffuser marqueurs et force vers d’autres programmes de cet ordinateur (LSL)</translation>
-    </message>
-    <message>
-        <source>Williams: balanced for carry-over</source>
-        <translation>Williams&#xa0;: équilibré pour l’effet de report</translation>
-    </message>
-    <message>
-        <source>Choose a sequence folder</source>
-        <translation>Choisir le dossier d’une séquence</translation>
-    </message>
-    <message>
-        <source>Sequence folder</source>
-        <translation>Dossier de séquence</translation>
-    </message>
-    <message>
-        <source>Title</source>
-        <translation>Titre</translation>
-    </message>
-    <message>
         <source>Order</source>
         <translation>Ordre</translation>
     </message>
+</context>
+<context>
+    <name>StudyFields</name>
     <message>
-        <source>Seed</source>
-        <translation>Graine</translation>
+        <source>{text} ({language})</source>
+        <translation>{text} ({language})</translation>
     </message>
     <message>
-        <source>Random for each participant</source>
-        <translation>Aléatoire pour chaque participant</translation>
-    </message>
-    <message>
-        <source>Latin square</source>
-        <translation>Carré latin</translation>
-    </message>
-    <message>
-        <source>From orders.csv</source>
-        <translation>D’après orders.csv</translation>
-    </message>
-    <message>
-        <source>Browse…</source>
-        <translation>Parcourir…</translation>
-    </message>
-    <message>
-        <source> (published)</source>
-        <translation> (publié)</translation>
+        <source>change of {what}</source>
+        <translation>modification&#xa0;: {what}</translation>
     </message>
 </context>
 <context>
@@ -3957,14 +4571,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Analyser une étude…</translation>
     </message>
     <message>
-        <source>New study</source>
-        <translation>Nouvelle étude</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>Modèle</translation>
-    </message>
-    <message>
         <source>Study folder</source>
         <translation>Dossier d’étude</translation>
     </message>
@@ -3977,18 +4583,217 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>StudyWords</name>
+    <message>
+        <source>After each clip</source>
+        <translation>Après chaque clip</translation>
+    </message>
+    <message>
+        <source>Before the first clip</source>
+        <translation>Avant le premier clip</translation>
+    </message>
+    <message>
+        <source>After the last clip</source>
+        <translation>Après le dernier clip</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Consentement</translation>
+    </message>
+    <message>
+        <source>Information about the device</source>
+        <translation>Informations sur l’appareil</translation>
+    </message>
+    <message>
+        <source>Before each clip</source>
+        <translation>Avant chaque clip</translation>
+    </message>
+    <message>
+        <source>Above the questions after a clip</source>
+        <translation>Au-dessus des questions après un clip</translation>
+    </message>
+    <message>
+        <source>Above the last questions</source>
+        <translation>Au-dessus des dernières questions</translation>
+    </message>
+    <message>
+        <source>Closing words</source>
+        <translation>Mot de la fin</translation>
+    </message>
+    <message>
+        <source>How long data are kept</source>
+        <translation>Durée de conservation des données</translation>
+    </message>
+    <message>
+        <source>Button: agree to take part</source>
+        <translation>Bouton&#xa0;: accepter de participer</translation>
+    </message>
+    <message>
+        <source>Button: decline to take part</source>
+        <translation>Bouton&#xa0;: refuser de participer</translation>
+    </message>
+    <message>
+        <source>Button: next page</source>
+        <translation>Bouton&#xa0;: page suivante</translation>
+    </message>
+    <message>
+        <source>Button: start the clip</source>
+        <translation>Bouton&#xa0;: démarrer le clip</translation>
+    </message>
+    <message>
+        <source>Button: feel the device</source>
+        <translation>Bouton&#xa0;: sentir l’appareil</translation>
+    </message>
+    <message>
+        <source>Answer: yes</source>
+        <translation>Réponse&#xa0;: oui</translation>
+    </message>
+    <message>
+        <source>Answer: no</source>
+        <translation>Réponse&#xa0;: non</translation>
+    </message>
+    <message>
+        <source>Name of a feedback, before its number</source>
+        <translation>Nom d’un retour, avant son numéro</translation>
+    </message>
+    <message>
+        <source>Name of a clip, before its number</source>
+        <translation>Nom d’un clip, avant son numéro</translation>
+    </message>
+    <message>
+        <source>Mark of a question that may stay open</source>
+        <translation>Marque d’une question qui peut rester sans réponse</translation>
+    </message>
+    <message>
+        <source>Message: a question is not answered</source>
+        <translation>Message&#xa0;: une question est sans réponse</translation>
+    </message>
+    <message>
+        <source>Message: bring the grip to the centre</source>
+        <translation>Message&#xa0;: ramener la poignée au centre</translation>
+    </message>
+    <message>
+        <source>Page: paused</source>
+        <translation>Page&#xa0;: en pause</translation>
+    </message>
+    <message>
+        <source>Button: resume</source>
+        <translation>Bouton&#xa0;: reprendre</translation>
+    </message>
+    <message>
+        <source>Button: end early</source>
+        <translation>Bouton&#xa0;: terminer avant la fin</translation>
+    </message>
+    <message>
+        <source>Page: ended early</source>
+        <translation>Page&#xa0;: terminé avant la fin</translation>
+    </message>
+    <message>
+        <source>Page: answers cannot be saved</source>
+        <translation>Page&#xa0;: les réponses ne peuvent pas être enregistrées</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Conditions</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveaux</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Buttons and messages</source>
+        <translation>Boutons et messages</translation>
+    </message>
+    <message>
+        <source>Labels of the scale</source>
+        <translation>Libellés de l’échelle</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>Langues</translation>
+    </message>
+    <message>
+        <source>Published wording</source>
+        <translation>Formulation publiée</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Vérifications</translation>
+    </message>
+    <message>
+        <source>Name in the data</source>
+        <translation>Nom dans les données</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Wording</source>
+        <translation>Formulation</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Réponses</translation>
+    </message>
+    <message>
+        <source>Smallest number</source>
+        <translation>Plus petit nombre</translation>
+    </message>
+    <message>
+        <source>Largest number or length</source>
+        <translation>Plus grand nombre ou longueur maximale</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Lower end</source>
+        <translation>Extrémité basse</translation>
+    </message>
+    <message>
+        <source>Upper end</source>
+        <translation>Extrémité haute</translation>
+    </message>
+</context>
+<context>
     <name>SuggestionBox</name>
     <message>
         <source>S&amp;uggest motion from the picture (estimate)</source>
         <translation>S&amp;uggérer un mouvement d’après l’image (estimation)</translation>
     </message>
     <message>
-        <source>Expect to feel turns of a vehicle, and steps when walking or riding; braking, knocks and potholes will be missing. Nothing measures this motion: set its strength by hand with the gain, and do not use it in a study without saying so.</source>
-        <translation>Vous sentirez les virages d’un véhicule et les pas à pied ou à cheval&#xa0;; freinages, chocs et nids-de-poule manqueront. Rien ne mesure ce mouvement&#xa0;: réglez sa force à la main avec le gain, et ne l’utilisez pas dans une étude sans le dire.</translation>
+        <source>Expect to feel turns of a vehicle, and steps when walking or riding; braking, knocks and potholes will be missing. Nothing measures this motion: set its strength by hand with the gain, and do not use it in a study without saying so. Slow motion and time lapse are taken as they play.</source>
+        <translation>Vous sentirez les virages d’un véhicule et les pas à pied ou à cheval&#xa0;; freinages, chocs et nids-de-poule manqueront. Rien ne mesure ce mouvement&#xa0;: réglez sa force à la main avec le gain, et ne l’utilisez pas dans une étude sans le dire. Le ralenti et l’accéléré sont pris tels qu’ils sont lus.</translation>
     </message>
     <message>
-        <source>This needs OpenCV; `hapticplayer doctor` shows how to install it.</source>
-        <translation>Cela nécessite OpenCV&#xa0;; `hapticplayer doctor` montre comment l’installer.</translation>
+        <source>This needs OpenCV; Help &gt; System check shows how to install it.</source>
+        <translation>Cela nécessite OpenCV&#xa0;; Aide &gt; Vérification du système montre comment l’installer.</translation>
     </message>
     <message>
         <source>Choose its motion log above, if there is one.</source>
@@ -4063,7 +4868,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Tap marks found (confidence {confidence}, residual {ms} ms).</source>
-        <translation>Tapes trouvées (confiance {confidence}, résidu {ms} ms).</translation>
+        <translation>Tapotements trouvés (confiance {confidence}, résidu {ms} ms).</translation>
     </message>
     <message>
         <source>The tap marks are uncertain (confidence {confidence}). Check that the same events line up, and drag them if not.</source>
@@ -4071,11 +4876,23 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>No three taps found in both sound and motion; drag manually.</source>
-        <translation>Pas de triple tapotement à la fois dans le son et le mouvement&#xa0;; alignez à la main.</translation>
+        <translation>Pas de trois tapotements à la fois dans le son et le mouvement&#xa0;; alignez à la main.</translation>
     </message>
     <message>
         <source>Method</source>
         <translation>Méthode</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>Slow motion</source>
+        <translation>Ralenti</translation>
+    </message>
+    <message>
+        <source>How many times slower than it was recorded the video plays: 8 if 240 frames per second play at 30; below 1 for a time lapse</source>
+        <translation>Combien de fois la vidéo est plus lente que la prise de vue&#xa0;: 8 si 240 images par seconde sont lues à 30&#xa0;; moins de 1 pour un accéléré</translation>
     </message>
     <message>
         <source>&amp;Whole clip</source>
@@ -4102,8 +4919,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Méthode</translation>
     </message>
     <message>
+        <source>Slow mo&amp;tion</source>
+        <translation>Ralen&amp;ti</translation>
+    </message>
+    <message>
         <source>Drag the log&apos;s curves until they line up with the clip&apos;s; the arrow keys move them by 1 ms, with Shift 10 ms, with Ctrl 100 ms. The wheel zooms. The frame shown is the one at the cursor; comma and period move it.</source>
-        <translation>Faites glisser les courbes de l’enregistrement jusqu’à ce qu’elles s’alignent sur celles de la vidéo&#xa0;; les flèches les déplacent de 1 ms, avec Maj 10 ms, avec Ctrl 100 ms. La molette zoome. L’image affichée est celle du curseur&#xa0;; la virgule et le point le déplacent.</translation>
+        <translation>Faites glisser les courbes du journal jusqu’à ce qu’elles s’alignent sur celles du clip&#xa0;; les flèches les déplacent de 1 ms, avec Maj 10 ms, avec Ctrl 100 ms. La molette zoome. L’image affichée est celle du curseur&#xa0;; la virgule et le point le déplacent.</translation>
     </message>
     <message>
         <source>sound</source>
@@ -4122,8 +4943,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>gyroscope</translation>
     </message>
     <message>
+        <source>{why}. Check below how much slower it plays than it was recorded (1: it does not), then enter the offset, or drag the log&apos;s curves.</source>
+        <translation>{why}. Vérifiez ci-dessous combien de fois elle est plus lente que la prise de vue (1&#xa0;: elle ne l’est pas), puis saisissez le décalage, ou faites glisser les courbes du journal.</translation>
+    </message>
+    <message>
         <source>Enter the offset, or drag the log&apos;s curves.</source>
-        <translation>Saisissez le décalage, ou faites glisser les courbes de l’enregistrement.</translation>
+        <translation>Saisissez le décalage, ou faites glisser les courbes du journal.</translation>
     </message>
     <message>
         <source>Check the offset: {why}.</source>
@@ -4131,11 +4956,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{recorder} records its motion with the clip.</source>
-        <translation>{recorder} enregistre son mouvement avec la vidéo.</translation>
+        <translation>{recorder} enregistre son mouvement avec le clip.</translation>
     </message>
     <message>
         <source>The rotation in the frames fits the log nowhere. Is it the log of this clip, and the video not stabilised? Drag manually.</source>
-        <translation>La rotation dans les images ne correspond nulle part à l’enregistrement. Est-ce bien celui de cette vidéo, et la vidéo n’est-elle pas stabilisée&#xa0;? Alignez à la main.</translation>
+        <translation>La rotation dans les images ne correspond nulle part au journal. Est-ce bien celui de ce clip, et la vidéo n’est-elle pas stabilisée&#xa0;? Alignez à la main.</translation>
     </message>
     <message>
         <source>The frames are uncertain (confidence {confidence}): the gyro explains {share} % of the rotation ({doubt}). Check that both line up, and drag if not.</source>
@@ -4173,11 +4998,30 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>SyncStrip</name>
     <message>
         <source>Clip and log over time</source>
-        <translation>Vidéo et enregistrement au fil du temps</translation>
+        <translation>Clip et journal au fil du temps</translation>
     </message>
     <message>
         <source>{time} s</source>
         <translation>{time} s</translation>
+    </message>
+</context>
+<context>
+    <name>TextList</name>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Buttons and messages</source>
+        <translation>Boutons et messages</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>{code} stands for the participant&apos;s code, {minutes} for the expected duration, {trials} and {feedbacks} for their numbers, {feel} for the label of the button that plays the demonstration.</source>
+        <translation>{code} représente le code du participant, {minutes} la durée prévue, {trials} et {feedbacks} leur nombre, {feel} le libellé du bouton qui joue la démonstration.</translation>
     </message>
 </context>
 <context>
@@ -4230,7 +5074,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Feedback</source>
-        <translation>Retour</translation>
+        <translation>Retour haptique</translation>
     </message>
     <message>
         <source>Device</source>
@@ -4359,14 +5203,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>_LargePage</name>
+    <message>
+        <source>Close the preview (Esc)</source>
+        <translation>Fermer l’aperçu (Échap)</translation>
+    </message>
+</context>
+<context>
+    <name>_Picture</name>
+    <message>
+        <source>The page as the participant sees it</source>
+        <translation>La page telle que le participant la voit</translation>
+    </message>
+</context>
+<context>
     <name>_Question</name>
     <message>
         <source>Answer</source>
         <translation>Réponse</translation>
     </message>
     <message>
-        <source>KEY=VALUE, separated by spaces</source>
-        <translation>CLÉ=VALEUR, séparées par des espaces</translation>
+        <source>Another answer, written like those above</source>
+        <translation>Une autre réponse, écrite comme celles du dessus</translation>
     </message>
     <message>
         <source>&amp;Answer</source>
@@ -4428,22 +5286,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>1 ligne est endommagée et a été omise (la première&#xa0;: ligne {line})</translation>
     </message>
     <message>
-        <source>--largest must be between 3 and {most}</source>
-        <translation>--largest doit être compris entre 3 et {most}</translation>
-    </message>
-    <message>
-        <source>--offset {offset_s:.3f} ({by})</source>
-        <translation>--offset {offset_s:.3f} ({by})</translation>
-    </message>
-    <message>
-        <source>--read-as {sign}, or </source>
-        <translation>--read-as {sign}, ou </translation>
-    </message>
-    <message>
-        <source>--studies must be between {least} and {most}</source>
-        <translation>--studies doit être compris entre {least} et {most}</translation>
-    </message>
-    <message>
         <source>Broken pipe</source>
         <translation>la connexion est rompue</translation>
     </message>
@@ -4464,8 +5306,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la mémoire ne suffit pas</translation>
     </message>
     <message>
+        <source>Choice</source>
+        <translation>Choix</translation>
+    </message>
+    <message>
+        <source>Connect its USB cable and its power supply. The settings choose another axis, or reverse the direction.</source>
+        <translation>Branchez le câble USB et l’alimentation. Les réglages choisissent un autre axe ou inversent le sens.</translation>
+    </message>
+    <message>
+        <source>Connect the amplifier of the shakers to the sound output. By default channels 1 and 2 play; the settings choose others.</source>
+        <translation>Branchez l’amplificateur des vibreurs sur la sortie son. Par défaut, les canaux 1 et 2 jouent&#xa0;; les réglages en choisissent d’autres.</translation>
+    </message>
+    <message>
         <source>Connection timed out</source>
         <translation>pas de réponse à temps</translation>
+    </message>
+    <message>
+        <source>Consistency of force and video</source>
+        <translation>Concordance de la force et de la vidéo</translation>
     </message>
     <message>
         <source>Device or resource busy</source>
@@ -4494,6 +5352,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>File too large</source>
         <translation>le fichier est trop grand</translation>
+    </message>
+    <message>
+        <source>Five-point scale</source>
+        <translation>Échelle à cinq points</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -4564,6 +5426,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Seule l’image bouge.</translation>
     </message>
     <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
         <source>Operation not permitted</source>
         <translation>ce n’est pas permis</translation>
     </message>
@@ -4574,6 +5440,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Permission denied</source>
         <translation>accès refusé</translation>
+    </message>
+    <message>
+        <source>Quality of experience</source>
+        <translation>Qualité d’expérience</translation>
     </message>
     <message>
         <source>Random</source>
@@ -4592,6 +5462,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Réaliste</translation>
     </message>
     <message>
+        <source>Recorded force and controls</source>
+        <translation>Force enregistrée et contrôles</translation>
+    </message>
+    <message>
         <source>Sensor Logger ({system})</source>
         <translation>Sensor Logger ({system})</translation>
     </message>
@@ -4605,7 +5479,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Tap marks</source>
-        <translation>Tapes</translation>
+        <translation>Tapotements</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
     </message>
     <message>
         <source>The compass is ignored: the file does not declare its axes.</source>
@@ -4628,6 +5506,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Les horodatages du mouvement s’écartent des images de {lag_ms:+.1f} ms (± {sigma_ms:.2f} ms), mesuré d’après l’orientation que la caméra enregistre à chaque image (CORI)&#xa0;; c’est corrigé.</translation>
     </message>
     <message>
+        <source>The protocol of Danieau et al. (2012): each clip with the recorded force, without force and with a random one; four questions after each.</source>
+        <translation>Le protocole de Danieau et al. (2012)&#xa0;: chaque clip avec la force enregistrée, sans force et avec une force aléatoire&#xa0;; quatre questions après chacun.</translation>
+    </message>
+    <message>
+        <source>The recorded force earlier or later than the video; after each clip, whether both went together.</source>
+        <translation>La force enregistrée en avance ou en retard sur la vidéo&#xa0;; après chaque clip, si les deux allaient ensemble.</translation>
+    </message>
+    <message>
+        <source>The same questions; the recorded force beside no force, the force of another clip, and the recorded force half a second late.</source>
+        <translation>Les mêmes questions&#xa0;; la force enregistrée à côté d’aucune force, de la force d’un autre clip et de la force enregistrée en retard d’une demi-seconde.</translation>
+    </message>
+    <message>
         <source>This camera does not timestamp its samples: they are {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms) off the frames, measured from the rotation in the frames; this is corrected.</source>
         <translation>Cette caméra n’horodate pas ses mesures&#xa0;: elles s’écartent des images de {lag_ms:+.1f} ms (± {sigma_ms:.1f} ms), mesuré d’après la rotation dans les images&#xa0;; c’est corrigé.</translation>
     </message>
@@ -4646,6 +5536,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Ultimate IMU, stock firmware</source>
         <translation>Ultimate IMU, micrologiciel d’origine</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>Oui ou non</translation>
     </message>
     <message>
         <source>`study status` lists them</source>
@@ -4670,6 +5564,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>a cutoff of {cutoff_hz:g} Hz is not below half the rate of the samples, {half_rate_hz:.4g} Hz</source>
         <translation>une fréquence de coupure de {cutoff_hz:g} Hz n’est pas inférieure à la moitié de la cadence des mesures, {half_rate_hz:.4g} Hz</translation>
+    </message>
+    <message>
+        <source>a device is left out: {reason}</source>
+        <translation>un appareil est omis&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>a direction of length 0 was taken as x {x:.2f}, y {y:.2f}, z {z:.2f}</source>
@@ -4698,6 +5596,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>a number</source>
         <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a part of it was recorded faster (Super Slow-mo)</source>
+        <translation>une partie a été filmée plus vite (Super Slow-mo)</translation>
     </message>
     <message>
         <source>a sensor of {rate_hz:g} Hz averaged to {log_hz:g} Hz; give rates above 0, the second not above the first</source>
@@ -4788,6 +5690,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>une autre entrée a ce numéro</translation>
     </message>
     <message>
+        <source>answers</source>
+        <translation>réponses</translation>
+    </message>
+    <message>
         <source>applied as given: {answers}</source>
         <translation>appliqué comme indiqué&#xa0;: {answers}</translation>
     </message>
@@ -4810,6 +5716,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>as the edit list cuts the video</source>
         <translation>selon la coupe de la vidéo par la liste de montage</translation>
+    </message>
+    <message>
+        <source>ask for a file that was packed with it</source>
+        <translation>demandez un fichier empaqueté avec lui</translation>
+    </message>
+    <message>
+        <source>ask for the file again, or accept it</source>
+        <translation>redemandez le fichier, ou acceptez-le</translation>
+    </message>
+    <message>
+        <source>ask for the file again, or agree</source>
+        <translation>redemandez le fichier, ou donnez votre accord</translation>
     </message>
     <message>
         <source>at the beginning</source>
@@ -4838,6 +5756,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>axes={axes}, or the axes that were right, front, up</source>
         <translation>axes={axes} ou ce qui était autrement droite, avant, haut</translation>
+    </message>
+    <message>
+        <source>axis without an id</source>
+        <translation>axe sans identifiant</translation>
     </message>
     <message>
         <source>begin the file with {header}</source>
@@ -4916,6 +5838,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>changez les droits du fichier</translation>
     </message>
     <message>
+        <source>changes of the frequency within a second</source>
+        <translation>les variations de la fréquence en moins d’une seconde</translation>
+    </message>
+    <message>
         <source>check the name and the folder</source>
         <translation>vérifiez le nom et le dossier</translation>
     </message>
@@ -4932,16 +5858,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez une vidéo avec du son</translation>
     </message>
     <message>
+        <source>choose a device first</source>
+        <translation>choisissez d’abord un appareil</translation>
+    </message>
+    <message>
         <source>choose a file</source>
         <translation>choisissez un fichier</translation>
     </message>
     <message>
         <source>choose a file that was exported by it</source>
         <translation>choisissez un fichier qu’il a exporté</translation>
-    </message>
-    <message>
-        <source>choose a log that `play --log` wrote</source>
-        <translation>choisissez un journal que `play --log` a écrit</translation>
     </message>
     <message>
         <source>choose another file</source>
@@ -5048,10 +5974,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les pannes ne peuvent être injectées que dans un appareil simulé ouvert à cet effet</translation>
     </message>
     <message>
-        <source>film something with detail, or use --sync pats (sync: --method pats)</source>
-        <translation>filmez quelque chose de détaillé, ou utilisez --sync pats (sync&#xa0;: --method pats)</translation>
-    </message>
-    <message>
         <source>has an invalid header</source>
         <translation>a un en-tête non valide</translation>
     </message>
@@ -5086,10 +6008,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>ended</source>
         <translation>terminée</translation>
-    </message>
-    <message>
-        <source>enter it under sequences, or with `study new --sequence KEY=FOLDER`</source>
-        <translation>inscrivez-le sous sequences, ou avec `study new --sequence KEY=FOLDER`</translation>
     </message>
     <message>
         <source>every sequence needs its track {name!r}</source>
@@ -5184,10 +6102,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>gcsv de {logger}</translation>
     </message>
     <message>
-        <source>give --offset S, the media time at which the log&apos;s clock reads 0</source>
-        <translation>donnez --offset S, le temps du média où l’horloge du journal indique 0</translation>
-    </message>
-    <message>
         <source>give a frequency in Hz</source>
         <translation>donnez une fréquence en Hz</translation>
     </message>
@@ -5218,10 +6132,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give a recording with at least two samples</source>
         <translation>donnez un enregistrement d’au moins deux mesures</translation>
-    </message>
-    <message>
-        <source>give another --offset</source>
-        <translation>donnez un autre --offset</translation>
     </message>
     <message>
         <source>give at least {least_hz:g} samples a second</source>
@@ -5308,6 +6218,106 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>selon la pesanteur, {sign}{axis} de l’enregistreur était en haut, pas son z</translation>
     </message>
     <message>
+        <source>, or {sign}</source>
+        <translation>, ou {sign}</translation>
+    </message>
+    <message>
+        <source>choose a folder with write permission</source>
+        <translation>choisissez un dossier où vous pouvez écrire</translation>
+    </message>
+    <message>
+        <source>choose a folder; a part of this path is a file or a dead link</source>
+        <translation>choisissez un dossier&#xa0;; une partie de ce chemin est un fichier ou un lien mort</translation>
+    </message>
+    <message>
+        <source>choose a playback log</source>
+        <translation>choisissez un journal de lecture</translation>
+    </message>
+    <message>
+        <source>choose a refresh rate of 30 Hz or more</source>
+        <translation>choisissez une fréquence de rafraîchissement de 30 Hz ou plus</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>choisissez un nom plus court</translation>
+    </message>
+    <message>
+        <source>choose another file, or replace it</source>
+        <translation>choisissez un autre fichier, ou remplacez-le</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>choose another place; the report was printed</source>
+        <translation>choisissez un autre emplacement&#xa0;; le rapport a été affiché</translation>
+    </message>
+    <message>
+        <source>choose its folder</source>
+        <translation>choisissez son dossier</translation>
+    </message>
+    <message>
+        <source>choose one</source>
+        <translation>choisissez-en un</translation>
+    </message>
+    <message>
+        <source>choose the mounting: right, front and up of the wearer</source>
+        <translation>choisissez la fixation&#xa0;: droite, avant et haut du porteur</translation>
+    </message>
+    <message>
+        <source>close other programs, or give pings more time in Intiface</source>
+        <translation>fermez d’autres programmes, ou laissez plus de temps aux pings dans Intiface</translation>
+    </message>
+    <message>
+        <source>compare sound and motion by eye, then enter the offset</source>
+        <translation>comparez à l’œil le son et le mouvement, puis saisissez le décalage</translation>
+    </message>
+    <message>
+        <source>each tick of the device</source>
+        <translation>chaque période de l’appareil</translation>
+    </message>
+    <message>
+        <source>effects without a time begin at 0 s</source>
+        <translation>les effets sans temps commencent à 0 s</translation>
+    </message>
+    <message>
+        <source>enter another offset</source>
+        <translation>saisissez un autre décalage</translation>
+    </message>
+    <message>
+        <source>enter the media time at which the log&apos;s clock reads 0</source>
+        <translation>saisissez le temps du média où l’horloge du journal indique 0</translation>
+    </message>
+    <message>
+        <source>enter what is asked for by hand</source>
+        <translation>saisissez à la main ce qui est demandé</translation>
+    </message>
+    <message>
+        <source>export it again as PCM of 16, 24 or 32 bits, of up to {most} channels</source>
+        <translation>exportez-le de nouveau en PCM de 16, 24 ou 32 bits, avec {most} canaux au plus</translation>
+    </message>
+    <message>
+        <source>film something with detail, or use the taps</source>
+        <translation>filmez quelque chose de détaillé, ou utilisez les tapotements</translation>
+    </message>
+    <message>
+        <source>free {need_mb} MB there</source>
+        <translation>libérez-y {need_mb} Mo</translation>
+    </message>
+    <message>
+        <source>give its log, too, and {option} if asked</source>
+        <translation>donnez aussi son journal, et {option} si cela est demandé</translation>
+    </message>
+    <message>
+        <source>give the log of a motion sensor, too</source>
+        <translation>donnez aussi le journal d’un capteur de mouvement</translation>
+    </message>
+    <message>
+        <source>give the log, too, or have the motion estimated from the frames</source>
+        <translation>donnez aussi le journal, ou faites estimer le mouvement d’après les images</translation>
+    </message>
+    <message>
         <source>gravity seems to be removed already: give the acceleration with gravity</source>
         <translation>la pesanteur semble déjà retirée&#xa0;: donnez l’accélération avec la pesanteur</translation>
     </message>
@@ -5324,6 +6334,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>gyroscope</translation>
     </message>
     <message>
+        <source>has an unusual format ({bits} bits in {block} bytes for {channels} channels, {rate_hz} Hz)</source>
+        <translation>a un format inhabituel ({bits} bits dans {block} octets pour {channels} canaux, {rate_hz} Hz)</translation>
+    </message>
+    <message>
         <source>has changed since it was written (its checksum differs)</source>
         <translation>a changé depuis son écriture (sa somme de contrôle diffère)</translation>
     </message>
@@ -5338,6 +6352,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has no answers yet</source>
         <translation>n’a pas encore de réponses</translation>
+    </message>
+    <message>
+        <source>has no recording yet</source>
+        <translation>n’a pas encore d’enregistrement</translation>
     </message>
     <message>
         <source>has no timestamps, and its firmware has no fixed rate</source>
@@ -5420,6 +6438,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient aucun journal connu</translation>
     </message>
     <message>
+        <source>holds no order</source>
+        <translation>ne contient aucun ordre</translation>
+    </message>
+    <message>
+        <source>holds no positions that are read ({first})</source>
+        <translation>ne contient aucune position lisible ({first})</translation>
+    </message>
+    <message>
         <source>holds no settings of this program</source>
         <translation>ne contient pas de réglages de ce programme</translation>
     </message>
@@ -5446,6 +6472,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>if it is in g, multiply it by 9.80665; if gravity was removed already, give the acceleration with gravity</source>
         <translation>si c’est en g, multipliez par 9.80665&#xa0;; si la pesanteur a déjà été retirée, donnez l’accélération avec la pesanteur</translation>
+    </message>
+    <message>
+        <source>import a recording, or ask for a file with its motion</source>
+        <translation>importez un enregistrement, ou demandez un fichier avec son mouvement</translation>
     </message>
     <message>
         <source>import it again</source>
@@ -5776,10 +6806,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ligne {number}</translation>
     </message>
     <message>
-        <source>compare sound and motion with `hapticplayer sync --plot FILE`, then give --offset S</source>
-        <translation>regardez `hapticplayer sync` avec --plot FILE, puis donnez --offset S</translation>
-    </message>
-    <message>
         <source>look for values far beyond what a sensor can measure</source>
         <translation>cherchez des valeurs bien au-delà de ce qu’un capteur peut mesurer</translation>
     </message>
@@ -5814,10 +6840,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>names {count} columns, the table has {total} ({shown})</source>
         <translation>nomme {count} colonnes, le tableau en a {total} ({shown})</translation>
-    </message>
-    <message>
-        <source>the log is not synchronised: its clock is taken as media time; give --offset S</source>
-        <translation>le journal n’est pas synchronisé&#xa0;: son horloge est prise comme temps du média&#x202f;; donnez --offset S</translation>
     </message>
     <message>
         <source>no Falcon is plugged in</source>
@@ -5986,10 +7008,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Connect its power supply and its USB cable.</source>
         <translation>Branchez l’alimentation et le câble USB.</translation>
-    </message>
-    <message>
-        <source>Connect the amplifier of the shakers to the sound output. By default channels 1 and 2 play; pulse,channels=3+4 chooses others.</source>
-        <translation>Branchez l’amplificateur des vibreurs sur la sortie son. Par défaut, les canaux 1 et 2 jouent&#xa0;; pulse,channels=3+4 en choisit d’autres.</translation>
     </message>
     <message>
         <source>Connect the board, and add yourself to the group dialout.</source>
@@ -6173,7 +7191,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Motion rig</source>
-        <translation>Plateforme mobile</translation>
+        <translation>Plateforme de mouvement</translation>
     </message>
     <message>
         <source>Nobody sits on it yet; its emergency stop is at hand.</source>
@@ -6408,16 +7426,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un effet se trouve en dehors de tout clip</translation>
     </message>
     <message>
-        <source>ask for a file that was packed with --with-motion</source>
-        <translation>demandez un fichier empaqueté avec --with-motion</translation>
-    </message>
-    <message>
         <source>ask for the file again</source>
         <translation>redemandez le fichier</translation>
-    </message>
-    <message>
-        <source>ask for the file again, or accept it with --accept-changed-video</source>
-        <translation>redemandez le fichier, ou acceptez-le avec --accept-changed-video</translation>
     </message>
     <message>
         <source>at most {most} effects in a list</source>
@@ -6425,7 +7435,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>audio of three channels, for transducers</source>
-        <translation>audio à trois canaux, pour transducteurs</translation>
+        <translation>audio de trois canaux, pour vibreurs</translation>
     </message>
     <message>
         <source>cannot be copied into {kind} without changing its video</source>
@@ -6469,15 +7479,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>choose an address of this machine and a free port</source>
-        <translation>choisissez une adresse de cette machine et un port libre</translation>
+        <translation>choisissez une adresse de cet ordinateur et un port libre</translation>
     </message>
     <message>
         <source>choose another clip</source>
         <translation>choisissez un autre clip</translation>
-    </message>
-    <message>
-        <source>choose another file, or replace it with --overwrite</source>
-        <translation>choisissez un autre fichier, ou remplacez-le avec --overwrite</translation>
     </message>
     <message>
         <source>choose another format</source>
@@ -6700,10 +7706,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>donnez à &quot;realistic&quot; le paramètre &quot;effects&quot;: &quot;off&quot;</translation>
     </message>
     <message>
-        <source>give --mounting (right, front and up of the actor)</source>
-        <translation>donnez --mounting (droite, avant et haut de la personne)</translation>
-    </message>
-    <message>
         <source>give a recording of sensors that worked</source>
         <translation>donnez un enregistrement dont les capteurs fonctionnaient</translation>
     </message>
@@ -6718,14 +7720,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give the folder of one of them instead</source>
         <translation>donnez plutôt le dossier de l’un d’eux</translation>
-    </message>
-    <message>
-        <source>give the log with --imu LOG, and {option} if asked</source>
-        <translation>donnez le journal avec --imu LOG, et {option} là où c’est demandé</translation>
-    </message>
-    <message>
-        <source>give the log with --imu LOG, or have the motion estimated from the picture with --suggest-motion</source>
-        <translation>donnez le journal avec --imu LOG, ou faites estimer le mouvement d’après l’image avec --suggest-motion</translation>
     </message>
     <message>
         <source>give the times in seconds of media time</source>
@@ -6762,10 +7756,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>has a row for each reading of one sensor (column {number} holds {names})</source>
         <translation>a une ligne par mesure d’un seul capteur (la colonne {number} contient {names})</translation>
-    </message>
-    <message>
-        <source>has an unusual format ({bits} bits in {block} bytes for {channels} channels)</source>
-        <translation>a un format inhabituel ({bits} bits dans {block} octets pour {channels} canaux)</translation>
     </message>
     <message>
         <source>has decimal commas between commas: {count} cells below {names} names</source>
@@ -6830,10 +7820,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>holds two attachments of one name</source>
         <translation>contient deux pièces jointes du même nom</translation>
-    </message>
-    <message>
-        <source>import a recording, or ask for a file that was packed --with-motion</source>
-        <translation>importez un enregistrement, ou demandez un fichier empaqueté --with-motion</translation>
     </message>
     <message>
         <source>in test, or being set up</source>
@@ -6916,6 +7902,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>est tronqué dans son en-tête</translation>
     </message>
     <message>
+        <source>it has more than {most} boxes</source>
+        <translation>elle a plus de {most} boîtes</translation>
+    </message>
+    <message>
+        <source>it is a time lapse or TimeWarp (GoPro&apos;s rate: {rate})</source>
+        <translation>c’est un accéléré ou un TimeWarp (cadence de la GoPro&#xa0;: {rate})</translation>
+    </message>
+    <message>
         <source>it looks like microseconds: divide time_s by 1000000</source>
         <translation>cela ressemble à des microsecondes&#xa0;: divisez time_s par 1000000</translation>
     </message>
@@ -6936,6 +7930,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ses en-têtes sont trop grands</translation>
     </message>
     <message>
+        <source>its lines end with CR alone</source>
+        <translation>ses lignes se terminent par CR seul</translation>
+    </message>
+    <message>
         <source>its positions of {axis} go from 0 to 1, but a funscript&apos;s go to 100</source>
         <translation>ses positions de {axis} vont de 0 à 1, mais celles d’un funscript vont jusqu’à 100</translation>
     </message>
@@ -6946,6 +7944,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>its telemetry has no usable timestamps and too few payloads ({count}) to tell the rate of its sensors</source>
         <translation>la télémétrie n’a pas d’horodatage utilisable et trop peu de blocs ({count}) pour déterminer la fréquence de ses capteurs</translation>
+    </message>
+    <message>
+        <source>its times of {axis} look like seconds, but a funscript&apos;s are milliseconds</source>
+        <translation>ses temps de {axis} semblent être des secondes, mais ceux d’un funscript sont des millisecondes</translation>
     </message>
     <message>
         <source>its video ({codec}) holds no motion vectors that can be read</source>
@@ -6964,8 +7966,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas ce qu’il faut exporter</translation>
     </message>
     <message>
+        <source>make another of it with: {command}</source>
+        <translation>faites-en un autre avec&#xa0;: {command}</translation>
+    </message>
+    <message>
         <source>mapping axes must be a rotation (orthogonal, determinant +1)</source>
-        <translation>les axes de la transformation doivent être une rotation (orthogonale, déterminant +1)</translation>
+        <translation>les axes de la correspondance doivent être une rotation (orthogonale, déterminant +1)</translation>
     </message>
     <message>
         <source>method</source>
@@ -6984,8 +7990,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mouvement sans gravité</translation>
     </message>
     <message>
+        <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the wearer in the recorder&apos;s axes</source>
+        <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut du porteur dans les axes de l’enregistreur</translation>
+    </message>
+    <message>
         <source>multiply its positions by 100</source>
         <translation>multipliez ses positions par 100</translation>
+    </message>
+    <message>
+        <source>multiply its times by 1000</source>
+        <translation>multipliez ses temps par 1000</translation>
     </message>
     <message>
         <source>must be at least {limit}</source>
@@ -7050,6 +8064,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no motion can be estimated from its picture ({why})</source>
         <translation>aucun mouvement ne peut être estimé d’après son image ({why})</translation>
+    </message>
+    <message>
+        <source>no offset is given, which this method needs</source>
+        <translation>aucun décalage n’est donné, alors que cette méthode en demande un</translation>
+    </message>
+    <message>
+        <source>nobody feels a simulated device: choose a real one, or let the study do without (its first page in the editor)</source>
+        <translation>personne ne sent un appareil simulé&#xa0;: choisissez-en un réel, ou laissez l’étude s’en passer (première page de l’éditeur)</translation>
     </message>
     <message>
         <source>nobody listens at {address}: start the rig&apos;s software</source>
@@ -7120,10 +8142,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>d’autres décalages conviennent presque aussi bien</translation>
     </message>
     <message>
-        <source>otherwise give --offset S</source>
-        <translation>sinon, donnez --offset S</translation>
-    </message>
-    <message>
         <source>parts of the clip give different offsets</source>
         <translation>des parties de la vidéo donnent des décalages différents</translation>
     </message>
@@ -7188,10 +8206,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>enregistrez encore une fois avec le capteur de pesanteur</translation>
     </message>
     <message>
-        <source>record at 100 Hz or more, or give --offset S</source>
-        <translation>enregistrez à 100 Hz ou plus, ou donnez --offset S</translation>
-    </message>
-    <message>
         <source>record at least {least} s</source>
         <translation>enregistrez au moins {least} s</translation>
     </message>
@@ -7218,10 +8232,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>record with a camera that stores its motion, or give an IMU log</source>
         <translation>filmez avec une caméra qui enregistre son mouvement, ou donnez un journal d’IMU</translation>
-    </message>
-    <message>
-        <source>record with sound, or give --offset S</source>
-        <translation>enregistrez avec du son, ou donnez --offset S</translation>
     </message>
     <message>
         <source>recorded samples</source>
@@ -7280,8 +8290,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>enregistrez-le comme texte en UTF-8</translation>
     </message>
     <message>
+        <source>say what it is</source>
+        <translation>dites ce que c’est</translation>
+    </message>
+    <message>
         <source>scene</source>
         <translation>la scène</translation>
+    </message>
+    <message>
+        <source>see whether the toy is connected and charged</source>
+        <translation>vérifiez que l’appareil est connecté et chargé</translation>
     </message>
     <message>
         <source>sends another part than was asked for</source>
@@ -7392,6 +8410,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le modèle</translation>
     </message>
     <message>
+        <source>text answers</source>
+        <translation>réponses en texte libre</translation>
+    </message>
+    <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
         <translation>le Falcon n’a répondu à aucun message&#xa0;; référencez-le et réessayez</translation>
     </message>
@@ -7424,10 +8446,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le Falcon est utilisé par un autre programme&#xa0;; fermez-le et réessayez</translation>
     </message>
     <message>
-        <source>the Falcon is not homed; run `hapticplayer device home`</source>
-        <translation>le Falcon n’est pas référencé&#xa0;; lancez `hapticplayer device home`</translation>
-    </message>
-    <message>
         <source>the Falcon is not open; choose the device again</source>
         <translation>le Falcon n’est pas ouvert&#xa0;; choisissez de nouveau l’appareil</translation>
     </message>
@@ -7442,10 +8460,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the Falcon was unplugged, or its cable is loose; plug it in and choose the device again</source>
         <translation>le Falcon a été débranché, ou son câble est desserré&#xa0;; rebranchez-le et choisissez de nouveau l’appareil</translation>
-    </message>
-    <message>
-        <source>the Falcon&apos;s firmware is missing ({path}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it with `hapticplayer device upload-firmware FILE`, or in the window with Playback &gt; Set up the device</source>
-        <translation>le micrologiciel du Falcon manque ({path})&#xa0;; il ne peut pas être transmis avec ce programme&#xa0;: prenez nvent_firmware.bin dans une archive des sources de libnifalcon et installez-le avec `hapticplayer device upload-firmware FILE`, ou dans la fenêtre avec Lecture &gt; Préparer l’appareil</translation>
     </message>
     <message>
         <source>the Falcon&apos;s position has jumped and stayed away; home it again, then choose the device again</source>
@@ -7569,7 +8583,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the sound: the computer may be overloaded; close other programs</source>
-        <translation>la force est en avance de {ms:.0f} ms sur le son&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez les autres programmes</translation>
+        <translation>la force a {ms:.0f} ms d’avance sur le son&#xa0;: l’ordinateur est peut-être surchargé&#xa0;; fermez d’autres programmes</translation>
     </message>
     <message>
         <source>the force is {ms:.0f} ms ahead of the video: the computer may be overloaded; close other programs</source>
@@ -7586,10 +8600,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the force of a motion that was estimated from the picture</source>
         <translation>la force d’un mouvement estimé d’après l’image</translation>
-    </message>
-    <message>
-        <source>the force of another clip needs its sequence: of=FOLDER</source>
-        <translation>la force d’une autre vidéo demande sa séquence&#xa0;: of=DOSSIER</translation>
     </message>
     <message>
         <source>the force of the recorded motion</source>
@@ -7649,7 +8659,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the shaker is not open; choose the device again</source>
-        <translation>le transducteur n’est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
+        <translation>le vibreur n’est pas ouvert&#xa0;; choisissez-le à nouveau</translation>
     </message>
     <message>
         <source>the simulated service has ended; choose the device again to start a new one</source>
@@ -7668,12 +8678,72 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>leur rotation n’est pas celle du gyroscope</translation>
     </message>
     <message>
+        <source>turn the volume up</source>
+        <translation>augmentez le volume</translation>
+    </message>
+    <message>
+        <source>up and down</source>
+        <translation>mouvement vertical</translation>
+    </message>
+    <message>
+        <source>update or restart it</source>
+        <translation>mettez-le à jour ou redémarrez-le</translation>
+    </message>
+    <message>
+        <source>use a record of the haptic loop</source>
+        <translation>utilisez un enregistrement de la boucle haptique</translation>
+    </message>
+    <message>
+        <source>use the taps, or enter the offset</source>
+        <translation>utilisez les tapotements, ou saisissez le décalage</translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation>vibration</translation>
+    </message>
+    <message>
+        <source>vibration of {hertz:g} Hz along x {x:.2f}, y {y:.2f}, z {z:.2f}: strength 100 was taken as {full_n:.3g} N</source>
+        <translation>vibration de {hertz:g} Hz selon x {x:.2f}, y {y:.2f}, z {z:.2f}&#xa0;: l’intensité 100 a été prise comme {full_n:.3g} N</translation>
+    </message>
+    <message>
+        <source>wait for it</source>
+        <translation>attendez-les</translation>
+    </message>
+    <message>
+        <source>wait until it is ready, or choose it again</source>
+        <translation>attendez qu’il soit prêt, ou choisissez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>when each trial and interruption was</source>
+        <translation>le moment de chaque essai et de chaque interruption</translation>
+    </message>
+    <message>
+        <source>write one from a long log</source>
+        <translation>écrivez-en un d’après un long journal</translation>
+    </message>
+    <message>
+        <source>{axis}: its actions are null</source>
+        <translation>{axis}&#xa0;: ses actions sont null</translation>
+    </message>
+    <message>
+        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; take it, or keep the axes of the log</source>
+        <translation>{clip}&#xa0;: ses images montrent la fixation {axes} (rapport {ratio:.1f}), et non {used}&#xa0;; prenez-la, ou gardez les axes du journal</translation>
+    </message>
+    <message>
+        <source>{clip}: motion is estimated as the video plays</source>
+        <translation>{clip}&#xa0;: le mouvement est estimé à la vitesse de lecture de la vidéo</translation>
+    </message>
+    <message>
+        <source>{clip}: taps and frames cannot be compared at another speed; enter the offset, too</source>
+        <translation>{clip}&#xa0;: tapotements et images ne peuvent pas être comparés à une autre vitesse&#xa0;; saisissez aussi le décalage</translation>
+    </message>
+    <message>
         <source>{clip}: the frames do not tell whether the mounting is {axes} or {next_best} (ratio {ratio:.2f}); {give}</source>
-        <translation>{clip}&#xa0;: les images ne disent pas si le montage est {axes} ou {next_best} (rapport {ratio:.2f})&#xa0;; {give}</translation>
+        <translation>{clip}&#xa0;: les images ne disent pas si la fixation est {axes} ou {next_best} (rapport {ratio:.2f})&#xa0;; {give}</translation>
     </message>
     <message>
         <source>{clip}: by its frames the mounting is {axes}, but by gravity another side is up; is the video upright and not mirrored? Otherwise {give}</source>
-        <translation>{clip}&#xa0;: d’après les images le montage est {axes}, mais selon la gravité un autre côté était en haut&#xa0;; la vidéo est-elle droite et non inversée&#xa0;? Sinon&#xa0;: {give}</translation>
+        <translation>{clip}&#xa0;: d’après les images, la fixation est {axes}, mais d’après la pesanteur un autre côté était en haut&#xa0;; la vidéo est-elle droite et non inversée&#xa0;? Sinon&#xa0;: {give}</translation>
     </message>
     <message>
         <source>{look}; {brings}</source>
@@ -7682,10 +8752,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} holds no motion; choose one of {known}</source>
         <translation>{name} ne contient pas de mouvement&#xa0;; choisissez {known}</translation>
-    </message>
-    <message>
-        <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the actor&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
-        <translation>{text!r} ne sont pas trois axes&#xa0;; donnez la droite, le haut et la direction de l’utilisateur dans les axes de la personne qui porte l’enregistreur (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
     </message>
     <message>
         <source>{text!r} is not a rotation; give nine numbers, row by row, with rows of length 1 at right angles and determinant +1</source>
@@ -7710,6 +8776,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{where} cannot be opened: {reason}; see whether the board is connected and you may use it</source>
         <translation>{where} ne peut pas être ouvert&#xa0;: {reason}&#xa0;; vérifiez que la carte est branchée et que vous pouvez l’utiliser</translation>
+    </message>
+    <message>
+        <source>{where} reports an error ({reason}); {remedy}, and choose the device again</source>
+        <translation>{where} signale une erreur ({reason})&#xa0;; {remedy}, puis choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>{who} reports the error {code}; look at it in Haply&apos;s own program, and choose the device again</source>
+        <translation>{who} signale l’erreur {code}&#xa0;; vérifiez-le dans le programme de Haply, puis choisissez de nouveau l’appareil</translation>
     </message>
     <message>
         <source>{word!r} is unknown; use {known}</source>
@@ -7804,6 +8878,38 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’est pas utilisé dans les essais {kind}</translation>
     </message>
     <message>
+        <source>the Falcon is not homed; home it</source>
+        <translation>le Falcon n’est pas référencé&#xa0;; référencez-le</translation>
+    </message>
+    <message>
+        <source>the Falcon&apos;s firmware is missing ({path}); it may not be passed on with this program: take nvent_firmware.bin from a libnifalcon source archive and install it: Device &gt; Set up the device</source>
+        <translation>le micrologiciel du Falcon manque ({path})&#xa0;; il ne peut pas être transmis avec ce programme&#xa0;: prenez nvent_firmware.bin dans une archive des sources de libnifalcon et installez-le&#xa0;: Appareil &gt; Préparer l’appareil</translation>
+    </message>
+    <message>
+        <source>the board at {where} has restarted ({said}); check its supply and cable</source>
+        <translation>la carte sur {where} a redémarré ({said})&#xa0;; vérifiez son alimentation et son câble</translation>
+    </message>
+    <message>
+        <source>the board at {where} reports an error ({said}); check its channel, cable and supply, and choose the device again</source>
+        <translation>la carte sur {where} signale une erreur ({said})&#xa0;; vérifiez son canal, son câble et son alimentation, puis choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the buttons of the wireless grip cannot be read; stop with Esc, and look at the grip in Haply&apos;s own program</source>
+        <translation>les boutons de la poignée sans fil ne peuvent pas être lus&#xa0;; arrêtez avec Échap, et vérifiez la poignée dans le programme de Haply</translation>
+    </message>
+    <message>
+        <source>the column {name!r} is not of a force</source>
+        <translation>la colonne {name!r} n’appartient pas à une force</translation>
+    </message>
+    <message>
+        <source>the first sudden rise of sound and motion is uncertain</source>
+        <translation>la première montée soudaine du son et du mouvement est incertaine</translation>
+    </message>
+    <message>
+        <source>the force of another clip needs its sequence: choose its folder</source>
+        <translation>la force d’un autre clip demande sa séquence&#xa0;: choisissez son dossier</translation>
+    </message>
+    <message>
         <source>the guard did not start, so nothing is measured; run &apos;hapticplayer doctor&apos;</source>
         <translation>le gardien n’a pas démarré, rien n’est donc mesuré&#xa0;; lancez &apos;hapticplayer doctor&apos;</translation>
     </message>
@@ -7822,6 +8928,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the largest angular rate is {largest:.3g} rad/s</source>
         <translation>la plus grande vitesse angulaire est de {largest:.3g} rad/s</translation>
+    </message>
+    <message>
+        <source>the largest number of participants must be between 3 and {most}</source>
+        <translation>le plus grand nombre de participants doit être compris entre 3 et {most}</translation>
     </message>
     <message>
         <source>the legs cannot be assembled at these joint angles</source>
@@ -7844,16 +8954,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le journal n’a pas de temps&#xa0;: 50 mesures par seconde sont supposées</translation>
     </message>
     <message>
+        <source>the log is not synchronised: its clock is taken as media time; enter the offset</source>
+        <translation>le journal n’est pas synchronisé&#xa0;: son horloge est prise comme temps du média&#xa0;; saisissez le décalage</translation>
+    </message>
+    <message>
         <source>the low-pass has no heading; choose one of ekf, vqf</source>
         <translation>le passe-bas n’a pas de cap&#xa0;; choisissez ekf ou vqf</translation>
     </message>
     <message>
         <source>the magnetometer was left out: {count} of {total} samples are empty</source>
         <translation>le magnétomètre a été omis&#xa0;: {count} mesures sur {total} sont vides</translation>
-    </message>
-    <message>
-        <source>the method offset needs --offset S</source>
-        <translation>la méthode offset demande un décalage&#xa0;; donnez --offset S</translation>
     </message>
     <message>
         <source>the motion cannot be separated from gravity</source>
@@ -7872,6 +8982,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le mouvement ne concorde pas clairement avec l’unité de la vitesse angulaire&#xa0;; elle a été reprise telle quelle</translation>
     </message>
     <message>
+        <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without an estimate</source>
+        <translation>le mouvement de {name} a été enregistré, ce qui vaut mieux qu’une estimation d’après l’image&#xa0;; importez-le sans estimation</translation>
+    </message>
+    <message>
         <source>the motion track is empty, so there is no force to render</source>
         <translation>la piste de mouvement est vide, il n’y a donc pas de force à calculer</translation>
     </message>
@@ -7886,6 +9000,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the number of samples is {count}; {least} to {most} can be used</source>
         <translation>le nombre de mesures est de {count}&#xa0;; de {least} à {most} sont utilisables</translation>
+    </message>
+    <message>
+        <source>the number of simulated studies must be between {least} and {most}</source>
+        <translation>le nombre d’études simulées doit être compris entre {least} et {most}</translation>
     </message>
     <message>
         <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, otherwise taps and frames</source>
@@ -8028,6 +9146,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la force spécifique est de {norm:.3g} m/s2 au repos quand elle est lue en {accel_unit}, mais la pesanteur est de 9.81</translation>
     </message>
     <message>
+        <source>the study requires a device: choose it above</source>
+        <translation>l’étude exige un appareil&#xa0;: choisissez-le ci-dessus</translation>
+    </message>
+    <message>
         <source>the time stamps jitter by {share:.0f} % of an interval; an even clock fitted to them was used</source>
         <translation>les horodatages fluctuent de {share:.0f} % d’un intervalle&#xa0;; une horloge régulière ajustée sur eux a été utilisée</translation>
     </message>
@@ -8070,10 +9192,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>there is no measure {measure!r}; choose one of {known}</source>
         <translation>la mesure {measure!r} est inconnue&#xa0;; il y a {known}</translation>
-    </message>
-    <message>
-        <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the actor in the recorder&apos;s axes, such as --mounting=-x,y,-z</source>
-        <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut de la personne dans les axes de l’enregistreur, par exemple --mounting=-x,y,-z</translation>
     </message>
     <message>
         <source>there is no sound output, so the clip plays silently</source>
@@ -8176,10 +9294,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>sans noms</translation>
     </message>
     <message>
-        <source>write one with --save-template</source>
-        <translation>écrivez-en un avec --save-template</translation>
-    </message>
-    <message>
         <source>written to</source>
         <translation>écrit</translation>
     </message>
@@ -8210,6 +9324,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{count} damaged lines were skipped (the first: line {line})</source>
         <translation>{count} lignes sont endommagées et ont été omises (la première&#xa0;: ligne {line})</translation>
+    </message>
+    <message>
+        <source>{clip}: the skew of the sound would have no effect, because the offset comes from elsewhere ({method}); leave it out</source>
+        <translation>{clip}&#xa0;: le retard du son serait sans effet, car le décalage vient d’ailleurs ({method})&#xa0;; omettez-le</translation>
+    </message>
+    <message>
+        <source>{clip}: the taps give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose one of them, or enter the offset; if the camera&apos;s sound is late, say by how much</source>
+        <translation>{clip}&#xa0;: les tapotements donnent un décalage de {pats_s:.3f} s, les images {frames_s:.3f} s&#xa0;; choisissez l’un des deux, ou saisissez le décalage&#xa0;; si le son de la caméra est en retard, dites de combien</translation>
+    </message>
+    <message>
+        <source>{clip}: {what}, and neither frames nor taps tell which is right ({why}); enter the offset: {places}, or another one</source>
+        <translation>{clip}&#xa0;: {what}, et ni les images ni les tapotements ne disent ce qui est juste ({why})&#xa0;; saisissez le décalage&#xa0;: {places}, ou un autre</translation>
+    </message>
+    <message>
+        <source>{clip}: {why}; make a copy at its real speed ({copy}), or take it as it plays, or stretch the motion</source>
+        <translation>{clip}&#xa0;: {why}&#xa0;; faites une copie à sa vitesse réelle ({copy}), ou prenez-le tel qu’il est lu, ou étirez le mouvement</translation>
     </message>
     <message>
         <source>{count} missing or implausible times were interpolated</source>
@@ -8264,6 +9394,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{file}, ligne {line}</translation>
     </message>
     <message>
+        <source>{file}: as its axes are given, the wearer was upside down: by gravity the other side is up; choose another mounting, or {sign}, or keep the axes of the log</source>
+        <translation>{file}&#xa0;: avec ces axes, le porteur avait la tête en bas&#xa0;: d’après la pesanteur, l’autre côté est en haut&#xa0;; choisissez une autre fixation, ou {sign}, ou gardez les axes du journal</translation>
+    </message>
+    <message>
         <source>{file}: columns={columns} {fault}</source>
         <translation>{file}&#xa0;: columns={columns} {fault}</translation>
     </message>
@@ -8281,7 +9415,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>{leak_mps2:.2f} m/s2 of gravity remain while the recorder is stationary</source>
-        <translation>{leak_mps2:.2f} m/s2 de pesanteur restent là où l’enregistrement est immobile</translation>
+        <translation>{leak_mps2:.2f} m/s2 de pesanteur restent là où l’enregistreur est immobile</translation>
     </message>
     <message>
         <source>{line}, column {column}</source>
@@ -8298,10 +9432,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>(default)</source>
         <translation>(par défaut)</translation>
-    </message>
-    <message>
-        <source>Connect its USB cable and its power supply. axis=y chooses another axis, sign=- reverses the direction.</source>
-        <translation>Branchez le câble USB et l’alimentation. axis=y choisit un autre axe, sign=- inverse le sens.</translation>
     </message>
     <message>
         <source>Delay</source>
@@ -8428,10 +9558,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un autre rendu demande le dossier de la séquence&#xa0;; dépaquetez-la</translation>
     </message>
     <message>
-        <source>ask for the file again, or agree with --accept-changed-video</source>
-        <translation>redemandez le fichier, ou acceptez avec --accept-changed-video</translation>
-    </message>
-    <message>
         <source>check the address and the network</source>
         <translation>vérifiez l’adresse et le réseau</translation>
     </message>
@@ -8538,14 +9664,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give the address that it leads to, if you trust it</source>
         <translation>donnez l’adresse à laquelle elle mène, si vous lui faites confiance</translation>
-    </message>
-    <message>
-        <source>give the log of a motion sensor with --imu LOG</source>
-        <translation>donnez le journal d’un capteur de mouvement avec --imu LOG</translation>
-    </message>
-    <message>
-        <source>give what is asked for by hand, such as --offset S or --mounting</source>
-        <translation>donnez vous-même ce qui est demandé, par exemple --offset S ou --mounting</translation>
     </message>
     <message>
         <source>gone</source>
@@ -8784,10 +9902,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>faites-en un MP4 avec&#xa0;: {command}</translation>
     </message>
     <message>
-        <source>make another of it, of up to 8 channels, with: {command}</source>
-        <translation>faites-en un autre, de 8 canaux au plus, avec&#xa0;: {command}</translation>
-    </message>
-    <message>
         <source>make the force again</source>
         <translation>recalculez la force</translation>
     </message>
@@ -8830,10 +9944,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>must be {wanted}, not {kind}</source>
         <translation>doit être {wanted}, et non {kind}</translation>
-    </message>
-    <message>
-        <source>must have 1 to {most} characters</source>
-        <translation>demande de 1 à {most} caractères</translation>
     </message>
     <message>
         <source>must have 2 to {most} conditions, has {count}</source>
@@ -8932,8 +10042,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ouvrez de nouveau l’étude et refaites la modification</translation>
     </message>
     <message>
+        <source>other programs may delay the force: close them</source>
+        <translation>d’autres programmes peuvent retarder la force&#xa0;: fermez-les</translation>
+    </message>
+    <message>
+        <source>otherwise enter the offset</source>
+        <translation>sinon, saisissez le décalage</translation>
+    </message>
+    <message>
         <source>pairs: Wilcoxon with Holm, exact to {most} participants, then normal approximation; friedman: chi-square approximation</source>
         <translation>pairs&#xa0;: Wilcoxon avec Holm, exact jusqu’à {most} participants, puis approximation normale&#xa0;; friedman&#xa0;: approximation du khi-deux</translation>
+    </message>
+    <message>
+        <source>planned force, velocity, buttons and timing of each tick</source>
+        <translation>force prévue, vitesse, boutons et temps de chaque période</translation>
+    </message>
+    <message>
+        <source>play a clip, and tick the box if you hear it</source>
+        <translation>jouez un clip, et cochez la case si vous l’entendez</translation>
     </message>
     <message>
         <source>play again</source>
@@ -8946,6 +10072,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>predicting excursions</source>
         <translation>prévision des excursions</translation>
+    </message>
+    <message>
+        <source>pull the grip all the way out, then push it in until it locks</source>
+        <translation>tirez la poignée à fond, puis poussez-la jusqu’à ce qu’elle se bloque</translation>
     </message>
     <message>
         <source>rate-axes={axes} to keep both as they are</source>
@@ -8964,8 +10094,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>lecture de {name}</translation>
     </message>
     <message>
+        <source>record at 100 Hz or more, or enter the offset</source>
+        <translation>enregistrez à 100 Hz ou plus, ou saisissez le décalage</translation>
+    </message>
+    <message>
         <source>record both</source>
         <translation>enregistrez les deux</translation>
+    </message>
+    <message>
+        <source>record with sound, or enter the offset</source>
+        <translation>enregistrez avec du son, ou saisissez le décalage</translation>
     </message>
     <message>
         <source>record {number} ({kind}) was left out: {reason}</source>
@@ -8996,6 +10134,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>enlevez-le</translation>
     </message>
     <message>
+        <source>remove the column</source>
+        <translation>supprimez la colonne</translation>
+    </message>
+    <message>
         <source>remove the constraint</source>
         <translation>retirez la contrainte</translation>
     </message>
@@ -9012,8 +10154,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>retrait de la pesanteur</translation>
     </message>
     <message>
+        <source>remux it with FFmpeg (-c copy)</source>
+        <translation>remuxez-la avec FFmpeg (-c copy)</translation>
+    </message>
+    <message>
         <source>remux it with MKVToolNix or FFmpeg, without them</source>
         <translation>remultiplexez-le sans eux avec MKVToolNix ou FFmpeg</translation>
+    </message>
+    <message>
+        <source>rename it to {name!r} to feel it as {as_what}</source>
+        <translation>renommez-le {name!r} pour le sentir comme {as_what}</translation>
     </message>
     <message>
         <source>rename one of them</source>
@@ -9040,16 +10190,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>rotations</translation>
     </message>
     <message>
+        <source>rotations, and what of the motion changes within {span_ms} ms</source>
+        <translation>les rotations, et ce qui change dans le mouvement en moins de {span_ms} ms</translation>
+    </message>
+    <message>
         <source>samples of {bits} bits were taken from the lower end of {width} bytes</source>
         <translation>des échantillons de {bits} bits ont été pris dans le bas de {width} octets</translation>
     </message>
     <message>
-        <source>say it once</source>
-        <translation>ne le donnez qu’une fois</translation>
+        <source>save it with the line ends of Unix or Windows</source>
+        <translation>enregistrez-le avec les fins de ligne d’Unix ou de Windows</translation>
     </message>
     <message>
-        <source>say what it is with --other-is force or --other-is vibration</source>
-        <translation>dites ce que c’est avec --other-is force ou --other-is vibration</translation>
+        <source>save the answers of another log</source>
+        <translation>enregistrez les réponses d’un autre journal</translation>
+    </message>
+    <message>
+        <source>say it once</source>
+        <translation>ne le donnez qu’une fois</translation>
     </message>
     <message>
         <source>session {code}: {key} was left out; it is not in the definition</source>
@@ -9073,7 +10231,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>slice</source>
-        <translation>slice</translation>
+        <translation>tranche</translation>
     </message>
     <message>
         <source>sort the file by time and remove duplicates</source>
@@ -9126,10 +10284,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>takes column {number} for {name}, but it holds {text!r}; ignore it with -, or write it as numbers</source>
         <translation>prend la colonne {number} pour {name}, mais elle contient {text!r}&#xa0;; ignorez-la avec -, ou écrivez-la en nombres</translation>
-    </message>
-    <message>
-        <source>the Inverse3 reports the error {code}; look at it in Haply&apos;s own program, and choose the device again</source>
-        <translation>l’Inverse3 signale l’erreur {code}&#xa0;; vérifiez-le dans le programme de Haply, puis choisissez à nouveau l’appareil</translation>
     </message>
     <message>
         <source>the analysis of consistency trials is missing; install the extension that has it, or export the answers</source>
@@ -9272,10 +10426,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la méthode frames a besoin d’une vidéo</translation>
     </message>
     <message>
-        <source>the motion of {name} was recorded, which is better than an estimate from the picture; import it without --suggest-motion</source>
-        <translation>le mouvement de {name} a été enregistré, ce qui vaut mieux qu’une estimation d’après l’image&#xa0;; importez-la sans --suggest-motion</translation>
-    </message>
-    <message>
         <source>the quaternion Kalman filter of Sabatini 2006</source>
         <translation>le filtre de Kalman à quaternions de Sabatini 2006</translation>
     </message>
@@ -9356,6 +10506,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>tableaux CSV avec un dictionnaire des données</translation>
     </message>
     <message>
+        <source>times before that of their group count from it</source>
+        <translation>les temps antérieurs à celui de leur groupe se comptent à partir de lui</translation>
+    </message>
+    <message>
+        <source>times in a declared group count from its reference</source>
+        <translation>les temps d’un groupe déclaré se comptent à partir de sa référence</translation>
+    </message>
+    <message>
         <source>title, mapping and provenance</source>
         <translation>titre, correspondance et provenance</translation>
     </message>
@@ -9370,10 +10528,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>true motion of a simulation</source>
         <translation>mouvement vrai d’une simulation</translation>
-    </message>
-    <message>
-        <source>--bind {text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
-        <translation>--bind {text!r} n’est pas une adresse de cet ordinateur&#xa0;; donnez-la en entier, par exemple {loopback} ou 192.168.1.5</translation>
     </message>
     <message>
         <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
@@ -9456,16 +10610,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>utilisez &apos;repeats&apos;</translation>
     </message>
     <message>
-        <source>use --sync pats (sync: --method pats), or give --offset S</source>
-        <translation>utilisez --sync pats (sync&#xa0;: --method pats), ou donnez --offset S</translation>
-    </message>
-    <message>
         <source>use L, R, V or A and a digit, such as V0</source>
         <translation>utilisez L, R, V ou A et un chiffre, par exemple V0</translation>
-    </message>
-    <message>
-        <source>use a file that &apos;hapticplayer play --record&apos; has written</source>
-        <translation>utilisez un fichier écrit par &apos;hapticplayer play --record&apos;</translation>
     </message>
     <message>
         <source>use a name in /dev/input, such as event5</source>
@@ -9548,10 +10694,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>que rien ici ne lit</translation>
     </message>
     <message>
-        <source>whose track another program has renamed; the camera&apos;s file is read</source>
-        <translation>dont un autre programme a renommé la piste&#xa0;; le fichier de la caméra, lui, est lu</translation>
-    </message>
-    <message>
         <source>window not responding</source>
         <translation>fenêtre sans réponse</translation>
     </message>
@@ -9562,10 +10704,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>write numbers without units or signs, or choose another log</source>
         <translation>écrivez des nombres sans unités ni signes, ou choisissez un autre journal</translation>
-    </message>
-    <message>
-        <source>write one with `hapticplayer process LOG --save-calibration FILE`</source>
-        <translation>écrivez-en un avec `hapticplayer process LOG --save-calibration FILE`</translation>
     </message>
     <message>
         <source>write the rows of each sensor to a file of its own and give both</source>
@@ -9628,10 +10766,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{bytes} octets, {rate:.3g} kbit/s ({packed:.3g} compressé&#xa0;; la piste&#xa0;: {own:.3g})</translation>
     </message>
     <message>
-        <source>{clip}: its frames show the mounting {axes} (ratio {ratio:.1f}), not {used}; give --mounting auto to take it, or --mounting forward to keep the axes of the log</source>
-        <translation>{clip}&#xa0;: ses images montrent le montage {axes} (rapport {ratio:.1f}), non {used}&#xa0;; donnez --mounting auto pour le prendre, ou --mounting forward pour garder les axes du journal</translation>
-    </message>
-    <message>
         <source>{clip}: {why}; {look}</source>
         <translation>{clip}&#xa0;: {why}&#xa0;; {look}</translation>
     </message>
@@ -9672,12 +10806,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{empty} séances sur {count} n’ont aucune réponse</translation>
     </message>
     <message>
-        <source>{file}: as its axes are given, the actor was upside down: by gravity the other side is up; give another --mounting, or --read-as {sign}, or --mounting forward to keep the axes of the log</source>
-        <translation>{file}&#xa0;: avec ces axes, l’acteur avait la tête en bas&#xa0;: d’après la pesanteur, l’autre côté est en haut&#xa0;; donnez un autre --mounting ou --read-as {sign}, ou --mounting forward pour garder les axes du journal</translation>
-    </message>
-    <message>
         <source>{file}: is damaged; the definition of the study was used</source>
         <translation>{file}&#xa0;: est endommagé&#xa0;; la définition de l’étude a été utilisée</translation>
+    </message>
+    <message>
+        <source>{file}: {what}</source>
+        <translation>{file}&#xa0;: {what}</translation>
+    </message>
+    <message>
+        <source>{file}: {what}; choose the mounting {name}, or another of {known}, or auto for what the frames tell, or forward to keep its axes{sign}</source>
+        <translation>{file}&#xa0;: {what}&#xa0;; choisissez la fixation {name}, ou une autre de {known}, ou auto pour celle que montrent les images, ou forward pour garder ses axes{sign}</translation>
     </message>
     <message>
         <source>{free_gb:.1f} GB free</source>
@@ -9754,6 +10892,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{name} does not hold numbers only ({reason})</source>
         <translation>{name} ne contient pas que des nombres ({reason})</translation>
+    </message>
+    <message>
+        <source>{name} does not know the clip&apos;s clock; use the taps, or enter the offset</source>
+        <translation>{name} ne connaît pas l’horloge du clip&#xa0;; utilisez les tapotements, ou saisissez le décalage</translation>
     </message>
     <message>
         <source>{name} has the shape {shape}, expected {count} x 3</source>
@@ -9864,6 +11006,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{note} (d’abord à la ligne {line})</translation>
     </message>
     <message>
+        <source>{offset_s:.3f} s, {by}</source>
+        <translation>{offset_s:.3f} s, {by}</translation>
+    </message>
+    <message>
         <source>{one}; {other}</source>
         <translation>{one}&#xa0;; {other}</translation>
     </message>
@@ -9896,6 +11042,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{path}&#xa0;: {reason}</translation>
     </message>
     <message>
+        <source>{percent:.2g} % of the force samples reach the force limit</source>
+        <translation>{percent:.2g} % des valeurs de force atteignent la limite de force</translation>
+    </message>
+    <message>
         <source>{percent} %</source>
         <translation>{percent}&#xa0;%</translation>
     </message>
@@ -9916,12 +11066,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{scripted} séances sur {count} sont simulées&#xa0;: personne n’y était</translation>
     </message>
     <message>
+        <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it</source>
+        <translation>{source}&#xa0;: en bon état, mais aucun des micrologiciels connus ({known}&#xa0;; SHA-256 {sha256}...)&#xa0;; il ferait tourner les moteurs&#xa0;: dites que vous le voulez</translation>
+    </message>
+    <message>
+        <source>{text!r} are not three axes; give the device&apos;s right, up and towards the user in the wearer&apos;s axes (x right, y front, z up), such as x,z,-y, or the nine numbers of a rotation, row by row</source>
+        <translation>{text!r} ne sont pas trois axes&#xa0;; donnez la droite, le haut et la direction de l’utilisateur dans les axes du porteur de l’enregistreur (x droite, y avant, z haut), par exemple x,z,-y, ou les neuf nombres d’une rotation, ligne par ligne</translation>
+    </message>
+    <message>
         <source>{text!r} is not HOST:PORT</source>
         <translation>{text!r} n’est pas HOST:PORT</translation>
     </message>
     <message>
         <source>{text!r} is not a parameter; write NAME=VALUE</source>
         <translation>{text!r} n’est pas un paramètre&#xa0;; écrivez NOM=VALEUR</translation>
+    </message>
+    <message>
+        <source>{text!r} is not a serial number, which has letters and digits only, nor gain=; see &apos;hapticplayer device list&apos;</source>
+        <translation>{text!r} n’est ni un numéro de série, qui n’a que des lettres et des chiffres, ni gain=&#xa0;; voir «&#xa0;hapticplayer device list&#xa0;»</translation>
+    </message>
+    <message>
+        <source>{text!r} is not an address of this machine; give one in full, such as {loopback} or 192.168.1.5</source>
+        <translation>{text!r} n’est pas une adresse de cet ordinateur&#xa0;; donnez-en une en entier, par exemple {loopback} ou 192.168.1.5</translation>
     </message>
     <message>
         <source>{time_s:.3g} s is later than any clip</source>
@@ -9976,16 +11142,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{what}, {why}</translation>
     </message>
     <message>
+        <source>{what}; choose the mounting</source>
+        <translation>{what}&#xa0;; choisissez la fixation</translation>
+    </message>
+    <message>
         <source>{where} does not answer {name}; restart it</source>
         <translation>{where} ne répond pas à {name}&#xa0;; redémarrez-le</translation>
     </message>
     <message>
-        <source>{where} refuses: {reason}; update it</source>
-        <translation>{where} refuse&#xa0;: {reason}&#xa0;; mettez-le à jour</translation>
+        <source>{where} does not answer; see whether the toy is connected and charged, and restart Intiface</source>
+        <translation>{where} ne répond pas&#xa0;; vérifiez que l’appareil est connecté et chargé, et redémarrez Intiface</translation>
     </message>
     <message>
-        <source>{where} reports an error ({reason}); see whether the toy is connected and charged, and choose the device again</source>
-        <translation>{where} signale une erreur ({reason})&#xa0;; voyez si le jouet est connecté et chargé, et choisissez de nouveau l’appareil</translation>
+        <source>{where} refuses: {reason}; update it</source>
+        <translation>{where} refuse&#xa0;: {reason}&#xa0;; mettez-le à jour</translation>
     </message>
     <message>
         <source>{where} sends messages that make no sense; restart it</source>
@@ -10006,30 +11176,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the sound output was lost; video and force continue</source>
         <translation>la sortie audio a été perdue&#xa0;; la vidéo et la force continuent</translation>
-    </message>
-    <message>
-        <source>{clip}: motion is estimated as the video plays; give --slow-motion 1</source>
-        <translation>{clip}&#xa0;: le mouvement est estimé à la vitesse de lecture de la vidéo&#xa0;; donnez --slow-motion 1</translation>
-    </message>
-    <message>
-        <source>{clip}: taps and frames cannot be compared at another speed; give --offset S with --slow-motion</source>
-        <translation>{clip}&#xa0;: tapotements et images ne peuvent pas être comparés à une autre vitesse&#xa0;; donnez --offset S avec --slow-motion</translation>
-    </message>
-    <message>
-        <source>{clip}: the skew of the sound would have no effect, because the offset comes from elsewhere (method {method}); leave out --skew and --camera</source>
-        <translation>{clip}&#xa0;: le retard du son serait sans effet, car le décalage vient d’ailleurs (méthode {method})&#xa0;; omettez --skew et --camera</translation>
-    </message>
-    <message>
-        <source>{clip}: the taps give an offset of {pats_s:.3f} s, the frames {frames_s:.3f} s; choose --sync pats or --sync frames (sync: --method), or give --offset S; if the camera&apos;s sound is late, --skew settles it</source>
-        <translation>{clip}&#xa0;: les tapotements donnent un décalage de {pats_s:.3f} s, les images {frames_s:.3f} s&#xa0;; choisissez --sync pats ou --sync frames (sync&#xa0;: --method), ou donnez --offset S&#xa0;; si le son de la caméra est en retard, --skew règle la question</translation>
-    </message>
-    <message>
-        <source>{clip}: {what}, and neither frames nor taps tell which is right ({why}); give {places}, or another --offset S</source>
-        <translation>{clip}&#xa0;: {what}, et ni les images ni les tapotements ne disent ce qui est juste ({why})&#xa0;; donnez {places}, ou un autre --offset S</translation>
-    </message>
-    <message>
-        <source>{clip}: {why}; make a copy at its real speed ({copy}), or give --slow-motion 1 to take it as it plays, or --slow-motion {slowed} with --offset S to stretch the motion</source>
-        <translation>{clip}&#xa0;: {why}&#xa0;; faites une copie à sa vitesse réelle ({copy}), ou donnez --slow-motion 1 pour le prendre tel qu’il est lu, ou --slow-motion {slowed} avec --offset S pour étirer le mouvement</translation>
     </message>
     <message>
         <source>{count} places are damaged: {first}</source>
@@ -10064,20 +11210,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{file}&#xa0;: {option} {key}={value} est sans effet sur un journal de {form}&#xa0;: {why}&#xa0;; omettez-le</translation>
     </message>
     <message>
-        <source>{file}: {what}; give {sign}--mounting {name}, or another of {known}, or auto for what the frames tell, or --mounting forward to keep its axes</source>
-        <translation>{file}&#xa0;: {what}&#xa0;; donnez {sign}--mounting {name}, ou une autre de {known}, ou auto pour celle que montrent les images, ou --mounting forward pour garder ses axes</translation>
-    </message>
-    <message>
-        <source>{name} does not know the clip&apos;s clock; use --sync pats (sync: --method pats) or give --offset S</source>
-        <translation>{name} ne connaît pas l’horloge de la vidéo&#xa0;; utilisez --sync pats (sync&#xa0;: --method pats) ou donnez --offset S</translation>
-    </message>
-    <message>
         <source>{reason}, or set {variable} to another path</source>
         <translation>{reason}, ou donnez à {variable} un autre chemin</translation>
-    </message>
-    <message>
-        <source>{share:.1%} of the force samples reach the force limit</source>
-        <translation>{share:.1%} des mesures de force atteignent la limite de force</translation>
     </message>
     <message>
         <source>{share} of the motion is not valid (gaps, missing or clipped samples) and has no force</source>
@@ -10088,20 +11222,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{share} des mesures sont à la limite du capteur</translation>
     </message>
     <message>
-        <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it (--accept-unknown)</source>
-        <translation>{source}&#xa0;: en bon état, mais aucun des micrologiciels connus ({known}&#xa0;; SHA-256 {sha256}...)&#xa0;; il ferait tourner les moteurs&#xa0;: dites que vous le voulez (--accept-unknown)</translation>
-    </message>
-    <message>
         <source>{text!r} is not a number</source>
         <translation>{text!r} n’est pas un nombre</translation>
     </message>
     <message>
         <source>{text!r} is not a participant&apos;s code</source>
         <translation>{text!r} n’est pas un code de participant</translation>
-    </message>
-    <message>
-        <source>{text!r} is not a serial number; it has letters and digits only, see &apos;hapticplayer device list&apos;</source>
-        <translation>{text!r} n’est pas un numéro de série&#xa0;; il n’a que des lettres et des chiffres, voir «&#xa0;hapticplayer device list&#xa0;»</translation>
     </message>
     <message>
         <source>{text} is not a finite number</source>
@@ -10126,10 +11252,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{what} and are marked as not valid</source>
         <translation>{what} et sont marquées comme non valables</translation>
-    </message>
-    <message>
-        <source>{what}; see --mounting</source>
-        <translation>{what}&#xa0;; voir --mounting</translation>
     </message>
     <message>
         <source>{what}; {remedy}</source>

@@ -48,6 +48,20 @@ def test_no_text_of_the_window_names_a_command_line_option():
     assert [text for text in texts if OPTION.search(text)] == []
 
 
+def test_no_text_is_translated_inside_an_f_string():
+    """Where it is not at the beginning, lupdate does not find it."""
+    for path in (ROOT / "app").rglob("*.py"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        inside = [
+            getattr(node.func, "attr", getattr(node.func, "id", ""))
+            for string in ast.walk(tree)
+            if isinstance(string, ast.JoinedStr)
+            for node in ast.walk(string)
+            if isinstance(node, ast.Call)
+        ]
+        assert not {"tr", "translate"} & {*inside}, path
+
+
 def test_no_message_shown_in_the_window_names_an_option():
     """Answers to a question on a log, such as stuck=no-force, are what is typed there."""
     texts = templates()

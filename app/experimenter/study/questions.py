@@ -76,7 +76,7 @@ class QuestionList(EntryList):
 
     def _text(self, question: dict[str, Any]) -> str:
         text = text_in(question["text"], self.document.languages)
-        return f"    {text or self.tr('(no wording yet)')}"
+        return "    " + (text or self.tr("(no wording yet)"))
 
     def shape(self, place: Place) -> object:
         question = self.document.at(place) or {}

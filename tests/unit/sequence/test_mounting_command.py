@@ -91,14 +91,14 @@ def test_a_sequence_is_not_rotated_again(sequence_folder, capsys):
     assert "is a sequence" in capsys.readouterr().err
 
 
-def test_a_mounting_that_turns_the_actor_over_is_refused(
+def test_a_mounting_that_turns_the_wearer_over_is_refused(
     tmp_path, tiny_clip, swing, capsys
 ):
     log = tmp_path / "upright.csv"
     write_imu_csv(log, swing[0])
     wrong = ("--mounting", "upside-down")
     assert run(tiny_clip, log, tmp_path / "ride", *wrong) == 2
-    assert "the actor was upside down" in capsys.readouterr().err
+    assert "the wearer was upside down" in capsys.readouterr().err
     assert not (tmp_path / "ride").exists()
     assert main(["process", str(log), *wrong]) == 2
     turned = ("--read-as", "axes=-x,y,-z")
