@@ -2278,7 +2278,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>&amp;Add a track…</source>
-        <translation>Spur &amp;hinzufügen…</translation>
+        <translation>Spur hin&amp;zufügen…</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
@@ -2290,7 +2290,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Rena&amp;me…</source>
-        <translation>&amp;Umbenennen…</translation>
+        <translation>Umbe&amp;nennen…</translation>
     </message>
     <message>
         <source>Add a force track from a file</source>
@@ -2302,7 +2302,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation>&amp;Entfernen</translation>
+        <translation>En&amp;tfernen</translation>
     </message>
     <message>
         <source>Remove the track</source>
@@ -2445,7 +2445,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>S&amp;top</source>
-        <translation>An&amp;halten</translation>
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
@@ -2453,7 +2453,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>&amp;Folder…</source>
-        <translation>O&amp;rdner…</translation>
+        <translation>&amp;Ordner…</translation>
     </message>
     <message>
         <source>Re&amp;name…</source>

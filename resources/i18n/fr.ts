@@ -2278,7 +2278,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>&amp;Add a track…</source>
-        <translation>&amp;Ajouter une piste…</translation>
+        <translation>A&amp;jouter une piste…</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
@@ -2290,7 +2290,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Rena&amp;me…</source>
-        <translation>&amp;Renommer…</translation>
+        <translation>Reno&amp;mmer…</translation>
     </message>
     <message>
         <source>Add a force track from a file</source>
@@ -2302,7 +2302,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation>&amp;Enlever</translation>
+        <translation>En&amp;lever</translation>
     </message>
     <message>
         <source>Remove the track</source>
@@ -2310,7 +2310,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Ren&amp;dering…</source>
-        <translation>Ren&amp;du…</translation>
+        <translation>Rend&amp;u…</translation>
     </message>
     <message>
         <source>Render the force in another way, after a look at what changes</source>
