@@ -19,7 +19,7 @@ from app.widgets.buttons import text_button
 from app.widgets.layout import captioned, column_of, paragraph, row_of
 from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.model import ranges
-from hapticplayer.rendering import FEEDBACKS, ChosenFeedback
+from hapticplayer.rendering import FEEDBACKS, ChosenFeedback, condition_named
 from hapticplayer.sequence.comparison import Curves
 from hapticplayer.sequence.library import read_entry
 from hapticplayer.study.condition_preview import condition_curves
@@ -84,7 +84,8 @@ class ConditionList(EntryList):
 
     def shape(self, place: Place) -> object:
         keys = [one["key"] for one in self.document.value["sequences"]]
-        return place, tuple(keys)
+        name = "" if place[:1] == ("levels",) else _chosen(self.document.at(place)).name
+        return place, tuple(keys), condition_named(name) is None
 
     def fill(self, place: Place) -> None:
         if place[0] == "levels":
@@ -94,6 +95,24 @@ class ConditionList(EntryList):
             fields.decimal(self.tr("Gain of the force"), (*place, "gain"), gain)
             fields.number(self.tr("Repeats of each trial"), ("repeats",), 1, 100)
             return
+        if condition_named(_chosen(self.document.at(place)).name) is None:
+            name = _chosen(self.document.at(place)).name
+            text = self.tr("The track {name} that each sequence has").format(name=name)
+            self.fields.whole(paragraph(text))
+        else:
+            self._add_form(place)
+        self._add_key(place)
+        self.fields.whole(
+            paragraph(
+                self.tr(
+                    "Each sequence is played under each condition. Sessions that have "
+                    "begun keep theirs."
+                ),
+                theme.DIM,
+            )
+        )
+
+    def _add_form(self, place: Place) -> None:
         keys = [one["key"] for one in self.document.value["sequences"]]
         form = ConditionForm([], keys)
         self.fields.whole(form)
@@ -109,16 +128,6 @@ class ConditionList(EntryList):
 
         form.changed.connect(keep)
         self.fields.bind(place, form.condition, show)
-        self._add_key(place)
-        self.fields.whole(
-            paragraph(
-                self.tr(
-                    "Each sequence is played under each condition. Sessions that have "
-                    "begun keep theirs."
-                ),
-                theme.DIM,
-            )
-        )
 
     def _add_key(self, place: Place) -> None:
         """The key belongs to an entry that may be a name alone."""

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel
 
 from app.experimenter.study.document import place_of
 from app.experimenter.study.editor import StudyEditor
@@ -209,6 +209,23 @@ def test_a_condition_is_previewed_on_a_ride(editor, library, wait_for):
     assert abs(picture.after.force_n).max() == 0.0  # no force
     page.select(("feedbacks", 0))
     wait_for(lambda: picture.after is not None and abs(picture.after.force_n).max() > 0)
+
+
+def test_a_track_of_the_sequences_stays_a_condition(editor):
+    page = show(editor, editor.conditions)
+    before = editor.document.value["feedbacks"]
+    editor.document.set(("feedbacks",), ["mine", *before[1:]], "")
+    page.select(("feedbacks", 0))
+    told = [label.text() for label in page.fields.findChildren(QLabel)]
+    assert "The track mine that each sequence has" in told
+    typed(field(page, "feedbacks", 0, "key"), "own")
+    editor.undo_button.click()
+    editor.undo_button.click()
+    assert editor.document.value["feedbacks"] == before
+    assert page.fields.findChild(QComboBox) is not None
+    editor.redo_button.click()
+    editor.keep()
+    assert open_study(editor.draft.study.folder).definition.feedback_keys[0] == "mine"
 
 
 def test_levels_of_a_consistency_study_are_edited(edit, tmp_path):
