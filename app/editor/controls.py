@@ -46,6 +46,8 @@ class PlayBar(QWidget):
         self.compare.setToolTip(self.tr("Show the force without effects behind it"))
         self.compare.setChecked(True)
         self.snap = QCheckBox(self.tr("S&nap"))
+        for box in (self.loop, self.compare, self.snap):  # clicked, Space still plays
+            box.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.snap.setToolTip(self.tr("Snap to frames, events and other effects"))
         self.snap.setChecked(True)
         row_of(

@@ -4,9 +4,16 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QRect, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
-from PySide6.QtWidgets import QApplication, QBoxLayout, QMainWindow, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QBoxLayout,
+    QDialog,
+    QMainWindow,
+    QWidget,
+)
 
 from app.player.video_surface import VideoSurface
+from app.widgets.layout import TITLE_BAR_PX
 
 
 class EscapeFilter(QObject):
@@ -54,6 +61,16 @@ class EscapeFilter(QObject):
         ):
             self._stop()
         return False
+
+
+def close_beside() -> None:
+    """Close a dialog that has the keyboard beside the window: the shortcut took its Esc."""
+    native = QGuiApplication.focusWindow()
+    dialogs = [w for w in QApplication.topLevelWidgets() if isinstance(w, QDialog)]
+    for dialog in dialogs:
+        is_there = dialog.isVisible() and dialog.windowHandle() is native
+        if is_there and not dialog.isModal():
+            dialog.reject()
 
 
 CURSOR_STAYS_MS = 1500
@@ -112,7 +129,7 @@ class Fullscreen(QObject):
         self._others = others
         self._hidden: list[QWidget] = []
         self._geometry_before = QRect()
-        self._was_maximized = False
+        self._was_maximized, self._was_shown = False, True
         self.is_on = False
         self.screen_name = ""  # where to; "" for where the window is
         self._cursor_timer = QTimer(self)
@@ -129,6 +146,7 @@ class Fullscreen(QObject):
         window = self._window
         self._was_maximized = window.isMaximized()
         self._geometry_before = window.geometry()
+        self._was_shown = window.isVisible()
         self._hidden = [widget for widget in self._others if not widget.isHidden()]
         for widget in self._hidden:
             widget.hide()
@@ -159,7 +177,11 @@ class Fullscreen(QObject):
             self._window.showMaximized()
         else:
             self._window.showNormal()
-            self._window.setGeometry(self._geometry_before)
+            before, screen = self._geometry_before, self._window.screen()
+            least_px = screen.availableGeometry().top() + TITLE_BAR_PX
+            if not self._was_shown and before.top() < least_px:
+                before.moveTop(least_px)  # its title bar would be above the screen
+            self._window.setGeometry(before)
 
     def will_show(self, widget: QWidget, *, is_wanted: bool) -> None:
         """Show or hide one of the others, at once or after fullscreen."""

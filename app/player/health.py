@@ -167,7 +167,9 @@ def sync(stats: SyncStats | None) -> Reading:
     if stats is None:
         return Reading(Level.NEUTRAL, "\u2013")
     if not EARLY_MS <= stats.p50_ms <= LATE_MS:
-        level, text = Level.BAD, translate("Health", "OFF {p50:+.1f}, {p95:+.1f} ms")
+        late = translate("Health", "late {p50:+.1f}, {p95:+.1f} ms")
+        early = translate("Health", "early {p50:+.1f}, {p95:+.1f} ms")
+        level, text = Level.BAD, late if stats.p50_ms > 0.0 else early
     else:
         level = Level.GOOD if abs(stats.p50_ms) <= SYNC_GOOD_MS else Level.WATCH
         text = translate("Health", "{p50:+.1f}, {p95:+.1f} ms")

@@ -208,7 +208,7 @@ class HealthLine(QFrame):
                     "percentile of the last 20 s. More than 15 ms early or 50 ms "
                     "late is noticeable"
                 ),
-                self.tr("OFF +88.8, +88.8 ms"),
+                self.tr("early +88.8, +88.8 ms"),
             ),
             _Column(
                 self.tr("Force \u2212 sound"),
@@ -217,7 +217,7 @@ class HealthLine(QFrame):
                     "percentile of the last 20 s. More than 15 ms early or 50 ms "
                     "late is noticeable"
                 ),
-                self.tr("OFF +88.8, +88.8 ms"),
+                self.tr("early +88.8, +88.8 ms"),
             ),
             _Column(
                 self.tr("Frames"),

@@ -5,7 +5,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QKeySequence
-from PySide6.QtWidgets import QMainWindow, QSplitter, QStackedWidget, QWidget
+from PySide6.QtWidgets import (
+    QMainWindow,
+    QSplitter,
+    QStackedWidget,
+    QWidget,
+)
 
 from app.bridge.desktop import Desktop
 from app.bridge.errors import IsOver
@@ -19,7 +24,12 @@ from app.player.dialogs import Dialogs
 from app.player.display import Display, PlotArea
 from app.player.empty_page import EmptyPage
 from app.player.extras import Extras
-from app.player.fullscreen import EscapeFilter, FloatingControls, Fullscreen
+from app.player.fullscreen import (
+    EscapeFilter,
+    FloatingControls,
+    Fullscreen,
+    close_beside,
+)
 from app.player.health_line import HealthLine
 from app.player.menus import ThemeMenus
 from app.player.playlist import Playlist, Repeat, is_playable
@@ -30,9 +40,10 @@ from app.player.video_surface import VideoSurface
 from app.player.viewing import Viewing
 from app.widgets.files import FileDrops
 from app.widgets.layout import column_of
-from app.widgets.messages import JobBar, MessageBar
+from app.widgets.messages import JobBar, MessageBar, OfferBar
 from app.widgets.theme import icon
 from hapticplayer.clock import Clock
+from hapticplayer.model import Feedback
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 
@@ -72,14 +83,14 @@ class PlayerWindow(QMainWindow):
         self.is_over = False
         self.session = Session(player, self.show_message)
         self.dialogs = Dialogs(self, self.session, settings)
-        self.messages, self.job_bar = MessageBar(), JobBar()
+        self.messages, self.job_bar, self.offer = MessageBar(), JobBar(), OfferBar()
         self.empty_page, self.plots = EmptyPage(), PlotArea()
         self.transport, self.health = Transport(), HealthLine()
         self.sync_plot = SyncPlot()
         self.commands = Actions(self, settings)
         self._lay_out()
         parts = (self.transport, self.plots, self.health)
-        hidden = [self.menuBar(), *parts, self.sync_plot]
+        hidden = [self.menuBar(), *parts, self.sync_plot, self.offer]
         floating = FloatingControls(self.transport, surface, self._middle)
         self.fullscreen = Fullscreen(self, surface, hidden, floating)
         self._display = Display(self, self.session, clock, parts)
@@ -144,7 +155,8 @@ class PlayerWindow(QMainWindow):
         splitter.setHandleWidth(_HANDLE_PX)
         splitter.setSizes([_STAGE_PX, PLOTS_PX])
         middle = QWidget()
-        above, below = (self.messages, self.job_bar), (self.sync_plot, self.health)
+        above = (self.messages, self.job_bar, self.offer)
+        below = (self.sync_plot, self.health)
         self._middle = column_of(
             *(*above, (splitter, 1), self.transport, *below), spacing=0, of=middle
         )
@@ -157,6 +169,8 @@ class PlayerWindow(QMainWindow):
         session.changed.connect(self._on_changed)
         session.another_video.connect(self._on_another_video)
         session.ended.connect(self._on_ended)
+        session.chosen.connect(self._offer_import)
+        self.offer.accepted.connect(self._import_shown)
         self.surface.double_clicked.connect(self.toggle_fullscreen)
         self.surface.wheeled.connect(self._on_wheel)
         self.surface.menu_wanted.connect(lambda at: self.viewing.open_menu(at, self))
@@ -192,6 +206,7 @@ class PlayerWindow(QMainWindow):
         """Take the force away, pause, and leave fullscreen; say how it comes back."""
         self.session.stop()
         self.fullscreen.leave()
+        close_beside()
         keys = self.commands.rearm.shortcut().toString(
             QKeySequence.SequenceFormat.NativeText
         )
@@ -232,6 +247,28 @@ class PlayerWindow(QMainWindow):
     def show_statistics(self, *, is_wanted: bool) -> None:
         """Show or hide the figures over the video."""
         self.extras.show_statistics(is_wanted=is_wanted)
+
+    def _offer_import(self, source: Source) -> None:
+        """Say how a clip that a person has opened comes to be felt, where it is not."""
+        is_felt = set(source.tracks) != {Feedback.NONE}
+        if is_felt or source.clip.remote or source.notice or self.fullscreen.is_on:
+            return
+        if source.clip.has_telemetry:
+            text = self.tr(
+                "{name} contains motion data, which plays once it is imported."
+            )
+            button = self.tr("Import and feel it\u2026")
+        else:
+            text = self.tr(
+                "{name} has no motion data; a log, or its frames, can give it."
+            )
+            button = self.tr("Import or suggest motion\u2026")
+        self.offer.show_offer(text.format(name=source.path.name), button)
+
+    def _import_shown(self) -> None:
+        source = self.player.snapshot().source
+        if source is not None:
+            self.dialogs.import_recording([source.path])
 
     def _on_wheel(self, notches: int, is_seek: bool) -> None:
         if is_seek:
@@ -344,6 +381,7 @@ class PlayerWindow(QMainWindow):
 
     def _on_opening(self, source: Source) -> None:
         self.messages.hide()
+        self.offer.hide()
         self.empty_page.give_way()
         self.stage.setCurrentWidget(self.surface)
         self.surface.set_clip_size(source.clip.width, source.clip.height)

@@ -166,6 +166,35 @@ class JobBar(QFrame):
         self.cancelled.emit()
 
 
+class OfferBar(QFrame):
+    """Something that can be done with what is open, until it is done or closed."""
+
+    accepted = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setStyleSheet(
+            f"OfferBar {{ background: {theme.PANEL}; "
+            f"border: 0; border-bottom: 1px solid {theme.BORDER}; }}"
+        )
+        self.text = ElidedLabel()
+        self.accept_button = text_button("", "", "primary")
+        self.accept_button.clicked.connect(self.hide)
+        self.accept_button.clicked.connect(self.accepted)
+        close = text_button(self.tr("Close"), self.tr("Hide this message"))
+        close.clicked.connect(self.hide)
+        parts = ((self.text, 1), self.accept_button, close)
+        row_of(*parts, spacing=12, margins=(12, 6, 8, 6), of=self)
+        self.hide()
+
+    def show_offer(self, text: str, button: str) -> None:
+        self.text.set_text(text)
+        self.text.setToolTip(text)
+        self.accept_button.setText(button)
+        self.setAccessibleName(text)
+        self.show()
+
+
 class StatusLine(QLabel):
     """What came of the work: a text in a colour, or what went wrong."""
 

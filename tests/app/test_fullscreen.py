@@ -3,6 +3,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.player import fullscreen
+from app.widgets import layout
 from hapticplayer.playback.phases import Phase
 
 
@@ -89,3 +90,13 @@ def test_a_job_does_not_show_in_fullscreen(full, wait_for):
     assert not full.job_bar.isVisible()
     steps.append("enough")
     wait_for(lambda: not full.session.jobs.is_busy)
+
+
+def test_a_window_that_began_in_fullscreen_has_its_title(make_window, source):
+    window = make_window()
+    window.hide()
+    window.move(0, 0)
+    window.session.show_source(source)
+    window.enter_fullscreen()
+    window.toggle_fullscreen()
+    assert window.geometry().top() >= layout.TITLE_BAR_PX

@@ -6,6 +6,8 @@ from PySide6.QtCore import Qt
 
 from app.player.command import Command
 
+RIG = "rig:outsim"
+
 
 def commands() -> tuple[Command[Any], ...]:
     """A simulated rig to look at."""
@@ -16,6 +18,14 @@ def show_rig(window: Any) -> None:
     """Show what a motion rig at the other end would do."""
     from app.extras.rigs.panel import RigPanel
 
-    panel = window.findChild(RigPanel) or RigPanel(window.clock, window)
+    def play() -> None:
+        names = window.player.output_names
+        if RIG not in names:
+            window.dialogs.choose([*names, RIG])
+
+    panel = window.findChild(RigPanel)
+    if panel is None:
+        panel = RigPanel(window.clock, window)
+        panel.play_wanted.connect(play)
     panel.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     panel.show()

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QDialog, QLabel, QWidget
 
 from app.bridge.languages import translated
@@ -29,6 +29,8 @@ _WIDTH_PX, _HEIGHT_PX = 520, 480
 
 class RigPanel(QDialog):
     """Stays beside the window; ports are open while it is."""
+
+    play_wanted = Signal()
 
     def __init__(
         self, clock: Clock, parent: QWidget, ports: tuple[int, ...] | None = None
@@ -99,4 +101,9 @@ class RigPanel(QDialog):
         self.state.setFont(theme.scaled(self.font(), 1.2, bold=True))
         close = text_button(self.tr("Close"), self.tr("Stop listening"))
         close.clicked.connect(self.reject)
-        fill_page(self, self.state, (self.view, 1), self.hint, row_of(STRETCH, close))
+        self.play = text_button(
+            self.tr("&Play on this rig"), self.tr("Add it to the outputs"), "primary"
+        )
+        self.play.clicked.connect(self.play_wanted)
+        row = row_of(STRETCH, close, self.play)
+        fill_page(self, self.state, (self.view, 1), self.hint, row)

@@ -119,6 +119,17 @@ def test_space_checks_a_box_that_has_the_keyboard(page):
     assert not page.playing.is_playing
 
 
+def test_space_plays_after_a_click_on_a_box(page):
+    page.lanes.setFocus()
+    for box in (page.play_bar.loop, page.play_bar.compare, page.play_bar.snap):
+        was_checked = box.isChecked()
+        QTest.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, 8))
+        assert box.isChecked() != was_checked
+        assert page.lanes.hasFocus()
+    QTest.keyClick(page.focusWidget(), Qt.Key.Key_Space)
+    assert page.playing.is_playing
+
+
 def test_copies_are_put_after_the_effect_and_at_the_cursor(page):
     page.document.select(0)
     page.panel.duplicate.click()

@@ -35,6 +35,15 @@ def test_a_packet_moves_the_platform(panel, wait_for):
     assert panel.state.text() == "outsim: followed"
 
 
+def test_the_rig_is_added_to_what_plays(window):
+    window.commands.rig.trigger()
+    panel = window.findChild(RigPanel)
+    for _ in range(2):
+        panel.play.click()
+        assert window.player.output_names.count("rig:outsim") == 1
+    panel.done(0)
+
+
 def test_a_pose_out_of_reach_is_held_back_and_reported(panel, wait_for):
     send(panel, up_mps2=30.0)
     wait_for(lambda: panel.view.is_clamped)
