@@ -8,12 +8,20 @@
         <translation>&amp;Datei</translation>
     </message>
     <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
         <source>&amp;Playback</source>
         <translation>&amp;Wiedergabe</translation>
     </message>
     <message>
         <source>&amp;View</source>
         <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Gerät</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -33,7 +41,7 @@
     </message>
     <message>
         <source>Li&amp;brary…</source>
-        <translation>&amp;Bibliothek…</translation>
+        <translation>Bibliothe&amp;k…</translation>
     </message>
     <message>
         <source>Open the &amp;demo</source>
@@ -56,6 +64,10 @@
         <translation>&amp;Protokoll abspielen…</translation>
     </message>
     <message>
+        <source>&amp;Playlist…</source>
+        <translation>&amp;Wiedergabeliste…</translation>
+    </message>
+    <message>
         <source>Edit &amp;effects…</source>
         <translation>&amp;Effekte bearbeiten…</translation>
     </message>
@@ -66,6 +78,10 @@
     <message>
         <source>S&amp;hare…</source>
         <translation>&amp;Teilen…</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Voreinstellungen…</translation>
     </message>
     <message>
         <source>E&amp;xport settings…</source>
@@ -89,11 +105,23 @@
     </message>
     <message>
         <source>Go to the b&amp;eginning</source>
-        <translation>Zum &amp;Anfang</translation>
+        <translation>Zum An&amp;fang</translation>
     </message>
     <message>
         <source>Go to the e&amp;nd</source>
         <translation>Zum &amp;Ende</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt file</source>
+        <translation>Nächste &amp;Datei</translation>
+    </message>
+    <message>
+        <source>P&amp;revious file</source>
+        <translation>V&amp;orige Datei</translation>
+    </message>
+    <message>
+        <source>Repea&amp;t: off, this clip, all</source>
+        <translation>&amp;Wiederholen: aus, dieser Clip, alle</translation>
     </message>
     <message>
         <source>Next frame</source>
@@ -140,10 +168,6 @@
         <translation>Kraft f&amp;reigeben</translation>
     </message>
     <message>
-        <source>Other feed&amp;back…</source>
-        <translation>Anderes Feed&amp;back…</translation>
-    </message>
-    <message>
         <source>Set up the &amp;device…</source>
         <translation>&amp;Gerät einrichten…</translation>
     </message>
@@ -154,6 +178,34 @@
     <message>
         <source>&amp;Grip view</source>
         <translation>&amp;Griffansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom in</source>
+        <translation>Ve&amp;rgrößern</translation>
+    </message>
+    <message>
+        <source>Zoom o&amp;ut</source>
+        <translation>Verklei&amp;nern</translation>
+    </message>
+    <message>
+        <source>As large as fits</source>
+        <translation>So groß wie möglich</translation>
+    </message>
+    <message>
+        <source>Save this frame as a pictu&amp;re</source>
+        <translation>Dieses B&amp;ild als Foto speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>&amp;System check…</source>
+        <translation>&amp;Systemprüfung…</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem…</source>
+        <translation>&amp;Problem melden…</translation>
     </message>
     <message>
         <source>Simulated &amp;motion rig…</source>
@@ -269,7 +321,11 @@
     </message>
     <message>
         <source>Measure l&amp;atencies…</source>
-        <translation>L&amp;atenzen messen…</translation>
+        <translation>&amp;Latenzen messen…</translation>
+    </message>
+    <message>
+        <source>Other feedbac&amp;k…</source>
+        <translation>Anderes Feed&amp;back…</translation>
     </message>
     <message>
         <source>&amp;Outputs…</source>
@@ -285,7 +341,7 @@
     </message>
     <message>
         <source>&amp;Statistics</source>
-        <translation>&amp;Statistik</translation>
+        <translation>S&amp;tatistik</translation>
     </message>
     <message>
         <source>&amp;Fullscreen</source>
@@ -315,18 +371,6 @@
         <translation>Bericht, Abbildungen und Daten in einen neuen Ordner schreiben</translation>
     </message>
     <message>
-        <source>&amp;Export data</source>
-        <translation>Daten &amp;exportieren</translation>
-    </message>
-    <message>
-        <source>Write the answers and the records of the device for other programs</source>
-        <translation>Antworten und Aufzeichnungen des Geräts für andere Programme schreiben</translation>
-    </message>
-    <message>
-        <source>Exporting the data</source>
-        <translation>Daten werden exportiert</translation>
-    </message>
-    <message>
         <source>The report is in English, ready for publication.</source>
         <translation>Der Bericht ist auf Englisch, fertig zur Veröffentlichung.</translation>
     </message>
@@ -337,10 +381,6 @@
     <message>
         <source>Choose where to create the report folder</source>
         <translation>Wo soll der Ordner des Berichts angelegt werden?</translation>
-    </message>
-    <message>
-        <source>Choose where to create the data folder</source>
-        <translation>Wo soll der Ordner mit den Daten angelegt werden?</translation>
     </message>
     <message>
         <source>&amp;Save report…</source>
@@ -406,6 +446,37 @@
     <message>
         <source>not visible from here</source>
         <translation>von hier aus nicht zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>CheckPage</name>
+    <message>
+        <source>System check</source>
+        <translation>Systemprüfung</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft…</translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the whole text</source>
+        <translation>Den ganzen Text kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>What is here, what is missing, and what would bring it.</source>
+        <translation>Was da ist, was fehlt und was es herbeischafft.</translation>
     </message>
 </context>
 <context>
@@ -1169,6 +1240,49 @@
     </message>
 </context>
 <context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export the data</source>
+        <translation>Daten exportieren</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>The data will be written to {folder}</source>
+        <translation>Die Daten werden in {folder} geschrieben</translation>
+    </message>
+    <message>
+        <source>This folder exists already: choose another place</source>
+        <translation>Diesen Ordner gibt es schon: Wählen Sie einen anderen Ort</translation>
+    </message>
+    <message>
+        <source>Choose where to create the data folder</source>
+        <translation>Wo soll der Ordner mit den Daten angelegt werden?</translation>
+    </message>
+</context>
+<context>
     <name>Extras</name>
     <message>
         <source>Resuming at {time} (Home: from the start)</source>
@@ -1601,6 +1715,33 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>GuideWindow</name>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+</context>
+<context>
     <name>Health</name>
     <message>
         <source>none</source>
@@ -1758,10 +1899,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Frames shown on time, and dropped because they were late</source>
-        <translation>Rechtzeitig gezeigte und wegen Verspätung verworfene Bilder</translation>
-    </message>
-    <message>
         <source>Master clock: the audio output, or the computer&apos;s monotonic clock when there is no sound</source>
         <translation>Führende Uhr: die Tonausgabe, oder ohne Ton die Systemuhr des Rechners</translation>
     </message>
@@ -1780,6 +1917,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>no, 888 µs, 888 missed</source>
         <translation>nein, 888 µs, 888 verpasst</translation>
+    </message>
+    <message>
+        <source>Frames shown on time, and dropped because they were late; the sign tells of the last 10 s</source>
+        <translation>Rechtzeitig gezeigte und wegen Verspätung verworfene Bilder; das Zeichen gilt für die letzten 10 s</translation>
     </message>
     <message>
         <source>88888 shown, 88 dropped</source>
@@ -2105,8 +2246,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Tonausgabe {name} scheint drahtlos zu sein</translation>
     </message>
     <message>
-        <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
-        <translation>die tatsächliche Latenz kann höher sein. Benutzen Sie Kopfhörer mit Kabel, oder messen Sie sie: Wiedergabe &gt; Latenzen messen</translation>
+        <source>the actual latency may be higher. Use wired headphones, or measure it: Device &gt; Measure latencies</source>
+        <translation>die wirkliche Latenz kann größer sein. Nehmen Sie Kopfhörer mit Kabel, oder messen Sie sie: Gerät &gt; Latenzen messen</translation>
     </message>
 </context>
 <context>
@@ -2353,6 +2494,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Name</translation>
     </message>
     <message>
+        <source>Saved: {name}</source>
+        <translation>Gespeichert: {name}</translation>
+    </message>
+    <message>
+        <source>It keeps {what}</source>
+        <translation>Erhalten bleibt: {what}</translation>
+    </message>
+    <message>
         <source>{rendering}; one gain for each axis</source>
         <translation>{rendering}; eine Verstärkung je Achse</translation>
     </message>
@@ -2418,6 +2567,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Play (Enter)</source>
         <translation>Abspielen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>&amp;Rendering…</source>
+        <translation>Ren&amp;dering…</translation>
+    </message>
+    <message>
+        <source>Show in the file &amp;manager</source>
+        <translation>In der Datei&amp;verwaltung zeigen</translation>
     </message>
     <message>
         <source>No sequences yet. Import a recording.</source>
@@ -2927,8 +3084,103 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Kraft abgeschaltet. {keys} gibt sie wieder frei.</translation>
     </message>
     <message>
+        <source>No next file</source>
+        <translation>Keine nächste Datei</translation>
+    </message>
+    <message>
+        <source>No previous file</source>
+        <translation>Keine vorige Datei</translation>
+    </message>
+    <message>
+        <source>Repeat off</source>
+        <translation>Wiederholen aus</translation>
+    </message>
+    <message>
+        <source>Repeat this clip</source>
+        <translation>Diesen Clip wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat all</source>
+        <translation>Alle wiederholen</translation>
+    </message>
+    <message>
         <source>hapticplayer</source>
         <translation>hapticplayer</translation>
+    </message>
+</context>
+<context>
+    <name>PlaylistPage</name>
+    <message>
+        <source>Playlist</source>
+        <translation>Wiedergabeliste</translation>
+    </message>
+    <message>
+        <source>Clips</source>
+        <translation>Clips</translation>
+    </message>
+    <message>
+        <source>Do not repeat</source>
+        <translation>Nicht wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat this clip</source>
+        <translation>Diesen Clip wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat all</source>
+        <translation>Alle wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add videos; sequences can be dropped here</source>
+        <translation>Videos hinzufügen; Sequenzen lassen sich hierher ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove from the list; no file is deleted</source>
+        <translation>Aus der Liste entfernen; keine Datei wird gelöscht</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Play it earlier</source>
+        <translation>Früher spielen</translation>
+    </message>
+    <message>
+        <source>&amp;Down</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Play it later</source>
+        <translation>Später spielen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>At the e&amp;nd</source>
+        <translation>A&amp;m Ende</translation>
+    </message>
+    <message>
+        <source>Clips play one after the other.</source>
+        <translation>Die Clips spielen nacheinander.</translation>
+    </message>
+    <message>
+        <source>The list is empty. Add videos, or drop videos and sequences here. Without a list, Next and Previous play what is in the folder of the clip.</source>
+        <translation>Die Liste ist leer. Fügen Sie Videos hinzu, oder ziehen Sie Videos und Sequenzen hierher. Ohne Liste spielen „Nächste Datei“ und „Vorige Datei“, was im Ordner des Clips liegt.</translation>
+    </message>
+    <message>
+        <source>Add videos</source>
+        <translation>Videos hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -3003,6 +3255,73 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Click: seek. Drag: pan. Wheel or + and −: zoom. Double-click or Enter: reset</source>
         <translation>Klick: springen. Ziehen: verschieben. Rad oder + und −: zoomen. Doppelklick oder Eingabe: zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesPage</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>System default</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Same screen as the window</source>
+        <translation>Bildschirm des Fensters</translation>
+    </message>
+    <message>
+        <source>Resume clips &amp;where they were left</source>
+        <translation>Clips dort fortsetzen, &amp;wo sie verlassen wurden</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>Sound &amp;output</source>
+        <translation>&amp;Tonausgabe</translation>
+    </message>
+    <message>
+        <source>&amp;Fullscreen on</source>
+        <translation>&amp;Vollbild auf</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Saved frames</source>
+        <translation>Gespeicherte Bilder</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>Tasten&amp;kürzel…</translation>
+    </message>
+    <message>
+        <source>&amp;Devices…</source>
+        <translation>&amp;Geräte…</translation>
+    </message>
+    <message>
+        <source>L&amp;atencies…</source>
+        <translation>&amp;Latenzen…</translation>
+    </message>
+    <message>
+        <source>O&amp;K</source>
+        <translation>&amp;OK</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>More is set on pages of its own:</source>
+        <translation>Anderes wird auf eigenen Seiten eingestellt:</translation>
     </message>
 </context>
 <context>
@@ -3590,6 +3909,53 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>ReportPage</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Problem melden</translation>
+    </message>
+    <message>
+        <source>The report</source>
+        <translation>Der Bericht</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, what did you expect?</source>
+        <translation>Was haben Sie getan, was ist geschehen, was haben Sie erwartet?</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>Speiche&amp;rn…</translation>
+    </message>
+    <message>
+        <source>Save the report as a zip file</source>
+        <translation>Den Bericht als Zip-Datei speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>This is all that the report holds: no names of your files or folders, nothing of your recordings. It is saved on this computer; nothing is sent.</source>
+        <translation>Das ist alles, was der Bericht enthält: keine Namen Ihrer Dateien oder Ordner, nichts aus Ihren Aufnahmen. Er wird auf diesem Rechner gespeichert; nichts wird gesendet.</translation>
+    </message>
+    <message>
+        <source>Your &amp;words</source>
+        <translation>Ihre &amp;Worte</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Zip files (*.zip)</source>
+        <translation>Zip-Dateien (*.zip)</translation>
+    </message>
+    <message>
+        <source>Saved: {name}</source>
+        <translation>Gespeichert: {name}</translation>
+    </message>
+</context>
+<context>
     <name>RigPanel</name>
     <message>
         <source>Listening on this computer at the ports {ports}. Play on this rig, or let a game send its telemetry here.</source>
@@ -4172,10 +4538,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>M&amp;P4, mit einer zweiten Datei für die Kraft</translation>
     </message>
     <message>
-        <source>Reading</source>
-        <translation>Lesen</translation>
-    </message>
-    <message>
         <source>A video file to send: every player shows it, hapticplayer also plays the force.</source>
         <translation>Eine Videodatei zum Verschicken: Jedes Programm zeigt sie, hapticplayer spielt auch die Kraft.</translation>
     </message>
@@ -4198,6 +4560,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Include &amp;names, dates and places</source>
         <translation>&amp;Namen, Zeiten und Orte mitgeben</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Wird vorbereitet</translation>
     </message>
     <message>
         <source>Cancel; nothing is kept</source>
@@ -4258,6 +4624,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Sharing</source>
         <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>{number} kB</source>
+        <translation>{number} kB</translation>
     </message>
     <message>
         <source>{number} MB</source>
@@ -4525,6 +4895,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wiederhergestellte Änderungen</translation>
     </message>
     <message>
+        <source>Not saved: close again to lose the changes</source>
+        <translation>Nicht gespeichert: Noch einmal schließen verwirft die Änderungen</translation>
+    </message>
+    <message>
         <source>{trials} trials for each participant, about {minutes} minutes</source>
         <translation>{trials} Durchgänge je Person, etwa {minutes} Minuten</translation>
     </message>
@@ -4567,8 +4941,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>&amp;Sitzung durchführen…</translation>
     </message>
     <message>
+        <source>&amp;Sessions and data…</source>
+        <translation>Sitzungen und &amp;Daten…</translation>
+    </message>
+    <message>
         <source>&amp;Analyse study…</source>
         <translation>Studie &amp;auswerten…</translation>
+    </message>
+    <message>
+        <source>Opening the session…</source>
+        <translation>Sitzung wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Run a participant</source>
+        <translation>Sitzung durchführen</translation>
     </message>
     <message>
         <source>Study folder</source>
@@ -4580,6 +4966,205 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>The session has ended with status {0}</source>
         <translation>Die Sitzung endete mit dem Status {0}</translation>
+    </message>
+</context>
+<context>
+    <name>StudyResults</name>
+    <message>
+        <source>Sessions – {title}</source>
+        <translation>Sitzungen – {title}</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Beantwortet</translation>
+    </message>
+    <message>
+        <source>Invalid</source>
+        <translation>Ungültig</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Text answers</source>
+        <translation>Textantworten</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>End…</source>
+        <translation>Beenden…</translation>
+    </message>
+    <message>
+        <source>End a session that will not be resumed; its order is free again</source>
+        <translation>Eine Sitzung beenden, die nicht fortgesetzt wird; ihre Reihenfolge wird wieder frei</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Löschen…</translation>
+    </message>
+    <message>
+        <source>Delete a participant; says first what is erased</source>
+        <translation>Eine Person löschen; sagt zuerst, was gelöscht wird</translation>
+    </message>
+    <message>
+        <source>Merge…</source>
+        <translation>Zusammenführen…</translation>
+    </message>
+    <message>
+        <source>Add the sessions of a copy of this study on another machine</source>
+        <translation>Die Sitzungen einer Kopie dieser Studie auf einem anderen Rechner hinzufügen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the data for other programs</source>
+        <translation>Die Daten für andere Programme schreiben</translation>
+    </message>
+    <message>
+        <source>Analyse</source>
+        <translation>Auswerten</translation>
+    </message>
+    <message>
+        <source>Statistics and report</source>
+        <translation>Statistik und Bericht</translation>
+    </message>
+    <message>
+        <source>Approve for export</source>
+        <translation>Für den Export freigeben</translation>
+    </message>
+    <message>
+        <source>The selected answers identify no one</source>
+        <translation>Die ausgewählten Antworten verraten niemanden</translation>
+    </message>
+    <message>
+        <source>Answers in words may name a person. Read them; only those that you approve are exported.</source>
+        <translation>Antworten in Worten können eine Person nennen. Lesen Sie sie; nur freigegebene werden exportiert.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Nobody has taken part yet: Study &gt; Run a participant.</source>
+        <translation>Noch niemand hat teilgenommen: Studie &gt; Sitzung durchführen.</translation>
+    </message>
+    <message>
+        <source>Sessions: {count}, complete: {done}, deleted: {deleted}</source>
+        <translation>Sitzungen: {count}, vollständig: {done}, gelöscht: {deleted}</translation>
+    </message>
+    <message>
+        <source>Trial {n} ({condition}) is invalid: {reasons}</source>
+        <translation>Durchgang {n} ({condition}) ist ungültig: {reasons}</translation>
+    </message>
+    <message>
+        <source>Resumed: {n} times</source>
+        <translation>Fortgesetzt: {n}-mal</translation>
+    </message>
+    <message>
+        <source>Damaged records: {n}</source>
+        <translation>Beschädigte Aufzeichnungen: {n}</translation>
+    </message>
+    <message>
+        <source>End the session</source>
+        <translation>Die Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>Reason for ending the session (all answers so far are kept):</source>
+        <translation>Grund für das Ende (alle bisherigen Antworten bleiben erhalten):</translation>
+    </message>
+    <message>
+        <source>Deleting</source>
+        <translation>Wird gelöscht</translation>
+    </message>
+    <message>
+        <source>Delete participant {code}? Answers to {answered} trials, the records of the device and the consent are erased ({count} files, {size}) and cannot be restored. That somebody was deleted stays, without the code. Exports and reports outside of the study are yours to delete.</source>
+        <translation>Person {code} löschen? Die Antworten zu {answered} Durchgängen, die Aufzeichnungen des Geräts und die Einwilligung werden gelöscht ({count} Dateien, {size}) und lassen sich nicht wiederherstellen. Dass jemand gelöscht wurde, bleibt vermerkt, ohne den Code. Exporte und Berichte außerhalb der Studie müssen Sie selbst löschen.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>The participant was deleted.</source>
+        <translation>Die Person wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>Still named in: {files}. Write these again or remove them.</source>
+        <translation>Noch genannt in: {files}. Schreiben Sie diese neu, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Choose the copy of this study</source>
+        <translation>Wählen Sie die Kopie dieser Studie</translation>
+    </message>
+    <message>
+        <source>Merging</source>
+        <translation>Wird zusammengeführt</translation>
+    </message>
+    <message>
+        <source>Sessions added: {added}; here already: {same}.</source>
+        <translation>Hinzugefügte Sitzungen: {added}; schon vorhanden: {same}.</translation>
+    </message>
+    <message>
+        <source>Exported to {folder}.</source>
+        <translation>Nach {folder} exportiert.</translation>
+    </message>
+    <message>
+        <source>Exporting the data</source>
+        <translation>Daten werden exportiert</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>ended early</source>
+        <translation>vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
     </message>
 </context>
 <context>
@@ -4792,8 +5377,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Zu spüren sind Kurven eines Fahrzeugs und Schritte beim Gehen oder Reiten; Bremsen, Stöße und Schlaglöcher fehlen. Nichts misst diese Bewegung: Stellen Sie ihre Stärke von Hand mit der Verstärkung ein, und verwenden Sie sie in keiner Studie, ohne es zu sagen. Zeitlupe und Zeitraffer werden genommen, wie sie laufen.</translation>
     </message>
     <message>
-        <source>This needs OpenCV; Help &gt; System check shows how to install it.</source>
-        <translation>Das braucht OpenCV; Hilfe &gt; Systemprüfung zeigt, wie es installiert wird.</translation>
+        <source>This needs OpenCV: see Help &gt; System check.</source>
+        <translation>Das braucht OpenCV: siehe Hilfe &gt; Systemprüfung.</translation>
     </message>
     <message>
         <source>Choose its motion log above, if there is one.</source>
@@ -5065,10 +5650,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Position</translation>
     </message>
     <message>
-        <source>Position in the clip: click or drag</source>
-        <translation>Stelle im Clip: klicken oder ziehen</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -5087,6 +5668,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Playback speed (Backspace: normal speed)</source>
         <translation>Wiedergabegeschwindigkeit (Rücktaste: normal)</translation>
+    </message>
+    <message>
+        <source>Position in the clip: click or drag. The strip below shows how strong the force is: the brighter, the stronger</source>
+        <translation>Stelle im Clip: klicken oder ziehen. Der Streifen darunter zeigt, wie stark die Kraft ist: je heller, desto stärker</translation>
     </message>
     <message>
         <source>Force track to play</source>
@@ -5203,6 +5788,53 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>Viewing</name>
+    <message>
+        <source>A&amp;udio track</source>
+        <translation>To&amp;nspur</translation>
+    </message>
+    <message>
+        <source>Subt&amp;itles</source>
+        <translation>&amp;Untertitel</translation>
+    </message>
+    <message>
+        <source>&amp;Aspect ratio</source>
+        <translation>S&amp;eitenverhältnis</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>Wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>Zoom {x:.0f}&#xa0;%</source>
+        <translation>Zoom {x:.0f}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Aspect ratio: {shape}</source>
+        <translation>Seitenverhältnis: {shape}</translation>
+    </message>
+    <message>
+        <source>No sound in this clip</source>
+        <translation>Kein Ton in diesem Clip</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>No subtitles in this clip</source>
+        <translation>Keine Untertitel in diesem Clip</translation>
+    </message>
+    <message>
+        <source>Track {n}</source>
+        <translation>Spur {n}</translation>
+    </message>
+    <message>
+        <source>Saved: {name}</source>
+        <translation>Gespeichert: {name}</translation>
+    </message>
+</context>
+<context>
     <name>_LargePage</name>
     <message>
         <source>Close the preview (Esc)</source>
@@ -5217,14 +5849,25 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>_Place</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+</context>
+<context>
     <name>_Question</name>
     <message>
         <source>Answer</source>
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>Another answer, written like those above</source>
-        <translation>Eine andere Antwort, geschrieben wie die darüber</translation>
+        <source>Or answer like those above</source>
+        <translation>Oder antworten wie oben</translation>
     </message>
     <message>
         <source>&amp;Answer</source>
@@ -5974,12 +6617,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fehler lassen sich nur bei einem simulierten Gerät einspielen, das dafür geöffnet wurde</translation>
     </message>
     <message>
+        <source>force, lossless</source>
+        <translation>Kraft, verlustfrei</translation>
+    </message>
+    <message>
         <source>has an invalid header</source>
         <translation>hat einen ungültigen Kopf</translation>
     </message>
     <message>
         <source>has an invalid header: {reason}</source>
         <translation>hat einen ungültigen Kopf: {reason}</translation>
+    </message>
+    <message>
+        <source>has no such subtitles</source>
+        <translation>hat keine solchen Untertitel</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>if it is not in seconds, multiply {scale} by {per_s:.0f}; else average to {most_hz:g} samples a second</source>
+        <translation>ist das nicht in Sekunden, multiplizieren Sie {scale} mit {per_s:.0f}; sonst mitteln Sie auf {most_hz:g} Werte je Sekunde</translation>
     </message>
     <message>
         <source>is damaged in its header</source>
@@ -6662,20 +7321,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es sieht nach °/s aus: Multiplizieren Sie gx, gy, gz mit 0.0174532925</translation>
     </message>
     <message>
-        <source>it looks like milliseconds: divide time_s by 1000</source>
-        <translation>es sieht nach Millisekunden aus: Teilen Sie time_s durch 1000</translation>
-    </message>
-    <message>
         <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
         <translation>es scheint in °/s zu sein: Multiplizieren Sie mit 0.0174532925</translation>
     </message>
     <message>
         <source>it seems to be in g: multiply it by 9.80665</source>
         <translation>es scheint in g zu sein: Multiplizieren Sie mit 9.80665</translation>
-    </message>
-    <message>
-        <source>it seems to be in milli-g: multiply it by 0.00980665</source>
-        <translation>es scheint in Milli-g zu sein: Multiplizieren Sie mit 0.00980665</translation>
     </message>
     <message>
         <source>it seems to have been converted twice: multiply it by 57.2957795</source>
@@ -7494,6 +8145,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wählen Sie einen anderen Schlüssel</translation>
     </message>
     <message>
+        <source>choose another track</source>
+        <translation>wählen Sie eine andere Spur</translation>
+    </message>
+    <message>
         <source>choose the other kind of file, or convert it to MP4 and import it again</source>
         <translation>wählen Sie die andere Art von Datei, oder wandeln Sie es in MP4 um und importieren Sie es erneut</translation>
     </message>
@@ -7586,6 +8241,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Dauern gelten als Sekunden, wie in PlaySEM</translation>
     </message>
     <message>
+        <source>early</source>
+        <translation>früh</translation>
+    </message>
+    <message>
         <source>effect</source>
         <translation>Effekt</translation>
     </message>
@@ -7670,20 +8329,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Kraft für andere Programme</translation>
     </message>
     <message>
+        <source>force of the feedback random, lossless</source>
+        <translation>Kraft des Feedbacks zufällig, verlustfrei</translation>
+    </message>
+    <message>
+        <source>force of the feedback realistic, lossless</source>
+        <translation>Kraft des Feedbacks realistisch, verlustfrei</translation>
+    </message>
+    <message>
+        <source>force of the feedback {name}, lossless</source>
+        <translation>Kraft des Feedbacks {name}, verlustfrei</translation>
+    </message>
+    <message>
         <source>force track</source>
         <translation>Kraftspur</translation>
     </message>
     <message>
         <source>force vector, every millisecond</source>
         <translation>Kraftvektor, jede Millisekunde</translation>
-    </message>
-    <message>
-        <source>force {name!r}, N, lossless</source>
-        <translation>Kraft {name!r}, N, verlustfrei</translation>
-    </message>
-    <message>
-        <source>force, N, lossless</source>
-        <translation>Kraft, N, verlustfrei</translation>
     </message>
     <message>
         <source>format</source>
@@ -7908,14 +8571,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>it is a time lapse or TimeWarp (GoPro&apos;s rate: {rate})</source>
         <translation>es ist ein Zeitraffer oder TimeWarp (Rate der GoPro: {rate})</translation>
-    </message>
-    <message>
-        <source>it looks like microseconds: divide time_s by 1000000</source>
-        <translation>es sieht nach Mikrosekunden aus: Teilen Sie time_s durch 1000000</translation>
-    </message>
-    <message>
-        <source>it looks like nanoseconds: divide time_s by 1000000000</source>
-        <translation>es sieht nach Nanosekunden aus: Teilen Sie time_s durch 1000000000</translation>
     </message>
     <message>
         <source>its attachments are too large (limit: {most_mb} MB in {files} files)</source>
@@ -9242,18 +9897,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>time_s hat {ndim} Achsen, erwartet wird eine</translation>
     </message>
     <message>
-        <source>time_s jumps back by {jump_s:.6g} s at {place}</source>
-        <translation>time_s springt in {place} um {jump_s:.6g} s zurück</translation>
-    </message>
-    <message>
-        <source>time_s runs at {rate_hz:.3g} samples a second</source>
-        <translation>time_s läuft mit {rate_hz:.3g} Werten je Sekunde</translation>
-    </message>
-    <message>
-        <source>time_s runs backwards at {place}, and no order can be found</source>
-        <translation>time_s läuft in {place} rückwärts, und es findet sich keine Reihenfolge</translation>
-    </message>
-    <message>
         <source>timeout</source>
         <translation>Zeitüberschreitung</translation>
     </message>
@@ -9698,10 +10341,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine lesbare Bewegung</translation>
     </message>
     <message>
-        <source>if it is not in seconds, multiply time_s by {per_s:.0f}; else average to {most_hz:g} samples a second</source>
-        <translation>ist es nicht in Sekunden, multiplizieren Sie time_s mit {per_s:.0f}; sonst mitteln Sie auf {most_hz:g} Werte je Sekunde</translation>
-    </message>
-    <message>
         <source>intensities beyond their range were limited</source>
         <translation>Intensitäten außerhalb ihres Bereichs wurden begrenzt</translation>
     </message>
@@ -9786,6 +10425,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es enthält ein halbes Zeichen</translation>
     </message>
     <message>
+        <source>it holds no gyroscope, or its sensors share a clock</source>
+        <translation>es enthält kein Gyroskop, oder seine Sensoren haben dieselbe Uhr</translation>
+    </message>
+    <message>
         <source>it holds no sound, in which taps could be heard</source>
         <translation>es enthält keinen Ton, in dem Klopfen zu hören wäre</translation>
     </message>
@@ -9796,6 +10439,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>it is {container}, which is not read</source>
         <translation>es ist {container}, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>it looks like microseconds: divide {scale} by 1000000</source>
+        <translation>es sieht nach Mikrosekunden aus: Teilen Sie {scale} durch 1000000</translation>
+    </message>
+    <message>
+        <source>it looks like milliseconds: divide {scale} by 1000</source>
+        <translation>es sieht nach Millisekunden aus: Teilen Sie {scale} durch 1000</translation>
+    </message>
+    <message>
+        <source>it looks like nanoseconds: divide {scale} by 1000000000</source>
+        <translation>es sieht nach Nanosekunden aus: Teilen Sie {scale} durch 1000000000</translation>
+    </message>
+    <message>
+        <source>it seems to be in {unit}: multiply it by {factor:.6g}</source>
+        <translation>es scheint in {unit} zu sein: Multiplizieren Sie es mit {factor:.6g}</translation>
     </message>
     <message>
         <source>it was recorded at {captured_hz:g} frames per second and plays at {shown_hz:g}</source>
@@ -9838,6 +10497,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Bilder mit {width} x {height} Pixeln sind zu groß (bis 8192 x 4320 werden gezeigt)</translation>
     </message>
     <message>
+        <source>its gyroscope reads exactly 0 about {axes} throughout, but gravity turns in its accelerometer as it does not show</source>
+        <translation>sein Gyroskop zeigt um {axes} durchweg genau 0, aber die Schwerkraft dreht sich in seinem Beschleunigungssensor, wie es nicht zeigt</translation>
+    </message>
+    <message>
+        <source>its gyroscope shows how gravity turns in its accelerometer {size_s:.2f} s too {how}: their clocks differ</source>
+        <translation>sein Gyroskop zeigt die Drehung der Schwerkraft in seinem Beschleunigungssensor {size_s:.2f} s zu {how}: Ihre Uhren weichen ab</translation>
+    </message>
+    <message>
         <source>its index lists {count} frames and pieces of sound, which is too much (limit: {most})</source>
         <translation>der Index nennt {count} Bilder und Tonstücke, das ist zu viel (Grenze: {most})</translation>
     </message>
@@ -9870,6 +10537,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sein Ton ist zu anderen Zeiten zu hören</translation>
     </message>
     <message>
+        <source>its subtitles cannot be read</source>
+        <translation>die Untertitel lassen sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>its time</source>
+        <translation>seine Zeit</translation>
+    </message>
+    <message>
+        <source>its tracks cannot be listed</source>
+        <translation>die Spuren lassen sich nicht auflisten</translation>
+    </message>
+    <message>
         <source>its video is not the one that the force was made for ({reason})</source>
         <translation>sein Video ist nicht das, für das die Kraft gemacht wurde ({reason})</translation>
     </message>
@@ -9882,6 +10561,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>größer, als eine Datei auf dem Datenträger bei {disk} sein darf (ulimit -f)</translation>
     </message>
     <message>
+        <source>late</source>
+        <translation>spät</translation>
+    </message>
+    <message>
         <source>left out: nothing</source>
         <translation>weggelassen: nichts</translation>
     </message>
@@ -9892,6 +10575,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>listening</source>
         <translation>Ton wird angehört</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>niedrig</translation>
     </message>
     <message>
         <source>magnetometer</source>
@@ -10082,12 +10769,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>rate-axes={axes}, um beide zu lassen, wie sie sind</translation>
     </message>
     <message>
+        <source>rate-delay=0 to keep both as they are</source>
+        <translation>rate-delay=0, um beide zu lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>rate-delay={delay_s:.2f} to take it back</source>
+        <translation>rate-delay={delay_s:.2f}, um es zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>rate-unit={unit} to scale it to gravity</source>
+        <translation>rate-unit={unit}, um es nach der Schwerkraft zu skalieren</translation>
+    </message>
+    <message>
         <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s; x right, y forward, z up{rest}; up to {largest_radps:.2f} rad/s</source>
         <translation>gelesen als Telemetrie der Kamera: spezifische Kraft in m/s2, Drehrate in rad/s; x rechts, y vorn, z oben{rest}; bis {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
         <source>reading the answers</source>
         <translation>Antworten werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading the sessions</source>
+        <translation>Sitzungen werden gelesen</translation>
     </message>
     <message>
         <source>reading {name}</source>
@@ -10100,6 +10803,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>record both</source>
         <translation>zeichnen Sie beide auf</translation>
+    </message>
+    <message>
+        <source>record it again</source>
+        <translation>nehmen Sie es noch einmal auf</translation>
     </message>
     <message>
         <source>record with sound, or enter the offset</source>
@@ -10430,6 +11137,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Quaternionen-Kalman-Filter von Sabatini 2006</translation>
     </message>
     <message>
+        <source>the rate of its gyroscope is about {times:.2g} times too {how} for how gravity turns in its accelerometer</source>
+        <translation>die Drehrate seines Gyroskops ist etwa {times:.2g}-mal zu {how} dafür, wie sich die Schwerkraft in seinem Beschleunigungssensor dreht</translation>
+    </message>
+    <message>
         <source>the same, forwards and backwards</source>
         <translation>dasselbe, vorwärts und rückwärts</translation>
     </message>
@@ -10502,6 +11213,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>diese Installation hat keine Datenströme der Art {name!r}; lassen Sie sie weg</translation>
     </message>
     <message>
+        <source>those of the gyroscope not checked: gravity hardly turns</source>
+        <translation>die des Gyroskops nicht geprüft: die Schwerkraft dreht sich kaum</translation>
+    </message>
+    <message>
         <source>tidy CSV with a data dictionary</source>
         <translation>CSV-Tabellen mit einem Verzeichnis der Spalten</translation>
     </message>
@@ -10572,10 +11287,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>three taps on the camera, heard and felt</source>
         <translation>dreimaliges Klopfen auf die Kamera, gehört und gespürt</translation>
-    </message>
-    <message>
-        <source>time_s runs at {rate_hz:.3g} samples a second, faster than any sensor</source>
-        <translation>time_s läuft mit {rate_hz:.3g} Werten je Sekunde, schneller als jeder Sensor</translation>
     </message>
     <message>
         <source>times were taken as milliseconds</source>
@@ -11038,6 +11749,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{path}: ist kein Protokoll von {name}</translation>
     </message>
     <message>
+        <source>{path}: the frame cannot be written; choose another folder in the preferences</source>
+        <translation>{path}: Das Bild lässt sich nicht schreiben; wählen Sie in den Voreinstellungen einen anderen Ordner</translation>
+    </message>
+    <message>
         <source>{path}: {reason}</source>
         <translation>{path}: {reason}</translation>
     </message>
@@ -11094,6 +11809,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{time_s:.3g} s ist später als jeder Clip</translation>
     </message>
     <message>
+        <source>{time} jumps back by {jump_s:.6g} s at {place}</source>
+        <translation>{time} springt bei {place} um {jump_s:.6g} s zurück</translation>
+    </message>
+    <message>
+        <source>{time} runs at {rate_hz:.3g} samples a second</source>
+        <translation>{time} läuft mit {rate_hz:.3g} Werten je Sekunde</translation>
+    </message>
+    <message>
+        <source>{time} runs at {rate_hz:.3g} samples a second, faster than any sensor</source>
+        <translation>{time} läuft mit {rate_hz:.3g} Werten je Sekunde, schneller als jeder Sensor</translation>
+    </message>
+    <message>
+        <source>{time} runs backwards at {place}, and no order can be found</source>
+        <translation>{time} läuft bei {place} rückwärts, und keine Reihenfolge lässt sich finden</translation>
+    </message>
+    <message>
         <source>{title} at {where}</source>
         <translation>{title} unter {where}</translation>
     </message>
@@ -11136,6 +11867,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{what}, with the axes that were given</source>
         <translation>{what}, mit den angegebenen Achsen</translation>
+    </message>
+    <message>
+        <source>{what}, with the delay that was given</source>
+        <translation>{what}, mit der angegebenen Verzögerung</translation>
     </message>
     <message>
         <source>{what}, {why}</source>

@@ -8,12 +8,20 @@
         <translation>&amp;Fichier</translation>
     </message>
     <message>
+        <source>&amp;Edit</source>
+        <translation>Éd&amp;ition</translation>
+    </message>
+    <message>
         <source>&amp;Playback</source>
         <translation>&amp;Lecture</translation>
     </message>
     <message>
         <source>&amp;View</source>
         <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>A&amp;ppareil</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -56,6 +64,10 @@
         <translation>Re&amp;jouer un journal…</translation>
     </message>
     <message>
+        <source>&amp;Playlist…</source>
+        <translation>&amp;Liste de lecture…</translation>
+    </message>
+    <message>
         <source>Edit &amp;effects…</source>
         <translation>Modifier les &amp;effets…</translation>
     </message>
@@ -66,6 +78,10 @@
     <message>
         <source>S&amp;hare…</source>
         <translation>Parta&amp;ger…</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Préférences…</translation>
     </message>
     <message>
         <source>E&amp;xport settings…</source>
@@ -94,6 +110,18 @@
     <message>
         <source>Go to the e&amp;nd</source>
         <translation>Aller à la &amp;fin</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt file</source>
+        <translation>Fichier suiva&amp;nt</translation>
+    </message>
+    <message>
+        <source>P&amp;revious file</source>
+        <translation>Fichier pré&amp;cédent</translation>
+    </message>
+    <message>
+        <source>Repea&amp;t: off, this clip, all</source>
+        <translation>Ré&amp;péter&#xa0;: non, ce clip, tous</translation>
     </message>
     <message>
         <source>Next frame</source>
@@ -140,10 +168,6 @@
         <translation>&amp;Réarmer la force</translation>
     </message>
     <message>
-        <source>Other feed&amp;back…</source>
-        <translation>Autre re&amp;tour haptique…</translation>
-    </message>
-    <message>
         <source>Set up the &amp;device…</source>
         <translation>Pré&amp;parer l’appareil…</translation>
     </message>
@@ -153,7 +177,35 @@
     </message>
     <message>
         <source>&amp;Grip view</source>
-        <translation>Vue de la &amp;poignée</translation>
+        <translation>Vue de la poi&amp;gnée</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom in</source>
+        <translation>&amp;Agrandir</translation>
+    </message>
+    <message>
+        <source>Zoom o&amp;ut</source>
+        <translation>Ré&amp;duire</translation>
+    </message>
+    <message>
+        <source>As large as fits</source>
+        <translation>Aussi grand que possible</translation>
+    </message>
+    <message>
+        <source>Save this frame as a pictu&amp;re</source>
+        <translation>Enregistrer cette &amp;image</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Guide</translation>
+    </message>
+    <message>
+        <source>&amp;System check…</source>
+        <translation>&amp;Vérification du système…</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem…</source>
+        <translation>&amp;Signaler un problème…</translation>
     </message>
     <message>
         <source>Simulated &amp;motion rig…</source>
@@ -261,7 +313,7 @@
     </message>
     <message>
         <source>Inject fa&amp;ults…</source>
-        <translation>Injecter des dé&amp;fauts…</translation>
+        <translation>&amp;Injecter des défauts…</translation>
     </message>
     <message>
         <source>&amp;Keyboard shortcuts…</source>
@@ -270,6 +322,10 @@
     <message>
         <source>Measure l&amp;atencies…</source>
         <translation>Mesurer les l&amp;atences…</translation>
+    </message>
+    <message>
+        <source>Other feedbac&amp;k…</source>
+        <translation>Autre re&amp;tour haptique…</translation>
     </message>
     <message>
         <source>&amp;Outputs…</source>
@@ -315,18 +371,6 @@
         <translation>Écrire le rapport, les figures et les données dans un nouveau dossier</translation>
     </message>
     <message>
-        <source>&amp;Export data</source>
-        <translation>&amp;Exporter les données</translation>
-    </message>
-    <message>
-        <source>Write the answers and the records of the device for other programs</source>
-        <translation>Écrire les réponses et les enregistrements de l’appareil pour d’autres programmes</translation>
-    </message>
-    <message>
-        <source>Exporting the data</source>
-        <translation>Exportation des données</translation>
-    </message>
-    <message>
         <source>The report is in English, ready for publication.</source>
         <translation>Le rapport est en anglais, prêt à être publié.</translation>
     </message>
@@ -337,10 +381,6 @@
     <message>
         <source>Choose where to create the report folder</source>
         <translation>Où créer le dossier du rapport&#xa0;?</translation>
-    </message>
-    <message>
-        <source>Choose where to create the data folder</source>
-        <translation>Où créer le dossier des données&#xa0;?</translation>
     </message>
     <message>
         <source>&amp;Save report…</source>
@@ -406,6 +446,37 @@
     <message>
         <source>not visible from here</source>
         <translation>non visible d’ici</translation>
+    </message>
+</context>
+<context>
+    <name>CheckPage</name>
+    <message>
+        <source>System check</source>
+        <translation>Vérification du système</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Vérification…</translation>
+    </message>
+    <message>
+        <source>C&amp;opy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>Copy the whole text</source>
+        <translation>Copier tout le texte</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>What is here, what is missing, and what would bring it.</source>
+        <translation>Ce qui est là, ce qui manque, et ce qui l’apporterait.</translation>
     </message>
 </context>
 <context>
@@ -1169,6 +1240,49 @@
     </message>
 </context>
 <context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export the data</source>
+        <translation>Exporter les données</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exporter</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Parcourir…</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Choisir un autre dossier</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>The data will be written to {folder}</source>
+        <translation>Les données seront écrites dans {folder}</translation>
+    </message>
+    <message>
+        <source>This folder exists already: choose another place</source>
+        <translation>Ce dossier existe déjà&#xa0;: choisissez un autre emplacement</translation>
+    </message>
+    <message>
+        <source>Choose where to create the data folder</source>
+        <translation>Où créer le dossier des données&#xa0;?</translation>
+    </message>
+</context>
+<context>
     <name>Extras</name>
     <message>
         <source>Resuming at {time} (Home: from the start)</source>
@@ -1601,6 +1715,33 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>GuideWindow</name>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Rechercher dans le guide</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Aucun résultat</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+</context>
+<context>
     <name>Health</name>
     <message>
         <source>none</source>
@@ -1758,10 +1899,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Images</translation>
     </message>
     <message>
-        <source>Frames shown on time, and dropped because they were late</source>
-        <translation>Images affichées à temps, et sautées car en retard</translation>
-    </message>
-    <message>
         <source>Master clock: the audio output, or the computer&apos;s monotonic clock when there is no sound</source>
         <translation>Horloge de référence&#xa0;: la sortie audio, ou sans son l’horloge du système</translation>
     </message>
@@ -1780,6 +1917,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>no, 888 µs, 888 missed</source>
         <translation>non, 888 µs, manqués&#xa0;: 888</translation>
+    </message>
+    <message>
+        <source>Frames shown on time, and dropped because they were late; the sign tells of the last 10 s</source>
+        <translation>Images affichées à temps, et sautées car en retard&#xa0;; le signe concerne les 10 dernières secondes</translation>
     </message>
     <message>
         <source>88888 shown, 88 dropped</source>
@@ -2105,8 +2246,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>La sortie son {name} semble être sans fil</translation>
     </message>
     <message>
-        <source>the actual latency may be higher. Use wired headphones, or measure it: Playback &gt; Measure latencies</source>
-        <translation>la latence réelle peut être plus élevée. Utilisez un casque filaire, ou mesurez-la&#xa0;: Lecture &gt; Mesurer les latences</translation>
+        <source>the actual latency may be higher. Use wired headphones, or measure it: Device &gt; Measure latencies</source>
+        <translation>la latence réelle peut être plus grande. Utilisez un casque filaire, ou mesurez-la&#xa0;: Appareil &gt; Mesurer les latences</translation>
     </message>
 </context>
 <context>
@@ -2353,6 +2494,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Nom</translation>
     </message>
     <message>
+        <source>Saved: {name}</source>
+        <translation>Enregistré&#xa0;: {name}</translation>
+    </message>
+    <message>
+        <source>It keeps {what}</source>
+        <translation>Contient {what}</translation>
+    </message>
+    <message>
         <source>{rendering}; one gain for each axis</source>
         <translation>{rendering}&#xa0;; un gain par axe</translation>
     </message>
@@ -2418,6 +2567,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Play (Enter)</source>
         <translation>Lire (Entrée)</translation>
+    </message>
+    <message>
+        <source>&amp;Rendering…</source>
+        <translation>Rend&amp;u…</translation>
+    </message>
+    <message>
+        <source>Show in the file &amp;manager</source>
+        <translation>&amp;Montrer dans le gestionnaire de fichiers</translation>
     </message>
     <message>
         <source>No sequences yet. Import a recording.</source>
@@ -2927,8 +3084,103 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Force coupée. {keys} la réarme.</translation>
     </message>
     <message>
+        <source>No next file</source>
+        <translation>Pas de fichier suivant</translation>
+    </message>
+    <message>
+        <source>No previous file</source>
+        <translation>Pas de fichier précédent</translation>
+    </message>
+    <message>
+        <source>Repeat off</source>
+        <translation>Répétition désactivée</translation>
+    </message>
+    <message>
+        <source>Repeat this clip</source>
+        <translation>Répéter ce clip</translation>
+    </message>
+    <message>
+        <source>Repeat all</source>
+        <translation>Répéter tout</translation>
+    </message>
+    <message>
         <source>hapticplayer</source>
         <translation>hapticplayer</translation>
+    </message>
+</context>
+<context>
+    <name>PlaylistPage</name>
+    <message>
+        <source>Playlist</source>
+        <translation>Liste de lecture</translation>
+    </message>
+    <message>
+        <source>Clips</source>
+        <translation>Clips</translation>
+    </message>
+    <message>
+        <source>Do not repeat</source>
+        <translation>Ne pas répéter</translation>
+    </message>
+    <message>
+        <source>Repeat this clip</source>
+        <translation>Répéter ce clip</translation>
+    </message>
+    <message>
+        <source>Repeat all</source>
+        <translation>Répéter tout</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Ajouter…</translation>
+    </message>
+    <message>
+        <source>Add videos; sequences can be dropped here</source>
+        <translation>Ajouter des vidéos&#xa0;; les séquences peuvent être déposées ici</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Remove from the list; no file is deleted</source>
+        <translation>Retirer de la liste&#xa0;; aucun fichier n’est supprimé</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>&amp;Monter</translation>
+    </message>
+    <message>
+        <source>Play it earlier</source>
+        <translation>Lire plus tôt</translation>
+    </message>
+    <message>
+        <source>&amp;Down</source>
+        <translation>&amp;Descendre</translation>
+    </message>
+    <message>
+        <source>Play it later</source>
+        <translation>Lire plus tard</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>At the e&amp;nd</source>
+        <translation>À la fi&amp;n</translation>
+    </message>
+    <message>
+        <source>Clips play one after the other.</source>
+        <translation>Les clips sont lus l’un après l’autre.</translation>
+    </message>
+    <message>
+        <source>The list is empty. Add videos, or drop videos and sequences here. Without a list, Next and Previous play what is in the folder of the clip.</source>
+        <translation>La liste est vide. Ajoutez des vidéos, ou déposez ici des vidéos et des séquences. Sans liste, «&#xa0;Fichier suivant&#xa0;» et «&#xa0;Fichier précédent&#xa0;» lisent ce qui est dans le dossier du clip.</translation>
+    </message>
+    <message>
+        <source>Add videos</source>
+        <translation>Ajouter des vidéos</translation>
     </message>
 </context>
 <context>
@@ -3003,6 +3255,73 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Click: seek. Drag: pan. Wheel or + and −: zoom. Double-click or Enter: reset</source>
         <translation>Clic&#xa0;: aller à. Glisser&#xa0;: déplacer. Molette ou + et −&#xa0;: zoomer. Double clic ou Entrée&#xa0;: réinitialiser</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesPage</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>System default</source>
+        <translation>Par défaut du système</translation>
+    </message>
+    <message>
+        <source>Same screen as the window</source>
+        <translation>L’écran de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Resume clips &amp;where they were left</source>
+        <translation>Reprendre les clips &amp;où ils ont été quittés</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>Sound &amp;output</source>
+        <translation>&amp;Sortie du son</translation>
+    </message>
+    <message>
+        <source>&amp;Fullscreen on</source>
+        <translation>&amp;Plein écran sur</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>Saved frames</source>
+        <translation>Images enregistrées</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>Ra&amp;ccourcis…</translation>
+    </message>
+    <message>
+        <source>&amp;Devices…</source>
+        <translation>Appare&amp;ils…</translation>
+    </message>
+    <message>
+        <source>L&amp;atencies…</source>
+        <translation>Lat&amp;ences…</translation>
+    </message>
+    <message>
+        <source>O&amp;K</source>
+        <translation>O&amp;K</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>More is set on pages of its own:</source>
+        <translation>Le reste se règle sur des pages à part&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -3590,6 +3909,53 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>ReportPage</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Signaler un problème</translation>
+    </message>
+    <message>
+        <source>The report</source>
+        <translation>Le rapport</translation>
+    </message>
+    <message>
+        <source>What did you do, what happened, what did you expect?</source>
+        <translation>Qu’avez-vous fait, que s’est-il passé, qu’attendiez-vous&#xa0;?</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Save the report as a zip file</source>
+        <translation>Enregistrer le rapport dans un fichier zip</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>This is all that the report holds: no names of your files or folders, nothing of your recordings. It is saved on this computer; nothing is sent.</source>
+        <translation>C’est tout ce que contient le rapport&#xa0;: aucun nom de vos fichiers ou dossiers, rien de vos enregistrements. Il est enregistré sur cet ordinateur&#xa0;; rien n’est envoyé.</translation>
+    </message>
+    <message>
+        <source>Your &amp;words</source>
+        <translation>Vos &amp;mots</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Zip files (*.zip)</source>
+        <translation>Fichiers zip (*.zip)</translation>
+    </message>
+    <message>
+        <source>Saved: {name}</source>
+        <translation>Enregistré&#xa0;: {name}</translation>
+    </message>
+</context>
+<context>
     <name>RigPanel</name>
     <message>
         <source>Listening on this computer at the ports {ports}. Play on this rig, or let a game send its telemetry here.</source>
@@ -4172,10 +4538,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>M&amp;P4, avec un second fichier pour la force</translation>
     </message>
     <message>
-        <source>Reading</source>
-        <translation>Lecture</translation>
-    </message>
-    <message>
         <source>A video file to send: every player shows it, hapticplayer also plays the force.</source>
         <translation>Un fichier vidéo à envoyer&#xa0;: tous les lecteurs l’affichent, hapticplayer joue aussi la force.</translation>
     </message>
@@ -4198,6 +4560,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Include &amp;names, dates and places</source>
         <translation>Inclure les &amp;noms, dates et lieux</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Préparation</translation>
     </message>
     <message>
         <source>Cancel; nothing is kept</source>
@@ -4258,6 +4624,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Sharing</source>
         <translation>Partage</translation>
+    </message>
+    <message>
+        <source>{number} kB</source>
+        <translation>{number} ko</translation>
     </message>
     <message>
         <source>{number} MB</source>
@@ -4525,6 +4895,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>modifications restaurées</translation>
     </message>
     <message>
+        <source>Not saved: close again to lose the changes</source>
+        <translation>Non enregistrée&#xa0;: fermez de nouveau pour perdre les modifications</translation>
+    </message>
+    <message>
         <source>{trials} trials for each participant, about {minutes} minutes</source>
         <translation>{trials} essais par participant, environ {minutes} minutes</translation>
     </message>
@@ -4567,8 +4941,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Faire passer un participant…</translation>
     </message>
     <message>
+        <source>&amp;Sessions and data…</source>
+        <translation>Séances et &amp;données…</translation>
+    </message>
+    <message>
         <source>&amp;Analyse study…</source>
         <translation>&amp;Analyser une étude…</translation>
+    </message>
+    <message>
+        <source>Opening the session…</source>
+        <translation>Ouverture de la séance…</translation>
+    </message>
+    <message>
+        <source>Run a participant</source>
+        <translation>Faire passer un participant</translation>
     </message>
     <message>
         <source>Study folder</source>
@@ -4580,6 +4966,205 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>The session has ended with status {0}</source>
         <translation>La séance s’est terminée avec l’état {0}</translation>
+    </message>
+</context>
+<context>
+    <name>StudyResults</name>
+    <message>
+        <source>Sessions – {title}</source>
+        <translation>Séances – {title}</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Séances</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Réponses</translation>
+    </message>
+    <message>
+        <source>Invalid</source>
+        <translation>Non valides</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>Text answers</source>
+        <translation>Réponses en texte libre</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>End…</source>
+        <translation>Terminer…</translation>
+    </message>
+    <message>
+        <source>End a session that will not be resumed; its order is free again</source>
+        <translation>Terminer une séance qui ne sera pas reprise&#xa0;; son ordre redevient libre</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Supprimer…</translation>
+    </message>
+    <message>
+        <source>Delete a participant; says first what is erased</source>
+        <translation>Supprimer un participant&#xa0;; dit d’abord ce qui est effacé</translation>
+    </message>
+    <message>
+        <source>Merge…</source>
+        <translation>Fusionner…</translation>
+    </message>
+    <message>
+        <source>Add the sessions of a copy of this study on another machine</source>
+        <translation>Ajouter les séances d’une copie de cette étude sur une autre machine</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Write the data for other programs</source>
+        <translation>Écrire les données pour d’autres programmes</translation>
+    </message>
+    <message>
+        <source>Analyse</source>
+        <translation>Analyser</translation>
+    </message>
+    <message>
+        <source>Statistics and report</source>
+        <translation>Statistiques et rapport</translation>
+    </message>
+    <message>
+        <source>Approve for export</source>
+        <translation>Approuver pour l’export</translation>
+    </message>
+    <message>
+        <source>The selected answers identify no one</source>
+        <translation>Les réponses sélectionnées n’identifient personne</translation>
+    </message>
+    <message>
+        <source>Answers in words may name a person. Read them; only those that you approve are exported.</source>
+        <translation>Les réponses en texte libre peuvent nommer une personne. Lisez-les&#xa0;; seules celles que vous approuvez sont exportées.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Nobody has taken part yet: Study &gt; Run a participant.</source>
+        <translation>Personne n’a encore participé&#xa0;: Étude &gt; Faire passer un participant.</translation>
+    </message>
+    <message>
+        <source>Sessions: {count}, complete: {done}, deleted: {deleted}</source>
+        <translation>Séances&#xa0;: {count}, complètes&#xa0;: {done}, supprimées&#xa0;: {deleted}</translation>
+    </message>
+    <message>
+        <source>Trial {n} ({condition}) is invalid: {reasons}</source>
+        <translation>L’essai {n} ({condition}) n’est pas valide&#xa0;: {reasons}</translation>
+    </message>
+    <message>
+        <source>Resumed: {n} times</source>
+        <translation>Reprise&#xa0;: {n} fois</translation>
+    </message>
+    <message>
+        <source>Damaged records: {n}</source>
+        <translation>Enregistrements endommagés&#xa0;: {n}</translation>
+    </message>
+    <message>
+        <source>End the session</source>
+        <translation>Terminer la séance</translation>
+    </message>
+    <message>
+        <source>Reason for ending the session (all answers so far are kept):</source>
+        <translation>Raison de terminer la séance (toutes les réponses sont conservées)&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Deleting</source>
+        <translation>Suppression</translation>
+    </message>
+    <message>
+        <source>Delete participant {code}? Answers to {answered} trials, the records of the device and the consent are erased ({count} files, {size}) and cannot be restored. That somebody was deleted stays, without the code. Exports and reports outside of the study are yours to delete.</source>
+        <translation>Supprimer le participant {code}&#xa0;? Les réponses à {answered} essais, les enregistrements de l’appareil et le consentement sont effacés ({count} fichiers, {size}) et ne peuvent pas être restaurés. Qu’une personne a été supprimée reste noté, sans le code. C’est à vous de supprimer les exports et les rapports en dehors de l’étude.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>The participant was deleted.</source>
+        <translation>Le participant a été supprimé.</translation>
+    </message>
+    <message>
+        <source>Still named in: {files}. Write these again or remove them.</source>
+        <translation>Encore nommé dans&#xa0;: {files}. Écrivez ces fichiers de nouveau, ou supprimez-les.</translation>
+    </message>
+    <message>
+        <source>Choose the copy of this study</source>
+        <translation>Choisir la copie de cette étude</translation>
+    </message>
+    <message>
+        <source>Merging</source>
+        <translation>Fusion</translation>
+    </message>
+    <message>
+        <source>Sessions added: {added}; here already: {same}.</source>
+        <translation>Séances ajoutées&#xa0;: {added}&#xa0;; déjà présentes&#xa0;: {same}.</translation>
+    </message>
+    <message>
+        <source>Exported to {folder}.</source>
+        <translation>Exporté dans {folder}.</translation>
+    </message>
+    <message>
+        <source>Exporting the data</source>
+        <translation>Exportation des données</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>complète</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>non terminée</translation>
+    </message>
+    <message>
+        <source>ended early</source>
+        <translation>terminée avant la fin</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simulée</translation>
     </message>
 </context>
 <context>
@@ -4792,8 +5377,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Vous sentirez les virages d’un véhicule et les pas à pied ou à cheval&#xa0;; freinages, chocs et nids-de-poule manqueront. Rien ne mesure ce mouvement&#xa0;: réglez sa force à la main avec le gain, et ne l’utilisez pas dans une étude sans le dire. Le ralenti et l’accéléré sont pris tels qu’ils sont lus.</translation>
     </message>
     <message>
-        <source>This needs OpenCV; Help &gt; System check shows how to install it.</source>
-        <translation>Cela nécessite OpenCV&#xa0;; Aide &gt; Vérification du système montre comment l’installer.</translation>
+        <source>This needs OpenCV: see Help &gt; System check.</source>
+        <translation>Cela nécessite OpenCV&#xa0;: voir Aide &gt; Vérification du système.</translation>
     </message>
     <message>
         <source>Choose its motion log above, if there is one.</source>
@@ -5065,10 +5650,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Position</translation>
     </message>
     <message>
-        <source>Position in the clip: click or drag</source>
-        <translation>Position dans la vidéo&#xa0;: cliquez ou glissez</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Temps</translation>
     </message>
@@ -5087,6 +5668,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Playback speed (Backspace: normal speed)</source>
         <translation>Vitesse de lecture (Retour arrière&#xa0;: normale)</translation>
+    </message>
+    <message>
+        <source>Position in the clip: click or drag. The strip below shows how strong the force is: the brighter, the stronger</source>
+        <translation>Position dans le clip&#xa0;: cliquez ou glissez. La bande au-dessous montre la force&#xa0;: plus elle est claire, plus la force est grande</translation>
     </message>
     <message>
         <source>Force track to play</source>
@@ -5203,6 +5788,53 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>Viewing</name>
+    <message>
+        <source>A&amp;udio track</source>
+        <translation>Piste a&amp;udio</translation>
+    </message>
+    <message>
+        <source>Subt&amp;itles</source>
+        <translation>Sous-t&amp;itres</translation>
+    </message>
+    <message>
+        <source>&amp;Aspect ratio</source>
+        <translation>&amp;Rapport d’image</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>Comme filmé</translation>
+    </message>
+    <message>
+        <source>Zoom {x:.0f}&#xa0;%</source>
+        <translation>Zoom {x:.0f}&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Aspect ratio: {shape}</source>
+        <translation>Rapport d’image&#xa0;: {shape}</translation>
+    </message>
+    <message>
+        <source>No sound in this clip</source>
+        <translation>Pas de son dans ce clip</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>No subtitles in this clip</source>
+        <translation>Pas de sous-titres dans ce clip</translation>
+    </message>
+    <message>
+        <source>Track {n}</source>
+        <translation>Piste {n}</translation>
+    </message>
+    <message>
+        <source>Saved: {name}</source>
+        <translation>Enregistré&#xa0;: {name}</translation>
+    </message>
+</context>
+<context>
     <name>_LargePage</name>
     <message>
         <source>Close the preview (Esc)</source>
@@ -5217,14 +5849,25 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>_Place</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+</context>
+<context>
     <name>_Question</name>
     <message>
         <source>Answer</source>
         <translation>Réponse</translation>
     </message>
     <message>
-        <source>Another answer, written like those above</source>
-        <translation>Une autre réponse, écrite comme celles du dessus</translation>
+        <source>Or answer like those above</source>
+        <translation>Ou répondre comme ci-dessus</translation>
     </message>
     <message>
         <source>&amp;Answer</source>
@@ -5974,12 +6617,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les pannes ne peuvent être injectées que dans un appareil simulé ouvert à cet effet</translation>
     </message>
     <message>
+        <source>force, lossless</source>
+        <translation>force, sans perte</translation>
+    </message>
+    <message>
         <source>has an invalid header</source>
         <translation>a un en-tête non valide</translation>
     </message>
     <message>
         <source>has an invalid header: {reason}</source>
         <translation>a un en-tête non valide&#xa0;: {reason}</translation>
+    </message>
+    <message>
+        <source>has no such subtitles</source>
+        <translation>n’a pas de tels sous-titres</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>grande</translation>
+    </message>
+    <message>
+        <source>if it is not in seconds, multiply {scale} by {per_s:.0f}; else average to {most_hz:g} samples a second</source>
+        <translation>si ce n’est pas en secondes, multipliez {scale} par {per_s:.0f}&#xa0;; sinon, moyennez à {most_hz:g} mesures par seconde</translation>
     </message>
     <message>
         <source>is damaged in its header</source>
@@ -6662,20 +7321,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cela ressemble à des °/s&#xa0;: multipliez gx, gy, gz par 0.0174532925</translation>
     </message>
     <message>
-        <source>it looks like milliseconds: divide time_s by 1000</source>
-        <translation>cela ressemble à des millisecondes&#xa0;: divisez time_s par 1000</translation>
-    </message>
-    <message>
         <source>it seems to be in deg/s: multiply it by 0.0174532925</source>
         <translation>cela semble être en °/s&#xa0;: multipliez par 0.0174532925</translation>
     </message>
     <message>
         <source>it seems to be in g: multiply it by 9.80665</source>
         <translation>cela semble être en g&#xa0;: multipliez par 9.80665</translation>
-    </message>
-    <message>
-        <source>it seems to be in milli-g: multiply it by 0.00980665</source>
-        <translation>cela semble être en milli-g&#xa0;: multipliez par 0.00980665</translation>
     </message>
     <message>
         <source>it seems to have been converted twice: multiply it by 57.2957795</source>
@@ -7494,6 +8145,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez une autre clé</translation>
     </message>
     <message>
+        <source>choose another track</source>
+        <translation>choisissez une autre piste</translation>
+    </message>
+    <message>
         <source>choose the other kind of file, or convert it to MP4 and import it again</source>
         <translation>choisissez l’autre type de fichier, ou convertissez-le en MP4 et réimportez-le</translation>
     </message>
@@ -7586,6 +8241,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les durées ont été prises en secondes, comme dans PlaySEM</translation>
     </message>
     <message>
+        <source>early</source>
+        <translation>tôt</translation>
+    </message>
+    <message>
         <source>effect</source>
         <translation>l’effet</translation>
     </message>
@@ -7670,20 +8329,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>force pour d’autres programmes</translation>
     </message>
     <message>
+        <source>force of the feedback random, lossless</source>
+        <translation>force du retour aléatoire, sans perte</translation>
+    </message>
+    <message>
+        <source>force of the feedback realistic, lossless</source>
+        <translation>force du retour réaliste, sans perte</translation>
+    </message>
+    <message>
+        <source>force of the feedback {name}, lossless</source>
+        <translation>force du retour {name}, sans perte</translation>
+    </message>
+    <message>
         <source>force track</source>
         <translation>la piste de force</translation>
     </message>
     <message>
         <source>force vector, every millisecond</source>
         <translation>vecteur de force, chaque milliseconde</translation>
-    </message>
-    <message>
-        <source>force {name!r}, N, lossless</source>
-        <translation>force {name!r}, N, sans perte</translation>
-    </message>
-    <message>
-        <source>force, N, lossless</source>
-        <translation>force, N, sans perte</translation>
     </message>
     <message>
         <source>format</source>
@@ -7908,14 +8571,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>it is a time lapse or TimeWarp (GoPro&apos;s rate: {rate})</source>
         <translation>c’est un accéléré ou un TimeWarp (cadence de la GoPro&#xa0;: {rate})</translation>
-    </message>
-    <message>
-        <source>it looks like microseconds: divide time_s by 1000000</source>
-        <translation>cela ressemble à des microsecondes&#xa0;: divisez time_s par 1000000</translation>
-    </message>
-    <message>
-        <source>it looks like nanoseconds: divide time_s by 1000000000</source>
-        <translation>cela ressemble à des nanosecondes&#xa0;: divisez time_s par 1000000000</translation>
     </message>
     <message>
         <source>its attachments are too large (limit: {most_mb} MB in {files} files)</source>
@@ -9242,18 +9897,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>time_s a {ndim} axes, attendu&#xa0;: un</translation>
     </message>
     <message>
-        <source>time_s jumps back by {jump_s:.6g} s at {place}</source>
-        <translation>time_s recule de {jump_s:.6g} s à la {place}</translation>
-    </message>
-    <message>
-        <source>time_s runs at {rate_hz:.3g} samples a second</source>
-        <translation>time_s avance de {rate_hz:.3g} mesures par seconde</translation>
-    </message>
-    <message>
-        <source>time_s runs backwards at {place}, and no order can be found</source>
-        <translation>time_s recule à la {place}, et aucun ordre ne peut être trouvé</translation>
-    </message>
-    <message>
         <source>timeout</source>
         <translation>délai dépassé</translation>
     </message>
@@ -9698,10 +10341,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas de mouvement lisible</translation>
     </message>
     <message>
-        <source>if it is not in seconds, multiply time_s by {per_s:.0f}; else average to {most_hz:g} samples a second</source>
-        <translation>s’il n’est pas en secondes, multipliez time_s par {per_s:.0f}&#xa0;; sinon moyennez à {most_hz:g} mesures par seconde</translation>
-    </message>
-    <message>
         <source>intensities beyond their range were limited</source>
         <translation>les intensités hors de leur plage ont été limitées</translation>
     </message>
@@ -9786,6 +10425,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il contient un demi-caractère</translation>
     </message>
     <message>
+        <source>it holds no gyroscope, or its sensors share a clock</source>
+        <translation>il ne contient pas de gyroscope, ou ses capteurs partagent une horloge</translation>
+    </message>
+    <message>
         <source>it holds no sound, in which taps could be heard</source>
         <translation>elle ne contient pas de son où des tapotements pourraient s’entendre</translation>
     </message>
@@ -9796,6 +10439,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>it is {container}, which is not read</source>
         <translation>c’est {container}, qui n’est pas lu</translation>
+    </message>
+    <message>
+        <source>it looks like microseconds: divide {scale} by 1000000</source>
+        <translation>cela ressemble à des microsecondes&#xa0;: divisez {scale} par 1000000</translation>
+    </message>
+    <message>
+        <source>it looks like milliseconds: divide {scale} by 1000</source>
+        <translation>cela ressemble à des millisecondes&#xa0;: divisez {scale} par 1000</translation>
+    </message>
+    <message>
+        <source>it looks like nanoseconds: divide {scale} by 1000000000</source>
+        <translation>cela ressemble à des nanosecondes&#xa0;: divisez {scale} par 1000000000</translation>
+    </message>
+    <message>
+        <source>it seems to be in {unit}: multiply it by {factor:.6g}</source>
+        <translation>cela semble être en {unit}&#xa0;: multipliez par {factor:.6g}</translation>
     </message>
     <message>
         <source>it was recorded at {captured_hz:g} frames per second and plays at {shown_hz:g}</source>
@@ -9838,6 +10497,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ses images de {width} x {height} pixels sont trop grandes (jusqu’à 8192 x 4320 sont montrées)</translation>
     </message>
     <message>
+        <source>its gyroscope reads exactly 0 about {axes} throughout, but gravity turns in its accelerometer as it does not show</source>
+        <translation>son gyroscope indique partout exactement 0 autour de {axes}, mais la pesanteur tourne dans son accéléromètre sans qu’il le montre</translation>
+    </message>
+    <message>
+        <source>its gyroscope shows how gravity turns in its accelerometer {size_s:.2f} s too {how}: their clocks differ</source>
+        <translation>son gyroscope montre la rotation de la pesanteur dans son accéléromètre {size_s:.2f} s trop {how}&#xa0;: leurs horloges diffèrent</translation>
+    </message>
+    <message>
         <source>its index lists {count} frames and pieces of sound, which is too much (limit: {most})</source>
         <translation>son index annonce {count} images et morceaux de son, c’est trop (limite&#xa0;: {most})</translation>
     </message>
@@ -9870,6 +10537,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>son son est entendu à d’autres moments</translation>
     </message>
     <message>
+        <source>its subtitles cannot be read</source>
+        <translation>ses sous-titres ne peuvent pas être lus</translation>
+    </message>
+    <message>
+        <source>its time</source>
+        <translation>son temps</translation>
+    </message>
+    <message>
+        <source>its tracks cannot be listed</source>
+        <translation>ses pistes ne peuvent pas être listées</translation>
+    </message>
+    <message>
         <source>its video is not the one that the force was made for ({reason})</source>
         <translation>sa vidéo n’est pas celle pour laquelle la force a été faite ({reason})</translation>
     </message>
@@ -9882,6 +10561,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>plus grand que ne peut l’être un fichier sur le disque {disk} (ulimit -f)</translation>
     </message>
     <message>
+        <source>late</source>
+        <translation>tard</translation>
+    </message>
+    <message>
         <source>left out: nothing</source>
         <translation>omis&#xa0;: rien</translation>
     </message>
@@ -9892,6 +10575,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>listening</source>
         <translation>écoute du son</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>petite</translation>
     </message>
     <message>
         <source>magnetometer</source>
@@ -10082,12 +10769,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>rate-axes={axes} pour garder les deux tels quels</translation>
     </message>
     <message>
+        <source>rate-delay=0 to keep both as they are</source>
+        <translation>rate-delay=0 pour les laisser tous deux tels quels</translation>
+    </message>
+    <message>
+        <source>rate-delay={delay_s:.2f} to take it back</source>
+        <translation>rate-delay={delay_s:.2f} pour le compenser</translation>
+    </message>
+    <message>
+        <source>rate-unit={unit} to scale it to gravity</source>
+        <translation>rate-unit={unit} pour l’ajuster à la pesanteur</translation>
+    </message>
+    <message>
         <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s; x right, y forward, z up{rest}; up to {largest_radps:.2f} rad/s</source>
         <translation>lu comme télémétrie de la caméra&#xa0;: force spécifique en m/s2, vitesse angulaire en rad/s&#xa0;; x à droite, y devant, z en haut{rest}&#xa0;; jusqu’à {largest_radps:.2f} rad/s</translation>
     </message>
     <message>
         <source>reading the answers</source>
         <translation>lecture des réponses</translation>
+    </message>
+    <message>
+        <source>reading the sessions</source>
+        <translation>lecture des séances</translation>
     </message>
     <message>
         <source>reading {name}</source>
@@ -10100,6 +10803,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>record both</source>
         <translation>enregistrez les deux</translation>
+    </message>
+    <message>
+        <source>record it again</source>
+        <translation>refaites l’enregistrement</translation>
     </message>
     <message>
         <source>record with sound, or enter the offset</source>
@@ -10430,6 +11137,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le filtre de Kalman à quaternions de Sabatini 2006</translation>
     </message>
     <message>
+        <source>the rate of its gyroscope is about {times:.2g} times too {how} for how gravity turns in its accelerometer</source>
+        <translation>la vitesse de son gyroscope est environ {times:.2g} fois trop {how} pour la rotation de la pesanteur dans son accéléromètre</translation>
+    </message>
+    <message>
         <source>the same, forwards and backwards</source>
         <translation>le même, vers l’avant et vers l’arrière</translation>
     </message>
@@ -10502,6 +11213,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>cette installation n’a pas de flux du type {name!r}&#xa0;; omettez-les</translation>
     </message>
     <message>
+        <source>those of the gyroscope not checked: gravity hardly turns</source>
+        <translation>celles du gyroscope non vérifiées&#xa0;: la pesanteur tourne à peine</translation>
+    </message>
+    <message>
         <source>tidy CSV with a data dictionary</source>
         <translation>tableaux CSV avec un dictionnaire des données</translation>
     </message>
@@ -10572,10 +11287,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>three taps on the camera, heard and felt</source>
         <translation>trois tapotements sur la caméra, entendus et ressentis</translation>
-    </message>
-    <message>
-        <source>time_s runs at {rate_hz:.3g} samples a second, faster than any sensor</source>
-        <translation>time_s avance à {rate_hz:.3g} mesures par seconde, plus vite que tout capteur</translation>
     </message>
     <message>
         <source>times were taken as milliseconds</source>
@@ -11038,6 +11749,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{path}&#xa0;: n’est pas un journal de {name}</translation>
     </message>
     <message>
+        <source>{path}: the frame cannot be written; choose another folder in the preferences</source>
+        <translation>{path}&#xa0;: l’image ne peut pas être écrite&#xa0;; choisissez un autre dossier dans les préférences</translation>
+    </message>
+    <message>
         <source>{path}: {reason}</source>
         <translation>{path}&#xa0;: {reason}</translation>
     </message>
@@ -11094,6 +11809,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{time_s:.3g} s est plus tard que tout clip</translation>
     </message>
     <message>
+        <source>{time} jumps back by {jump_s:.6g} s at {place}</source>
+        <translation>{time} recule de {jump_s:.6g} s à {place}</translation>
+    </message>
+    <message>
+        <source>{time} runs at {rate_hz:.3g} samples a second</source>
+        <translation>{time} avance à {rate_hz:.3g} mesures par seconde</translation>
+    </message>
+    <message>
+        <source>{time} runs at {rate_hz:.3g} samples a second, faster than any sensor</source>
+        <translation>{time} avance à {rate_hz:.3g} mesures par seconde, plus vite que tout capteur</translation>
+    </message>
+    <message>
+        <source>{time} runs backwards at {place}, and no order can be found</source>
+        <translation>{time} recule à {place}, et aucun ordre ne peut être trouvé</translation>
+    </message>
+    <message>
         <source>{title} at {where}</source>
         <translation>{title} à {where}</translation>
     </message>
@@ -11136,6 +11867,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{what}, with the axes that were given</source>
         <translation>{what}, avec les axes donnés</translation>
+    </message>
+    <message>
+        <source>{what}, with the delay that was given</source>
+        <translation>{what}, avec le retard donné</translation>
     </message>
     <message>
         <source>{what}, {why}</source>

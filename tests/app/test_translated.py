@@ -12,6 +12,7 @@ from typing import ClassVar
 import pytest
 from PySide6.QtCore import QTranslator
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QMenu
 
 from app.bridge import languages
 from app.bridge.languages import translated
@@ -103,6 +104,19 @@ def test_a_text_without_translation_stays_english(spoken, code, text):
 
 
 # --- in the window -------------------------------------------------------------
+
+
+@pytest.mark.parametrize("code", languages.NAMES)
+def test_no_letter_chooses_two_entries_of_a_menu(make_window, spoken, code):
+    spoken(code)
+    bar = make_window().menuBar()
+    menus = {*bar.findChildren(QMenu), *(one.menu() for one in bar.actions())}
+    assert len(menus) > 5
+    for actions in (bar.actions(), *(menu.actions() for menu in menus)):
+        texts = [one.text().replace("&&", "") for one in actions if one.isVisible()]
+        letters = [text[text.index("&") + 1].lower() for text in texts if "&" in text]
+        twice = {one for one in letters if letters.count(one) > 1}
+        assert not twice, texts
 
 
 def test_a_missing_file_is_shown_in_german_and_copied_in_both(
