@@ -612,6 +612,10 @@
         <translation>Wiederholungen jedes Durchgangs</translation>
     </message>
     <message>
+        <source>The track {name} that each sequence has</source>
+        <translation>Die Spur {name}, die jede Sequenz hat</translation>
+    </message>
+    <message>
         <source>another condition</source>
         <translation>andere Bedingung</translation>
     </message>
@@ -1788,6 +1792,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>GESTOPPT</translation>
     </message>
     <message>
+        <source>late {p50:+.1f}, {p95:+.1f} ms</source>
+        <translation>zu spät {p50:+.1f}, {p95:+.1f} ms</translation>
+    </message>
+    <message>
+        <source>early {p50:+.1f}, {p95:+.1f} ms</source>
+        <translation>zu früh {p50:+.1f}, {p95:+.1f} ms</translation>
+    </message>
+    <message>
         <source>{damaged} damaged, {dropped} dropped</source>
         <translation>{damaged} beschädigt, {dropped} verworfen</translation>
     </message>
@@ -1810,10 +1822,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>yes, {us:.0f} µs, {missed} missed</source>
         <translation>ja, {us:.0f} µs, {missed} verpasst</translation>
-    </message>
-    <message>
-        <source>OFF {p50:+.1f}, {p95:+.1f} ms</source>
-        <translation>VERSETZT {p50:+.1f}; {p95:+.1f} ms</translation>
     </message>
     <message>
         <source>{p50:+.1f}, {p95:+.1f} ms</source>
@@ -1891,6 +1899,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Um wie viel die Kraft später kommt als das Video: Median und 95.-Perzentil der letzten 20 s. Mehr als 15 ms zu früh oder 50 ms zu spät ist spürbar</translation>
     </message>
     <message>
+        <source>early +88.8, +88.8 ms</source>
+        <translation>zu früh +88,8, +88,8 ms</translation>
+    </message>
+    <message>
         <source>How much later the force comes than the sound: median and 95th percentile of the last 20 s. More than 15 ms early or 50 ms late is noticeable</source>
         <translation>Um wie viel die Kraft später kommt als der Ton: Median und 95.-Perzentil der letzten 20 s. Mehr als 15 ms zu früh oder 50 ms zu spät ist spürbar</translation>
     </message>
@@ -1905,10 +1917,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Real-time</source>
         <translation>Echtzeit</translation>
-    </message>
-    <message>
-        <source>OFF +88.8, +88.8 ms</source>
-        <translation>VERSETZT +88,8, +88,8 ms</translation>
     </message>
     <message>
         <source>Force − sound</source>
@@ -2822,6 +2830,17 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>OfferBar</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Hide this message</source>
+        <translation type="unfinished">Diese Meldung ausblenden</translation>
+    </message>
+</context>
+<context>
     <name>OrderPage</name>
     <message>
         <source>Orders</source>
@@ -3082,6 +3101,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Force stopped. {keys} re-arms it.</source>
         <translation>Kraft abgeschaltet. {keys} gibt sie wieder frei.</translation>
+    </message>
+    <message>
+        <source>{name} contains motion data, which plays once it is imported.</source>
+        <translation>{name} enthält Bewegungsdaten, die nach dem Import mitspielen.</translation>
+    </message>
+    <message>
+        <source>Import and feel it…</source>
+        <translation>Importieren und spüren…</translation>
+    </message>
+    <message>
+        <source>{name} has no motion data; a log, or its frames, can give it.</source>
+        <translation>{name} hat keine Bewegungsdaten; ein Protokoll oder die Bilder können sie liefern.</translation>
+    </message>
+    <message>
+        <source>Import or suggest motion…</source>
+        <translation>Bewegung importieren oder vorschlagen…</translation>
     </message>
     <message>
         <source>No next file</source>
@@ -3988,6 +4023,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Stop listening</source>
         <translation>Nicht mehr hören</translation>
+    </message>
+    <message>
+        <source>&amp;Play on this rig</source>
+        <translation>Auf dieser Plattform a&amp;bspielen</translation>
+    </message>
+    <message>
+        <source>Add it to the outputs</source>
+        <translation>Zu den Ausgaben hinzufügen</translation>
     </message>
 </context>
 <context>

@@ -612,6 +612,10 @@
         <translation>Répétitions de chaque essai</translation>
     </message>
     <message>
+        <source>The track {name} that each sequence has</source>
+        <translation>La piste {name} que chaque séquence possède</translation>
+    </message>
+    <message>
         <source>another condition</source>
         <translation>autre condition</translation>
     </message>
@@ -1788,6 +1792,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ARRÊT</translation>
     </message>
     <message>
+        <source>late {p50:+.1f}, {p95:+.1f} ms</source>
+        <translation>en retard {p50:+.1f}, {p95:+.1f} ms</translation>
+    </message>
+    <message>
+        <source>early {p50:+.1f}, {p95:+.1f} ms</source>
+        <translation>en avance {p50:+.1f}, {p95:+.1f} ms</translation>
+    </message>
+    <message>
         <source>{damaged} damaged, {dropped} dropped</source>
         <translation>endommagées&#xa0;: {damaged}, sautées&#xa0;: {dropped}</translation>
     </message>
@@ -1810,10 +1822,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>yes, {us:.0f} µs, {missed} missed</source>
         <translation>oui, {us:.0f} µs, manqués&#xa0;: {missed}</translation>
-    </message>
-    <message>
-        <source>OFF {p50:+.1f}, {p95:+.1f} ms</source>
-        <translation>DÉCALÉ {p50:+.1f}&#xa0;; {p95:+.1f} ms</translation>
     </message>
     <message>
         <source>{p50:+.1f}, {p95:+.1f} ms</source>
@@ -1891,6 +1899,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Retard de la force sur la vidéo&#xa0;: médiane et 95e centile des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sent</translation>
     </message>
     <message>
+        <source>early +88.8, +88.8 ms</source>
+        <translation>en avance +88,8, +88,8 ms</translation>
+    </message>
+    <message>
         <source>How much later the force comes than the sound: median and 95th percentile of the last 20 s. More than 15 ms early or 50 ms late is noticeable</source>
         <translation>Retard de la force sur le son&#xa0;: médiane et 95e centile des 20 dernières secondes. Plus de 15 ms d’avance ou 50 ms de retard se sent</translation>
     </message>
@@ -1905,10 +1917,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Real-time</source>
         <translation>Temps réel</translation>
-    </message>
-    <message>
-        <source>OFF +88.8, +88.8 ms</source>
-        <translation>DÉCALÉ +88,8, +88,8 ms</translation>
     </message>
     <message>
         <source>Force − sound</source>
@@ -2822,6 +2830,17 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>OfferBar</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Fermer</translation>
+    </message>
+    <message>
+        <source>Hide this message</source>
+        <translation type="unfinished">Masquer ce message</translation>
+    </message>
+</context>
+<context>
     <name>OrderPage</name>
     <message>
         <source>Orders</source>
@@ -3082,6 +3101,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Force stopped. {keys} re-arms it.</source>
         <translation>Force coupée. {keys} la réarme.</translation>
+    </message>
+    <message>
+        <source>{name} contains motion data, which plays once it is imported.</source>
+        <translation>{name} contient des données de mouvement, jouées une fois importées.</translation>
+    </message>
+    <message>
+        <source>Import and feel it…</source>
+        <translation>Importer et sentir…</translation>
+    </message>
+    <message>
+        <source>{name} has no motion data; a log, or its frames, can give it.</source>
+        <translation>{name} n’a pas de données de mouvement&#xa0;; un journal, ou ses images, peut en donner.</translation>
+    </message>
+    <message>
+        <source>Import or suggest motion…</source>
+        <translation>Importer ou suggérer un mouvement…</translation>
     </message>
     <message>
         <source>No next file</source>
@@ -3988,6 +4023,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Stop listening</source>
         <translation>Ne plus écouter</translation>
+    </message>
+    <message>
+        <source>&amp;Play on this rig</source>
+        <translation>&amp;Lire sur cette plateforme</translation>
+    </message>
+    <message>
+        <source>Add it to the outputs</source>
+        <translation>L’ajouter aux sorties</translation>
     </message>
 </context>
 <context>
