@@ -317,7 +317,9 @@ def build_parser(wanted: str | None) -> argparse.ArgumentParser:
         "the window on the built-in demo.",
     )
     parser.add_argument("--version", action="version", version=__version__)
-    parts = parser.add_subparsers(title="commands", metavar="COMMAND")
+    parts = parser.add_subparsers(
+        title="commands", metavar="COMMAND", prog="hapticplayer"
+    )
     for command in commands():
         part = parts.add_parser(
             command.name,
