@@ -72,7 +72,9 @@ def run_session(study, tmp_path, **more):
     )
     assert done.returncode == 0, done.stderr
     assert "Traceback" not in done.stderr
-    return [json.loads(line) for line in done.stdout.splitlines()]
+    opened, *said = done.stdout.splitlines()
+    assert opened == "the session is open"  # the window that starts it waits for this
+    return [json.loads(line) for line in said]
 
 
 def export(study, form, target):
