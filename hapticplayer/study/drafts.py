@@ -105,7 +105,7 @@ def _missing(made: Definition, folder: Path) -> Iterator[DefinitionProblem]:
     for number, one in enumerate(made.sequences):
         field = f"sequences[{number}].folder"
         if not one.folder:
-            what, remedy = Message("has no recording yet"), Message("choose one")
+            what, remedy = Message("there is none yet"), Message("choose one")
             yield DefinitionProblem(field, what, remedy, is_fatal=False)
         elif problem := read_entry(folder / one.folder).problem:
             yield DefinitionProblem(

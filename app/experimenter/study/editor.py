@@ -39,7 +39,7 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import MessageBar
 from app.widgets.texts import titled
-from hapticplayer.errors import InputError, message_of
+from hapticplayer.errors import InputError, Message, message_of
 from hapticplayer.structures import convert
 from hapticplayer.study.definition import Definition
 from hapticplayer.study.drafts import DefinitionProblem, Draft, clip_seconds
@@ -224,10 +224,10 @@ class StudyEditor(QDialog):
 
     def _problem_text(self, one: DefinitionProblem) -> str:
         place = place_of(one.field)
-        what = translated(one.what)
+        what = one.what
         if place and one.remedy not in _REMEDIES_FOR_FILES:
-            what = f"{what}; {translated(one.remedy)}"
-        return titled(place_words(self.document.value, place), what)
+            what = Message("{what}; {remedy}", what=what, remedy=one.remedy)
+        return titled(place_words(self.document.value, place), translated(what))
 
     def _show_summary(self) -> None:
         try:

@@ -138,12 +138,12 @@ class Fields(QScrollArea):
 
         def show() -> None:
             value = str(self.document.at(place) or "")
-            if area.toPlainText() != value:
+            if _text_of(area) != value:
                 area.setPlainText(value)
 
         def typed() -> None:
-            if area.toPlainText() != str(self.document.at(place) or ""):
-                self._set(place, area.toPlainText(), label)
+            if _text_of(area) != str(self.document.at(place) or ""):
+                self._set(place, _text_of(area), label)
 
         area.textChanged.connect(typed)
         self._add(label, place, area, show)
@@ -264,3 +264,8 @@ class Fields(QScrollArea):
             event.ignore()
             return True
         return super().eventFilter(watched, event)
+
+
+def _text_of(area: QPlainTextEdit) -> str:
+    """The text with its spaces that do not break, which `toPlainText` loses."""
+    return area.document().toRawText().replace("\u2029", "\n").replace("\u2028", "\n")

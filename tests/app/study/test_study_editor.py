@@ -126,6 +126,25 @@ def test_an_unedited_study_stays_unchanged(edit, tmp_path):
     assert (study.folder / "study.json").read_bytes() == study.content
 
 
+def test_a_study_that_is_looked_at_keeps_its_french_spaces(edit, tmp_path):
+    study = create_study(tmp_path / "s", languages=["fr"])
+    editor = edit(study.folder)
+    for number in range(editor.tabs.count()):
+        editor.tabs.setCurrentIndex(number)
+    assert not editor.undo_button.isEnabled()
+    editor.close()
+    assert (study.folder / "study.json").read_bytes() == study.content
+
+
+def test_problems_are_told_in_french(edit, spoken, tmp_path):
+    spoken("fr")
+    editor = edit(create_study(tmp_path / "s", languages=["fr"]).folder)
+    assert words(editor)[0] == (
+        "S\u00e9quences \u203a \u00ab\u00a0V\u00e9lo\u00a0\u00bb \u203a Enregistrement\u00a0: "
+        "il n\u2019y en a pas encore\u00a0; choisissez-en un"
+    )
+
+
 def test_every_page_is_filled_in_and_kept(editor):
     general = editor.general
     typed(field(general, "title"), "My study")
@@ -258,7 +277,7 @@ def test_a_problem_is_told_in_words_and_leads_to_its_field(editor):
 
 def test_missing_recordings_are_told_but_the_study_is_kept(editor):
     assert len(words(editor)) == 4
-    assert "no recording" in words(editor)[0]
+    assert "none yet" in words(editor)[0]
     assert "[" not in " ".join(words(editor))
     assert "not ready" in editor.state.text()
     assert not (editor.draft.study.folder / DRAFT).exists()
