@@ -46,7 +46,7 @@ class CheckPage(QDialog):
         close = text_button(self.tr("&Close"), "")
         close.clicked.connect(self.reject)
         head = paragraph(
-            self.tr("What is here, what is missing, and what would bring it.")
+            self.tr("What is installed, what is missing, and how to get it.")
         )
         row = row_of(STRETCH, self.copy, close)
         fill_page(self, head, (self.text, 1), row)

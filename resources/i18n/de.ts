@@ -475,8 +475,8 @@
         <translation>&amp;Schließen</translation>
     </message>
     <message>
-        <source>What is here, what is missing, and what would bring it.</source>
-        <translation>Was da ist, was fehlt und was es herbeischafft.</translation>
+        <source>What is installed, what is missing, and how to get it.</source>
+        <translation>Was installiert ist, was fehlt und woher man es bekommt.</translation>
     </message>
 </context>
 <context>
@@ -2833,11 +2833,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <name>OfferBar</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Hide this message</source>
-        <translation type="unfinished">Diese Meldung ausblenden</translation>
+        <translation>Diese Meldung ausblenden</translation>
     </message>
 </context>
 <context>
@@ -6193,7 +6193,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>The protocol of Danieau et al. (2012): each clip with the recorded force, without force and with a random one; four questions after each.</source>
-        <translation>Das Protokoll von Danieau et al. (2012): jeder Clip mit der aufgezeichneten Kraft, ohne Kraft und mit einer zufälligen; vier Fragen nach jedem.</translation>
+        <translation>Der Versuch von Danieau et al. (2012): jeder Clip mit der aufgezeichneten Kraft, ohne Kraft und mit einer zufälligen; vier Fragen nach jedem.</translation>
     </message>
     <message>
         <source>The recorded force earlier or later than the video; after each clip, whether both went together.</source>
@@ -7054,10 +7054,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>has no answers yet</source>
         <translation>hat noch keine Antworten</translation>
-    </message>
-    <message>
-        <source>has no recording yet</source>
-        <translation>hat noch keine Aufnahme</translation>
     </message>
     <message>
         <source>has no timestamps, and its firmware has no fixed rate</source>
@@ -11230,6 +11226,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>there is no valid motion in the clip to fit a gain to</source>
         <translation>im Clip gibt es keine gültige Bewegung, an die sich eine Verstärkung anpassen ließe</translation>
+    </message>
+    <message>
+        <source>there is none yet</source>
+        <translation>es gibt noch keine</translation>
     </message>
     <message>
         <source>these are two videos: {names}</source>

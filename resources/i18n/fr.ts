@@ -475,8 +475,8 @@
         <translation>&amp;Fermer</translation>
     </message>
     <message>
-        <source>What is here, what is missing, and what would bring it.</source>
-        <translation>Ce qui est là, ce qui manque, et ce qui l’apporterait.</translation>
+        <source>What is installed, what is missing, and how to get it.</source>
+        <translation>Ce qui est installé, ce qui manque, et comment l’obtenir.</translation>
     </message>
 </context>
 <context>
@@ -2833,11 +2833,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <name>OfferBar</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Fermer</translation>
+        <translation>Fermer</translation>
     </message>
     <message>
         <source>Hide this message</source>
-        <translation type="unfinished">Masquer ce message</translation>
+        <translation>Masquer ce message</translation>
     </message>
 </context>
 <context>
@@ -7056,10 +7056,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’a pas encore de réponses</translation>
     </message>
     <message>
-        <source>has no recording yet</source>
-        <translation>n’a pas encore d’enregistrement</translation>
-    </message>
-    <message>
         <source>has no timestamps, and its firmware has no fixed rate</source>
         <translation>n’a pas de temps, et son micrologiciel n’a pas de cadence fixe</translation>
     </message>
@@ -11230,6 +11226,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>there is no valid motion in the clip to fit a gain to</source>
         <translation>le clip ne contient aucun mouvement valide auquel ajuster un gain</translation>
+    </message>
+    <message>
+        <source>there is none yet</source>
+        <translation>il n’y en a pas encore</translation>
     </message>
     <message>
         <source>these are two videos: {names}</source>
