@@ -346,7 +346,11 @@ class _Question(QFrame):
         self.problem.setText(text)
 
     def _propose(self, answer: str) -> None:
-        self.other.setText(" ".join(w for w in answer.split() if "=" in w))
+        words = [word.rstrip(",") for word in answer.split() if "=" in word]
+        by_key = {
+            word.partition("=")[0]: word for word in words
+        }  # the last, an example
+        self.other.setText(" ".join(by_key.values()))
 
     def _answer(self) -> None:
         words = self.other.text().split()

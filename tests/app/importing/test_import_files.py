@@ -5,6 +5,8 @@ import pytest
 
 from app.experimenter import import_suggestion, import_wizard
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT
+from hapticplayer.capture.choices import LogQuestion
+from hapticplayer.errors import Message
 from hapticplayer.sequence import open_sequence
 from tests.needed_extras import needs
 
@@ -37,6 +39,22 @@ def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_pa
     wait_for(wizard.next.isEnabled)
     assert "in g" in wizard.files.notes.text()
     assert wizard.files.keep.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("answer", "filled_in"),
+    [
+        ("accel-sign=-, or correct the sign in the log", "accel-sign=-"),
+        ("axes=x,-z,y, or the axes that were right, front, up", "axes=x,-z,y"),
+        ("axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y", "axes=x,-z,y"),
+        ("format=csv and columns=time,ax (- for others)", "format=csv columns=time,ax"),
+    ],
+)
+def test_a_chosen_answer_is_filled_in_as_it_is_typed(wizard, answer, filled_in):
+    question = wizard.files.question
+    question.ask(LogQuestion(Message("is doubtful"), (Message(answer),), "/x/log.csv"))
+    question.answers.buttons()[0].click()
+    assert question.other.text() == filled_in
 
 
 @needs("loggers")
