@@ -6441,7 +6441,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>axes={axes}, or the axes that were right, front, up</source>
-        <translation>axes={axes} oder was sonst rechts, vorn, oben war</translation>
+        <translation>axes={axes}, oder was sonst rechts, vorn, oben war</translation>
     </message>
     <message>
         <source>axis without an id</source>
@@ -6625,7 +6625,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>copy the study&apos;s folder to the other machine, then run it there</source>
-        <translation>den Ordner der Studie auf den anderen Rechner kopieren und sie dort durchführen</translation>
+        <translation>kopieren Sie den Ordner der Studie auf den anderen Rechner, und führen Sie sie dort durch</translation>
     </message>
     <message>
         <source>correct it</source>
@@ -6693,7 +6693,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>is not a recording of a haptic loop</source>
-        <translation>ist keine Aufnahme einer Haptikschleife</translation>
+        <translation>ist keine Aufzeichnung einer haptischen Schleife</translation>
     </message>
     <message>
         <source>is not the description of a sequence</source>
@@ -6773,11 +6773,11 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>accel-sign=- if its accelerometer reads -1 g upwards</source>
-        <translation>accel-sign=- wenn der Beschleunigungssensor nach oben -1 g zeigt</translation>
+        <translation>accel-sign=-, wenn der Beschleunigungssensor nach oben -1 g zeigt</translation>
     </message>
     <message>
         <source>accel-unit={fitting:.6g} to scale it to gravity</source>
-        <translation>accel-unit={fitting:.6g} um auf die Schwerkraft zu skalieren</translation>
+        <translation>accel-unit={fitting:.6g}, um auf die Schwerkraft zu skalieren</translation>
     </message>
     <message>
         <source>format=csv and columns=time,ax,ay,az,gx,gy,gz (- for others)</source>
@@ -7677,7 +7677,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Choose this game in the rig&apos;s software. Packets stay on this computer unless you enter another address.</source>
-        <translation>Wählen Sie dieses Spiel in der Software der Bewegungsplattform. Die Pakete bleiben auf diesem Computer, solange Sie keine andere Adresse eingeben.</translation>
+        <translation>Wählen Sie dieses Spiel in der Software der Bewegungsplattform. Die Pakete bleiben auf diesem Rechner, solange Sie keine andere Adresse eingeben.</translation>
     </message>
     <message>
         <source>Connect it as its maker says.</source>
@@ -7973,7 +7973,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Start Haply&apos;s Inverse Service and connect the Inverse3, with its power supply. Enter HOST:PORT if the service runs on another computer.</source>
-        <translation>Starten Sie den Inverse Service von Haply und schließen Sie den Inverse3 samt Netzteil an. Geben Sie HOST:PORT ein, wenn der Dienst auf einem anderen Computer läuft.</translation>
+        <translation>Starten Sie den Inverse Service von Haply, und schließen Sie das Inverse3 samt Netzteil an. Geben Sie HOST:PORT ein, wenn der Dienst auf einem anderen Rechner läuft.</translation>
     </message>
     <message>
         <source>Start Intiface, start its server and connect what vibrates there.</source>
@@ -8153,7 +8153,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>checking the clip</source>
-        <translation>Prüfe das Video</translation>
+        <translation>Clip wird geprüft</translation>
     </message>
     <message>
         <source>choose a file that was written by pack</source>
@@ -8193,7 +8193,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>choose the other kind of file, or convert the clip first</source>
-        <translation>wählen Sie die andere Art von Datei, oder wandeln Sie das Video zuerst um</translation>
+        <translation>wählen Sie die andere Art von Datei, oder wandeln Sie den Clip zuerst um</translation>
     </message>
     <message>
         <source>close other programs</source>
@@ -8837,7 +8837,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>parts of the clip give different offsets</source>
-        <translation>Teile des Videos ergeben verschiedene Versätze</translation>
+        <translation>Teile des Clips ergeben verschiedene Versätze</translation>
     </message>
     <message>
         <source>port {port} cannot be opened ({reason}); end what listens there</source>
@@ -9301,7 +9301,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the force track goes from {first_s:.6g} s to {last_s:.6g} s, the clip to {duration_s:.6g} s</source>
-        <translation>die Kraftspur reicht von {first_s:.6g} s bis {last_s:.6g} s, das Video bis {duration_s:.6g} s</translation>
+        <translation>die Kraftspur reicht von {first_s:.6g} s bis {last_s:.6g} s, der Clip bis {duration_s:.6g} s</translation>
     </message>
     <message>
         <source>the force track was rejected: {reason}</source>
@@ -10177,7 +10177,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Search on this computer</source>
-        <translation>Suche auf diesem Computer</translation>
+        <translation>Suche auf diesem Rechner</translation>
     </message>
     <message>
         <source>Sound output {card} with the channels {channels}</source>
@@ -10817,7 +10817,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>rate-unit={unit} to scale it to gravity</source>
-        <translation>rate-unit={unit}, um es nach der Schwerkraft zu skalieren</translation>
+        <translation>rate-unit={unit}, um auf die Schwerkraft zu skalieren</translation>
     </message>
     <message>
         <source>read as telemetry of the camera: specific force in m/s2, angular rate in rad/s; x right, y forward, z up{rest}; up to {largest_radps:.2f} rad/s</source>
@@ -11169,7 +11169,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the method frames needs a clip</source>
-        <translation>das Verfahren frames braucht ein Video</translation>
+        <translation>das Verfahren frames braucht einen Clip</translation>
     </message>
     <message>
         <source>the quaternion Kalman filter of Sabatini 2006</source>
@@ -11245,7 +11245,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>this installation cannot look at the frames of a clip</source>
-        <translation>diese Installation kann die Einzelbilder eines Videos nicht auswerten</translation>
+        <translation>diese Installation kann die Bilder eines Clips nicht auswerten</translation>
     </message>
     <message>
         <source>this installation has no demo; open a sequence or a video instead</source>
@@ -11289,7 +11289,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
-        <translation>die Bilder sind unsicher (Konfidenz {confidence:.2f}): Der Kreisel erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s ({doubt})</translation>
+        <translation>die Bilder sind unsicher (Sicherheit {confidence:.2f}): Das Gyroskop erklärt {explained:.0%} der Drehung der Kamera, bei einem Versatz von {offset_s:.3f} s ({doubt})</translation>
     </message>
     <message>
         <source>the sound card {card!r} no longer accepts sound ({reason}); connect it and choose the device again</source>
@@ -11297,7 +11297,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>the taps are uncertain (confidence {confidence:.2f}); the best offset is {offset_s:.3f} s{next_best}</source>
-        <translation>das Klopfen ist nicht sicher (Konfidenz {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}</translation>
+        <translation>das Klopfen ist unsicher (Sicherheit {confidence:.2f}): Der beste Versatz ist {offset_s:.3f} s{next_best}</translation>
     </message>
     <message>
         <source>the times of its packets and the camera&apos;s own place the motion {apart_s:.2f} s apart: the clip was cut</source>

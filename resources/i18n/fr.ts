@@ -3233,7 +3233,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>This clip has no motion data</source>
-        <translation>Cette vidéo n’a pas de données de mouvement</translation>
+        <translation>Ce clip n’a pas de données de mouvement</translation>
     </message>
     <message>
         <source>Force around the playhead</source>
@@ -5087,7 +5087,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Add the sessions of a copy of this study on another machine</source>
-        <translation>Ajouter les séances d’une copie de cette étude sur une autre machine</translation>
+        <translation>Ajouter les séances d’une copie de cette étude sur un autre ordinateur</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -6069,7 +6069,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>LSL streams cannot be kept on this machine ({reason})</source>
-        <translation>les flux LSL ne peuvent pas rester sur cette machine ({reason})</translation>
+        <translation>les flux LSL ne peuvent pas rester sur cet ordinateur ({reason})</translation>
     </message>
     <message>
         <source>LSL streams cannot be opened ({reason})</source>
@@ -6241,7 +6241,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>a clip cannot be copied onto itself</source>
-        <translation>une vidéo ne peut pas être copiée sur elle-même</translation>
+        <translation>un clip ne peut pas être copié sur lui-même</translation>
     </message>
     <message>
         <source>a code has {length} letters, as `study status` lists them</source>
@@ -6457,7 +6457,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>belongs to the clip {found!r}, not to {expected!r}</source>
-        <translation>appartient à la vidéo {found!r}, pas à {expected!r}</translation>
+        <translation>appartient au clip {found!r}, pas à {expected!r}</translation>
     </message>
     <message>
         <source>bring the streams to common times by interpolation first</source>
@@ -6541,7 +6541,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>choose a clip with sound</source>
-        <translation>choisissez une vidéo avec du son</translation>
+        <translation>choisissez un clip avec du son</translation>
     </message>
     <message>
         <source>choose a device first</source>
@@ -6625,7 +6625,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>copy the study&apos;s folder to the other machine, then run it there</source>
-        <translation>copiez le dossier de l’étude sur l’autre machine, puis lancez-la là-bas</translation>
+        <translation>copiez le dossier de l’étude sur l’autre ordinateur, puis lancez-la là-bas</translation>
     </message>
     <message>
         <source>correct it</source>
@@ -6909,7 +6909,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>give times in seconds of the clip</source>
-        <translation>donnez des temps en secondes de la vidéo</translation>
+        <translation>donnez des temps en secondes du clip</translation>
     </message>
     <message>
         <source>the accelerometer reads {norm:.2f} m/s2 at rest instead of 9.81</source>
@@ -8153,7 +8153,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>checking the clip</source>
-        <translation>vérification de la vidéo</translation>
+        <translation>vérification du clip</translation>
     </message>
     <message>
         <source>choose a file that was written by pack</source>
@@ -8193,7 +8193,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>choose the other kind of file, or convert the clip first</source>
-        <translation>choisissez l’autre type de fichier, ou convertissez d’abord la vidéo</translation>
+        <translation>choisissez l’autre type de fichier, ou convertissez d’abord le clip</translation>
     </message>
     <message>
         <source>close other programs</source>
@@ -8229,7 +8229,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>copy it from the other machine again; to use what is intact, move its folder into sessions</source>
-        <translation>copiez-la encore une fois depuis l’autre machine&#xa0;; pour utiliser ce qui est intact, déplacez son dossier dans sessions</translation>
+        <translation>copiez-la encore une fois depuis l’autre ordinateur&#xa0;; pour utiliser ce qui est intact, déplacez son dossier dans sessions</translation>
     </message>
     <message>
         <source>copying the sequence</source>
@@ -8681,7 +8681,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>motion without gravity</source>
-        <translation>mouvement sans gravité</translation>
+        <translation>mouvement sans pesanteur</translation>
     </message>
     <message>
         <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the wearer in the recorder&apos;s axes</source>
@@ -8837,7 +8837,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>parts of the clip give different offsets</source>
-        <translation>des parties de la vidéo donnent des décalages différents</translation>
+        <translation>des parties du clip donnent des décalages différents</translation>
     </message>
     <message>
         <source>port {port} cannot be opened ({reason}); end what listens there</source>
@@ -9065,7 +9065,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s</source>
-        <translation>commence à {time_s:.3f} s, mais la vidéo finit à {duration_s:.3f} s</translation>
+        <translation>commence à {time_s:.3f} s, mais le clip finit à {duration_s:.3f} s</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -9301,7 +9301,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the force track goes from {first_s:.6g} s to {last_s:.6g} s, the clip to {duration_s:.6g} s</source>
-        <translation>la piste de force va de {first_s:.6g} s à {last_s:.6g} s, la vidéo jusqu’à {duration_s:.6g} s</translation>
+        <translation>la piste de force va de {first_s:.6g} s à {last_s:.6g} s, le clip jusqu’à {duration_s:.6g} s</translation>
     </message>
     <message>
         <source>the force track was rejected: {reason}</source>
@@ -9665,11 +9665,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the motion covers {first_s:.1f} to {last_s:.1f} s of media time, but the clip lasts from 0 to {duration_s:.1f} s</source>
-        <translation>le mouvement couvre {first_s:.1f} à {last_s:.1f} s de temps du média, mais la vidéo dure de 0 à {duration_s:.1f} s</translation>
+        <translation>le mouvement couvre {first_s:.1f} à {last_s:.1f} s de temps du média, mais le clip dure de 0 à {duration_s:.1f} s</translation>
     </message>
     <message>
         <source>the motion covers {first_s:.1f} to {last_s:.1f} s of the clip&apos;s {duration_s:.1f} s; there is no force outside</source>
-        <translation>le mouvement couvre {first_s:.1f} à {last_s:.1f} s des {duration_s:.1f} s de la vidéo&#xa0;; il n’y a pas de force en dehors</translation>
+        <translation>le mouvement couvre {first_s:.1f} à {last_s:.1f} s des {duration_s:.1f} s du clip&#xa0;; il n’y a pas de force en dehors</translation>
     </message>
     <message>
         <source>the motion does not clearly agree with the unit of the angular rate; it was taken as it is</source>
@@ -9709,11 +9709,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the other clip has a force track of a single row</source>
-        <translation>la piste de force de l’autre vidéo n’a qu’une ligne</translation>
+        <translation>la piste de force de l’autre clip n’a qu’une ligne</translation>
     </message>
     <message>
         <source>the other clip has no force along an axis that this one uses</source>
-        <translation>l’autre vidéo n’a pas de force sur un axe que celle-ci utilise</translation>
+        <translation>l’autre clip n’a pas de force sur un axe que celui-ci utilise</translation>
     </message>
     <message>
         <source>the output {name} appears twice</source>
@@ -9737,7 +9737,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the realistic force of another clip, with the RMS of this one</source>
-        <translation>la force réaliste d’une autre vidéo, de même valeur efficace que celle-ci</translation>
+        <translation>la force réaliste d’un autre clip, de même valeur efficace que celui-ci</translation>
     </message>
     <message>
         <source>the realistic force, later than the picture</source>
@@ -9889,7 +9889,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>there is no sound output, so the clip plays silently</source>
-        <translation>il n’y a pas de sortie de son, la vidéo est donc muette</translation>
+        <translation>il n’y a pas de sortie de son, le clip est donc muet</translation>
     </message>
     <message>
         <source>there is no sound output: {reason}</source>
@@ -10157,7 +10157,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>No motion: force here is gravity that was not removed</source>
-        <translation>Pas de mouvement&#xa0;: ici, la force est de la gravité qui n’a pas été retirée</translation>
+        <translation>Pas de mouvement&#xa0;: ici, la force est de la pesanteur qui n’a pas été retirée</translation>
     </message>
     <message>
         <source>Permission for {path}</source>
@@ -10257,7 +10257,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>clipped samples: {force} of the accelerometer ({force_marked} of them not reconstructed, marked as not valid), {rate} of the gyro ({rate_marked})</source>
-        <translation>échantillons écrêtés&#xa0;: {force} de l’accéléromètre (dont {force_marked} non reconstruits, marqués comme non valides), {rate} du gyromètre ({rate_marked})</translation>
+        <translation>échantillons écrêtés&#xa0;: {force} de l’accéléromètre (dont {force_marked} non reconstruits, marqués comme non valides), {rate} du gyroscope ({rate_marked})</translation>
     </message>
     <message>
         <source>comparing needs two feedbacks or more</source>
@@ -10357,7 +10357,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>has no question after a clip</source>
-        <translation>ne demande rien après une vidéo</translation>
+        <translation>ne demande rien après un clip</translation>
     </message>
     <message>
         <source>has no rows</source>
@@ -10985,7 +10985,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>spikes removed from {force} accelerometer, {rate} gyro, {field} magnetometer samples; {kept} samples stood out and were left as motion</source>
-        <translation>pics retirés de {force} échantillons de l’accéléromètre, {rate} du gyromètre, {field} du magnétomètre&#xa0;; {kept} échantillons saillants laissés comme mouvement</translation>
+        <translation>pics retirés de {force} échantillons de l’accéléromètre, {rate} du gyroscope, {field} du magnétomètre&#xa0;; {kept} échantillons saillants laissés comme mouvement</translation>
     </message>
     <message>
         <source>start a new session</source>
@@ -11169,7 +11169,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the method frames needs a clip</source>
-        <translation>la méthode frames a besoin d’une vidéo</translation>
+        <translation>la méthode frames a besoin d’un clip</translation>
     </message>
     <message>
         <source>the quaternion Kalman filter of Sabatini 2006</source>
@@ -11237,7 +11237,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>this condition needs the sequence of the clip</source>
-        <translation>cette condition demande la séquence de la vidéo</translation>
+        <translation>cette condition demande la séquence du clip</translation>
     </message>
     <message>
         <source>this haptic loop does not accept injected faults</source>
@@ -11245,7 +11245,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>this installation cannot look at the frames of a clip</source>
-        <translation>cette installation ne peut pas analyser les images d’une vidéo</translation>
+        <translation>cette installation ne peut pas analyser les images d’un clip</translation>
     </message>
     <message>
         <source>this installation has no demo; open a sequence or a video instead</source>
@@ -11289,7 +11289,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>the frames are uncertain (confidence {confidence:.2f}): the gyro explains {explained:.0%} of the camera&apos;s rotation, at an offset of {offset_s:.3f} s ({doubt})</source>
-        <translation>les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyromètre explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s ({doubt})</translation>
+        <translation>les images sont incertaines (confiance {confidence:.2f})&#xa0;: le gyroscope explique {explained:.0%} de la rotation de la caméra, avec un décalage de {offset_s:.3f} s ({doubt})</translation>
     </message>
     <message>
         <source>the sound card {card!r} no longer accepts sound ({reason}); connect it and choose the device again</source>
