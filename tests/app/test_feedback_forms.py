@@ -65,7 +65,7 @@ def test_a_chosen_condition_is_made_and_played(window, wait_for, sequence):
 def test_a_condition_that_cannot_be_made_is_reported(window, wait_for, sequence):
     window.session.show_source(open_source(sequence))
     window.session.make_feedback(ChosenFeedback("shuffled", {}))
-    wait_for(lambda: "of=FOLDER" in window.messages.text())
+    wait_for(lambda: "choose its folder" in window.messages.text())
     assert window.player.snapshot().feedback == "realistic"
 
 

@@ -133,7 +133,7 @@ def _pointed_at(stage: Stage, window: PlayerWindow) -> Pictures:
 
 
 def _menus(stage: Stage, window: PlayerWindow) -> Pictures:
-    names = ("file", "playback", "view", "study", "help")
+    names = ("file", "edit", "playback", "view", "device", "study", "help")
     for name, action in zip(names, window.menuBar().actions(), strict=True):
         menu = action.menu()
         yield f"menu-{name}", _popped(stage, menu)
