@@ -31,6 +31,8 @@ from benchmarks.robustness.as_typed import (
     says,
 )
 
+Rows = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
+
 CLIP = CASES / "intiface" / "clip.mp4"
 SAME_LOG = CASES / "gcsv-header" / "thumb_rx.gcsv"
 TABLE = ("accel-unit=g", "rate-unit=rad/s", "time-unit=s")
@@ -301,6 +303,13 @@ def _clips() -> list[Row]:
     rows += [
         Row("mpeg-ts", "play camcorder.mts", "plays, or names the remux command",
             lambda _: _plays_or(CASES / "mpeg-ts/camcorder.mts", "remux|-c copy"), plays=True),
+        Row("reading", "a simulated ride, x and y of both sensors swapped",
+            "asks for accel-axes=y,x,z rate-axes=y,x,z",
+            lambda folder: _reads_otherwise(folder, _swapped, "accel-axes=y,x,z rate-axes=y,x,z"),
+            plays=True),
+        Row("reading", "a simulated ride, rates 57 times too small",
+            "refused: times 57.3", lambda folder: _reads_otherwise(folder, _slowed, "57\\.29"),
+            plays=True),
         Row("report", "import of a simulated ride with three taps",
             "the true offset, and no line against it", _report, plays=True),
         Row("vfr-called-damaged", "play lowlight_30_to_20.mp4", "says nothing of damage",
@@ -331,6 +340,31 @@ def _rate_of(clip: Path, rate_hz: float) -> Found:
 
 
 AGAINST = ("not synchronised", "give --offset", "three times", "bad:", "record again")
+
+
+def _swapped(cells: Rows) -> Rows:
+    return cells[:, [0, 2, 1, 3, 5, 4, *range(6, cells.shape[1])]]
+
+
+def _slowed(cells: Rows) -> Rows:
+    scale = np.ones(cells.shape[1])
+    scale[4:7] = np.pi / 180.0
+    return cells * scale
+
+
+def _reads_otherwise(
+    folder: Path, change: Callable[[Rows], Rows], answer: str
+) -> Found:
+    """Whether an import asks about the log of a simulated ride that was changed."""
+    ride = folder / "bike"
+    if not ride.exists():
+        hapticplayer("simulate", "bike", "-o", ride, limit_s=300.0)
+    head, *lines = (ride / "imu.csv").read_text("utf-8").splitlines()
+    cells = np.array([[float(one) for one in line.split(",")] for line in lines])
+    log = folder / "changed.csv"
+    np.savetxt(log, change(cells), "%.9f", ",", header=head, comments="")
+    words = ("import", ride / "clip.mp4", "-o", folder / "s", "--imu", log)
+    return says(hapticplayer(*words, limit_s=300.0), answer)
 
 
 def _report(folder: Path) -> Found:

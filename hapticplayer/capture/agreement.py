@@ -152,28 +152,28 @@ def _turned(change: Floats, imu: ImuLog, axes: str) -> tuple[Message, list[Messa
         if up is not None and (force @ up)[2] < 0.0:
             force = -force
         fits.append((stored.T @ force @ stored, Message("accelerometer"), "accel-axes"))
-        fits.sort(key=lambda fit: _edits(fit[0]))
+        fits.sort(key=lambda fit: edits(fit[0]))
     answers = [
         Message(
             "{key}={axes} if the {sensor} is {how}",
             key=key,
             axes=axes_text(axis),
             sensor=sensor,
-            how=_how(axis),
+            how=how_changed(axis),
         )
         for axis, sensor, key in fits
     ]
     return what, [*answers, _KEPT]
 
 
-def _edits(change: Floats) -> int:
+def edits(change: Floats) -> int:
     """Return how many mistakes lead to other axes: signs, and columns in another order."""
     minus = int(np.count_nonzero(change.sum(axis=1) < 0.0))
     moved = int(np.count_nonzero(np.diag(change) == 0.0))
     return (1 if minus == 3 else minus) + max(0, moved - 1)
 
 
-def _how(change: Floats) -> Message:
+def how_changed(change: Floats) -> Message:
     is_mirrored, is_in_order = np.linalg.det(change) < 0.0, np.diag(change).all()
     if is_mirrored:
         return Message("mirrored") if is_in_order else Message("in swapped columns")

@@ -198,6 +198,8 @@ def _sync(
     try:
         if method != BY_HAND:
             found = find_sync(clip, recording, SyncChoices(method), look=look)
+    except LogQuestion:
+        raise
     except (InputError, UsageError) as failure:
         problem = message_of(failure)
     is_heard = clip.has_audio and not _is_own_clock(found)

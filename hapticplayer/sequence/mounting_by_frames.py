@@ -92,7 +92,7 @@ def sign_by_frames(
     """Ask for the sign of an accelerometer as far as the clip can be followed.
 
     Raises:
-        LogQuestion: see `ask_about_sign`.
+        LogQuestion: see `ask_about_sign`, or when the frames show other axes.
     """
     try:
         synced = synchronized(clip, recording, choices, progress)
@@ -100,6 +100,8 @@ def sign_by_frames(
         if found is None:
             of_frames = frame_function("mounting")
             found = of_frames(clip, recording.imu, synced.clock_map, progress)
+    except LogQuestion:
+        raise
     except (InputError, UsageError):  # then gravity alone is asked about
         return
     ask_about_sign(recording, found)

@@ -144,8 +144,14 @@ def find_sync(
     Raises:
         InputError: when no synchronisation is possible.
         UsageError: for a method that does not exist or lacks its argument.
+        LogQuestion: when frames that were followed show that the log is misread.
     """
     heard: list[ClipSound] = []
+    seen: list[FrameRotation] = []
+
+    def follow() -> FrameRotation:
+        seen.append(look() if look else watch(clip, progress))
+        return seen[-1]
 
     def hear() -> ClipSound:
         if not clip.has_audio:
@@ -169,12 +175,14 @@ def find_sync(
         hear,
         given,
         known,
-        (look or (lambda: watch(clip, progress))) if has_frames() else None,
+        follow if has_frames() else None,
         recording.lag,
         contradiction or "",
         recording.placing.others if recording.placing else (),
     )
     found = _at(sync_method(choices.method).function()(inputs), middle_s)
+    if seen:
+        frame_function("ask-about-reading")(recording, seen[-1], found)
     if choices.refuses_idle_skew and not heard:
         raise UsageError(
             "{clip}: the skew of the sound would have no effect, because the offset "
