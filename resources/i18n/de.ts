@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>Save this frame as a pictu&amp;re</source>
-        <translation>Dieses B&amp;ild als Foto speichern</translation>
+        <translation>Dieses B&amp;ild speichern</translation>
     </message>
     <message>
         <source>&amp;Guide</source>
