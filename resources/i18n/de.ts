@@ -8100,6 +8100,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Washout braucht eine Spur aus geraden Linien, diese hält ihre Werte</translation>
     </message>
     <message>
+        <source>accel-axes={accel} rate-axes={rate} if both sensors are {how}</source>
+        <translation>accel-axes={accel} rate-axes={rate}, wenn beide Sensoren {how} sind</translation>
+    </message>
+    <message>
         <source>acceleration was taken times {gain:.2g} N per m/s²</source>
         <translation>Beschleunigung wurde mit {gain:.2g} N je m/s² malgenommen</translation>
     </message>
@@ -8620,6 +8624,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sein Anfang ist durch eine Schnittliste verborgen, die keine Kopie behält</translation>
     </message>
     <message>
+        <source>its gyroscope does not turn as the camera in the frames of the clip</source>
+        <translation>sein Gyroskop dreht sich nicht wie die Kamera in den Bildern des Clips</translation>
+    </message>
+    <message>
         <source>its headers are too large</source>
         <translation>seine Kopfzeilen sind zu groß</translation>
     </message>
@@ -8686,6 +8694,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the wearer in the recorder&apos;s axes</source>
         <translation>es gibt keine Befestigung {text!r}; wählen Sie eine von {known}, oder geben Sie rechts, vorn und oben der Person in den Achsen des Rekorders an</translation>
+    </message>
+    <message>
+        <source>multiply it by {scale:.9g} in the log, or take the taps alone</source>
+        <translation>multiplizieren Sie sie im Protokoll mit {scale:.9g}, oder nehmen Sie das Klopfen allein</translation>
     </message>
     <message>
         <source>multiply its positions by 100</source>
@@ -8862,6 +8874,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>preset</source>
         <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>rate-axes={axes} if the gyroscope is {how}</source>
+        <translation>rate-axes={axes}, wenn das Gyroskop {how} ist</translation>
     </message>
     <message>
         <source>read as {name}: specific force in {unit}</source>
@@ -11036,6 +11052,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Auswertung von Konsistenzversuchen fehlt; installieren Sie die Erweiterung, die sie hat, oder exportieren Sie die Antworten</translation>
     </message>
     <message>
+        <source>the angular rate is not that of the camera in the frames of the clip, but would be if it were {scale:.3g} times as large</source>
+        <translation>die Drehrate ist nicht die der Kamera in den Bildern des Clips, wäre es aber, wenn sie {scale:.3g}-mal so groß wäre</translation>
+    </message>
+    <message>
         <source>the camera does not move: there is nothing to estimate</source>
         <translation>die Kamera bewegt sich nicht: es gibt nichts zu schätzen</translation>
     </message>
@@ -11508,6 +11528,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ihrem Videoschnittprogramm</translation>
     </message>
     <message>
+        <source>{answer}</source>
+        <translation>{answer}</translation>
+    </message>
+    <message>
         <source>{axis} appears twice; the first was read</source>
         <translation>{axis} kommt zweimal vor; gelesen wurde das erste</translation>
     </message>
@@ -11614,6 +11638,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{kind} was read as lines</source>
         <translation>{kind} wurde als Geraden gelesen</translation>
+    </message>
+    <message>
+        <source>{log}: the taps fit, but the gyro explains only {explained:.0%} of the camera&apos;s rotation in the frames, in any axes: is it the log of this clip, and the video not stabilised? To take the taps alone, say so</source>
+        <translation>{log}: Das Klopfen passt, aber das Gyroskop erklärt in keinen Achsen mehr als {explained:.0%} der Drehung der Kamera in den Bildern: Gehört das Protokoll zu diesem Clip, und ist das Video nicht stabilisiert? Um das Klopfen allein zu nehmen, sagen Sie es</translation>
     </message>
     <message>
         <source>{modality}: amplitude 1 was taken as {full_n:.3g} N</source>
@@ -11890,6 +11918,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{toy} has left Intiface; connect it there and choose the device again</source>
         <translation>{toy} hat Intiface verlassen; verbinden Sie es dort, und wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>{unit} {axes}</source>
+        <translation>{unit} {axes}</translation>
     </message>
     <message>
         <source>{unseen_s:.0f} s without estimate: cuts, dark, blurred or empty frames</source>

@@ -8100,6 +8100,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un washout demande une piste de lignes droites, celle-ci maintient ses valeurs</translation>
     </message>
     <message>
+        <source>accel-axes={accel} rate-axes={rate} if both sensors are {how}</source>
+        <translation>accel-axes={accel} rate-axes={rate} si les deux capteurs sont {how}</translation>
+    </message>
+    <message>
         <source>acceleration was taken times {gain:.2g} N per m/s²</source>
         <translation>l’accélération a été multipliée par {gain:.2g} N par m/s²</translation>
     </message>
@@ -8620,6 +8624,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>son début est masqué par une liste de montage, qu’aucune copie ne garde</translation>
     </message>
     <message>
+        <source>its gyroscope does not turn as the camera in the frames of the clip</source>
+        <translation>son gyroscope ne tourne pas comme la caméra dans les images du clip</translation>
+    </message>
+    <message>
         <source>its headers are too large</source>
         <translation>ses en-têtes sont trop grands</translation>
     </message>
@@ -8686,6 +8694,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>mounting {text!r} not found; choose one of {known}, or give right, front and up of the wearer in the recorder&apos;s axes</source>
         <translation>il n’y a pas de fixation {text!r}&#xa0;; choisissez parmi {known}, ou donnez la droite, l’avant et le haut du porteur dans les axes de l’enregistreur</translation>
+    </message>
+    <message>
+        <source>multiply it by {scale:.9g} in the log, or take the taps alone</source>
+        <translation>multipliez-la par {scale:.9g} dans le journal, ou prenez les tapotements seuls</translation>
     </message>
     <message>
         <source>multiply its positions by 100</source>
@@ -8862,6 +8874,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>preset</source>
         <translation>le préréglage</translation>
+    </message>
+    <message>
+        <source>rate-axes={axes} if the gyroscope is {how}</source>
+        <translation>rate-axes={axes} si le gyroscope est {how}</translation>
     </message>
     <message>
         <source>read as {name}: specific force in {unit}</source>
@@ -11036,6 +11052,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’analyse des essais de cohérence manque&#xa0;; installez l’extension qui la contient, ou exportez les réponses</translation>
     </message>
     <message>
+        <source>the angular rate is not that of the camera in the frames of the clip, but would be if it were {scale:.3g} times as large</source>
+        <translation>la vitesse angulaire n’est pas celle de la caméra dans les images du clip, mais le serait si elle était {scale:.3g} fois plus grande</translation>
+    </message>
+    <message>
         <source>the camera does not move: there is nothing to estimate</source>
         <translation>la caméra est immobile&#xa0;: rien à estimer</translation>
     </message>
@@ -11508,6 +11528,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>votre logiciel de montage</translation>
     </message>
     <message>
+        <source>{answer}</source>
+        <translation>{answer}</translation>
+    </message>
+    <message>
         <source>{axis} appears twice; the first was read</source>
         <translation>{axis} figure deux fois&#xa0;; le premier a été lu</translation>
     </message>
@@ -11614,6 +11638,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{kind} was read as lines</source>
         <translation>{kind} a été lu comme des droites</translation>
+    </message>
+    <message>
+        <source>{log}: the taps fit, but the gyro explains only {explained:.0%} of the camera&apos;s rotation in the frames, in any axes: is it the log of this clip, and the video not stabilised? To take the taps alone, say so</source>
+        <translation>{log}&#xa0;: les tapotements conviennent, mais le gyroscope n’explique que {explained:.0%} de la rotation de la caméra dans les images, quels que soient les axes&#xa0;: est-ce le journal de ce clip, et la vidéo n’est-elle pas stabilisée&#xa0;? Pour prendre les tapotements seuls, dites-le</translation>
     </message>
     <message>
         <source>{modality}: amplitude 1 was taken as {full_n:.3g} N</source>
@@ -11890,6 +11918,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{toy} has left Intiface; connect it there and choose the device again</source>
         <translation>{toy} a quitté Intiface&#xa0;; connectez-le là et choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>{unit} {axes}</source>
+        <translation>{unit} {axes}</translation>
     </message>
     <message>
         <source>{unseen_s:.0f} s without estimate: cuts, dark, blurred or empty frames</source>
