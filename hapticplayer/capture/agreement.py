@@ -64,6 +64,8 @@ def ask_about_agreement(
     where: str,
     axes: str = AS_RECORDED,
     rate_unit: str = "rad/s",
+    *,
+    is_of_camera: bool = False,
 ) -> tuple[Message, ...]:
     """Ask for what is wrong where gyroscope and accelerometer contradict each other.
 
@@ -73,6 +75,7 @@ def ask_about_agreement(
         where: the file.
         axes: right, front, up of frame A in the stored axes.
         rate_unit: that the gyroscope was read in.
+        is_of_camera: its maker states the scale; that gravity shows another is noted.
     """
     from hapticplayer.motion.repair.rotation import dead_axes, doubt_about
 
@@ -86,6 +89,8 @@ def ask_about_agreement(
         if is_factor(choices.rate_unit, RATE_UNITS):
             return ()
         what, answers = _scaled(doubt.scale, rate_unit)
+        if is_of_camera:
+            return (what,)
     elif doubt.delay_s:
         what, answers = _delayed(doubt.delay_s)
         if choices.rate_delay:

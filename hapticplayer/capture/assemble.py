@@ -175,7 +175,13 @@ def as_answered(recording: Recording, choices: LogChoices) -> Recording:
         force = -force
     imu = dataclasses.replace(imu, specific_force_mps2=force, angular_rate_radps=rate)
     unit = choices.rate_unit or "rad/s"
-    notes = ask_about_agreement(imu, choices, imu.source, rate_unit=unit)
+    notes = ask_about_agreement(
+        imu,
+        choices,
+        imu.source,
+        rate_unit=unit,
+        is_of_camera=recording.placing is not None,
+    )
     return dataclasses.replace(
         recording,
         imu=mounted(imu, choices.take("axes")),

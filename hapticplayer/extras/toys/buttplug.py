@@ -192,6 +192,8 @@ class ButtplugPort:
             self._keep(left)
             self._note_answer(content.get("Id"))
             self._count_error(content, is_error=kind == "Error")
+        if not self.is_quiet:
+            return b""  # an answer to a stop is none to the strength that is owed
         return received.encode() if isinstance(received, str) else received
 
     def _ping(self, now_s: float) -> None:
@@ -209,8 +211,8 @@ class ButtplugPort:
 
     def _note_answer(self, number: Any) -> None:
         """Note what has been answered; a number that nothing has stands for all."""
-        if number in self._owed_since_s:
-            self._owed_since_s.pop(number)
+        if number in ANSWERED.values():  # again, of the second of two stops
+            self._owed_since_s.pop(number, None)
         elif number:  # 0 is no answer
             self._owed_since_s.clear()
 
