@@ -113,16 +113,17 @@ class Jobs:
         if self._job:
             self._job.cancel()
 
-    def poll(self) -> None:
-        """Hand over the outcome if the job has ended."""
+    def poll(self) -> bool:
+        """Hand over the outcome if the job has ended; False while one goes on or none was."""
         job = self._job
         if job is None or not job.is_done:
-            return
+            return False
         self._job = None
         if job.problem is None:
             self._done(job.result)
         elif not isinstance(job.problem, Cancelled):
             self._failed(job.problem)
+        return not self.is_busy
 
     def close(self) -> None:
         """Stop what runs and wait for it; its outcome is dropped."""

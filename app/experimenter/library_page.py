@@ -398,10 +398,9 @@ class LibraryPage(JobDialog):
 
     def poll(self) -> None:
         """Show how far the work is, and what came of it."""
-        was_busy = self.jobs.is_busy
-        self.jobs.poll()
+        is_over = self.jobs.poll()
         self.progress.show_state(self.jobs.state())
-        if was_busy and not self.jobs.is_busy:
+        if is_over:
             self._on_chosen()
         self._poll_pictures()
 

@@ -1,5 +1,6 @@
 """A list of entries of a study, and the fields of the one that is selected."""
 
+from abc import abstractmethod
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -74,17 +75,17 @@ class EntryList(QWidget):
 
     # --- what a page says --------------------------------------------------------
 
+    @abstractmethod
     def rows(self) -> list[Row]:
         """All entries, with headings between."""
-        raise NotImplementedError
 
     def shape(self, place: Place) -> object:
         """All that the fields of an entry depend on."""
         return place, tuple(self.document.languages)
 
+    @abstractmethod
     def fill(self, place: Place) -> None:
         """Make the fields of an entry."""
-        raise NotImplementedError
 
     # --- what a person does ------------------------------------------------------
 

@@ -39,12 +39,7 @@ from hapticplayer.extras.frames.synchronizing import synchronize_frames, usable
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import UPRIGHT
-from hapticplayer.motion.repair.rotation import (
-    COARSE_STEP_S,
-    FEW_WINDOWS,
-    SMALL_DIFFERENCE_RAD,
-    RotationWindows,
-)
+from hapticplayer.motion.repair.rotation import SMALL_DIFFERENCE_RAD, coarse_windows
 
 _SCALES = (1.0, 180.0 / math.pi, math.pi / 180.0)
 # ratios of the unexplained rotation: right axes leave 10 to 24 times less than others
@@ -201,13 +196,7 @@ def _axes_answers(recording: Recording, shown: Sequence[Floats]) -> list[Message
     stored, up = axes_matrix(str(axes_given)), mean_up(imu)
     mountings = [axes_matrix(text) for text in all_mountings()]
     allowed = [one for one in mountings if _is_mounting(one, up)] or mountings
-    windows = RotationWindows(
-        imu.time_s,
-        imu.specific_force_mps2,
-        imu.angular_rate_radps,
-        FEW_WINDOWS,
-        COARSE_STEP_S,
-    )
+    windows = coarse_windows(imu)
     found: list[tuple[int, float, Message]] = []
 
     def add(change: Floats, relative: Floats, *, is_both: bool) -> None:

@@ -188,15 +188,20 @@ class Doubt(NamedTuple):
     delay_s: float = 0.0
 
 
-def doubt_about(imu: ImuLog) -> Doubt | None:
-    """What speaks clearly against the gyro of a log as it is, or None."""
-    windows = RotationWindows(
+def coarse_windows(imu: ImuLog, number: int = FEW_WINDOWS) -> RotationWindows:
+    """Windows of a log with long steps, in which large differences are seen."""
+    return RotationWindows(
         imu.time_s,
         imu.specific_force_mps2,
         imu.angular_rate_radps,
-        FEW_WINDOWS,
+        number,
         COARSE_STEP_S,
     )
+
+
+def doubt_about(imu: ImuLog) -> Doubt | None:
+    """What speaks clearly against the gyro of a log as it is, or None."""
+    windows = coarse_windows(imu)
     if windows.is_empty or windows.most_evidence() > AXES_IN_DOUBT:
         return None
     doubts = [_of_scale(windows), _of_clock(windows), _of_axes(windows)]
@@ -290,13 +295,7 @@ def _explains(windows: RotationWindows) -> bool:
 
 def turns_gravity(imu: ImuLog) -> bool:
     """Whether the rate turns gravity, so that the accelerometer bears witness to it."""
-    windows = RotationWindows(
-        imu.time_s,
-        imu.specific_force_mps2,
-        imu.angular_rate_radps,
-        FEW_WINDOWS,
-        COARSE_STEP_S,
-    )
+    windows = coarse_windows(imu)
     return len(windows.log_ratios(np.zeros((3, 3)), SMALL_DIFFERENCE_RAD)) > 0
 
 
@@ -310,13 +309,7 @@ def dead_axes(imu: ImuLog, doubt: Doubt | None) -> list[int]:
     dead = np.flatnonzero(~imu.angular_rate_radps.any(axis=0)).tolist()
     if not dead or (doubt is not None and doubt.change is not None):
         return dead
-    windows = RotationWindows(
-        imu.time_s,
-        imu.specific_force_mps2,
-        imu.angular_rate_radps,
-        WINDOWS_FOR_GRAVITY,
-        COARSE_STEP_S,
-    )
+    windows = coarse_windows(imu, WINDOWS_FOR_GRAVITY)
     return dead if windows.unseen_turn_rad() > TURNS_UNSEEN_RAD else []
 
 

@@ -9,6 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from hapticplayer.capture import read_recording
+from hapticplayer.capture.agreement import ask_about_agreement
 from hapticplayer.capture.choices import LogQuestion, parse_choices
 from hapticplayer.errors import InputError, UsageError
 from tests.faults.import_formats import FORMATS, put
@@ -164,6 +165,18 @@ def test_a_scale_is_told_in_the_unit_that_was_declared(tmp_path):
         read_recording(path, parse_choices(["rate-unit=deg/s"]))
     assert first_answer(asked) == "rate-unit=rad/s"
     read_recording(path, parse_choices([first_answer(asked)]))
+
+
+def test_another_scale_of_a_camera_is_noted_and_not_asked_about(tmp_path):
+    """Its maker states it; what else is wrong is asked about as in any log."""
+    imu = read_recording(told("own CSV", tmp_path, lambda made: made)[0]).imu
+    rate = np.degrees(imu.angular_rate_radps)
+    degrees = replace(imu, angular_rate_radps=rate)
+    (note,) = ask_about_agreement(degrees, parse_choices([]), "x", is_of_camera=True)
+    assert "57 times too high" in str(note)
+    mirrored = replace(imu, angular_rate_radps=-imu.angular_rate_radps)
+    with pytest.raises(LogQuestion):
+        ask_about_agreement(mirrored, parse_choices([]), "x", is_of_camera=True)
 
 
 @pytest.mark.parametrize("late_s", [0.3, -0.3, -0.6, 1.2])
