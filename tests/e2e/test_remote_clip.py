@@ -186,10 +186,12 @@ def test_force_is_withheld_from_another_video(server, packed):
     other = server.contents["/ride.mp4"]
     at = other.index(b"mdat") + 2000
     server.contents["/ride.mp4"] = other[:at] + b"1234" + other[at + 4 :]
+    said = "not the video that the force was made for"
     with Viewer(server.url("/ride.mp4")) as one:
         one.until(lambda now: now.phase is Phase.PLAYING and now.media_s > 0.5)
+        # a second notice, of a frame that the bytes broke, may come before it
+        one.until(lambda now: any(said in notice for notice in now.notices))
         assert not one.now.leading.tick["force_n"].any()
-        assert "not the video that the force was made for" in one.now.notices[0]
 
 
 @pytest.mark.parametrize("words", [(), ("--accept-changed-video",)])
