@@ -24,7 +24,14 @@ from app.editor.spans import Part
 from app.experimenter.numbers import ThreeNumbers
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import STRETCH, captioned, column_of, paragraph, row_of
+from app.widgets.layout import (
+    STRETCH,
+    captioned,
+    column_of,
+    paragraph,
+    read_in_order,
+    row_of,
+)
 from hapticplayer.errors import UsageError, message_of
 from hapticplayer.model.ranges import Range
 from hapticplayer.rendering.condition import Parameter
@@ -179,6 +186,7 @@ class EffectPanel(QWidget):
         self.area.setWidget(inner)
         if before is not None:
             before.deleteLater()  # it may be what has just been used
+        read_in_order(self.window())
 
     def _add_parameter(
         self, column: QVBoxLayout, effect: Effect, parameter: Parameter

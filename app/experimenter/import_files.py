@@ -111,6 +111,7 @@ class FilesPage(QWidget):
         )
         for line, (text, field, slot) in enumerate(rows):
             browse = text_button(self.tr("Choose\u2026"), field.accessibleName())
+            browse.setAccessibleName(titled(field.accessibleName(), browse.text()))
             browse.clicked.connect(slot)
             for place, widget in enumerate((*captioned(text, field), browse)):
                 grid.addWidget(widget, line, place)

@@ -10,7 +10,7 @@ from app.bridge.settings import MOST_OUTPUTS
 from app.player.device_form import DeviceForm, output_text, problem_of
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import STRETCH, column_of, row_of
+from app.widgets.layout import STRETCH, captioned, column_of, row_of
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import message_of
 
@@ -38,7 +38,9 @@ class SessionOutputs(QWidget):
         self.problem.hide()
         self.rows = QVBoxLayout()
         self.rows.setSpacing(4)
-        form = (self.form.kind, self.form.caption, self.form.settings)
+        name, kind = captioned(self.form.kind.accessibleName(), self.form.kind)
+        name.hide()  # for screen readers
+        form = (name, kind, self.form.caption, self.form.settings)
         chooser = row_of(*form, self.add_button, STRETCH, spacing=8)
         column_of(self.rows, chooser, self.problem, spacing=6, of=self)
 

@@ -17,6 +17,7 @@ from app.player.remake import OpenWindow, apply_appearance
 from app.player.video_surface import SurfaceSink, VideoSurface
 from app.player.window import PlayerWindow
 from app.widgets.theme import icon
+from app.widgets.voice import give_voice
 from hapticplayer.cli.common import complain, say
 from hapticplayer.cli.play import (
     attach_log,
@@ -104,6 +105,7 @@ def make_application(settings: Settings | None = None) -> QApplication:
     application.setApplicationName("hapticplayer")
     application.setDesktopFileName("hapticplayer")
     application.setWindowIcon(icon("hapticplayer"))
+    give_voice()
     apply_appearance(application, settings or Settings(None))
     return application
 

@@ -309,13 +309,14 @@ class OutputsPage(QDialog):
         close = text_button(self.tr("Close"), self.tr("The devices keep playing"))
         close.clicked.connect(self.accept)
         where = captioned(self.tr("Address or settings"), self.address)
-        self.kind.setAccessibleName(self.tr("Device to add"))
+        caption, _ = captioned(self.tr("Device to add"), self.kind)
+        caption.hide()  # it names the list for screen readers
         self.heading = paragraph(self._text(), lines=2)
         self.list_end = paragraph("", theme.DIM)
         self._scroll = scrolling(column_of(self._list, self.list_end, STRETCH))
         self._form = QWidget()
         column_of(
-            row_of((self.kind, 1), add),
+            row_of(caption, (self.kind, 1), add),
             row_of(where[0], (self.address, 1)),
             self.problem,
             spacing=12,

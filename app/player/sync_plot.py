@@ -95,6 +95,10 @@ class SyncPlot(QWidget):
             (self.tr("Force \u2212 sound"), self.sound),
         ]
 
+    def spoken(self) -> str:
+        """The figures of the legend."""
+        return ", ".join(titled(name, _figures(one)) for name, one in self._traces())
+
     def plot_area(self) -> QRectF:
         """Return where the points go: beside the numbers, under the legend."""
         metrics = self.fontMetrics()

@@ -18,7 +18,7 @@ from app.bridge.languages import translated
 from app.player.choices import Choice
 from app.widgets import theme
 from app.widgets.buttons import ICON_PX, set_role, text_button, tool_button
-from app.widgets.layout import STRETCH, ElidedLabel, column_of, row_of
+from app.widgets.layout import STRETCH, ElidedLabel, captioned, column_of, row_of
 from app.widgets.seek_slider import SeekSlider
 from app.widgets.texts import local, position_text
 from app.widgets.theme import control_icon
@@ -234,7 +234,7 @@ def _fill(combo: QComboBox, offered: Iterable[Choice]) -> None:
 
 def _captioned(combo: QComboBox) -> QLayout:
     """A list below its caption, which needs no room beside it on a narrow screen."""
-    label = QLabel(combo.accessibleName())
+    label, _ = captioned(combo.accessibleName(), combo)
     label.setStyleSheet(f"color: {theme.DIM};")
     label.setFont(theme.scaled(combo.font(), 0.85))
     return column_of(label, combo, spacing=0)

@@ -26,6 +26,7 @@ from app.plots.grip_view import GripView
 from app.plots.rig_platform import Follower, PlatformPose, reached
 from app.plots.rig_view import RigView, floor_painter
 from app.widgets import theme
+from app.widgets.layout import read_in_order
 from app.widgets.level_meter import LEAST_DB
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.model.device import ChannelLevel, DeviceCapabilities, Signal
@@ -103,7 +104,6 @@ class RigPicture(RigView):
 
     def __init__(self, _record: DeviceCapabilities) -> None:
         super().__init__()
-        self.setAccessibleName(translate("DevicePicture", "Platform of the rig"))
         self._follower = Follower()
 
     def show_sent(self, ticks: NDArray[Any], _levels: tuple[ChannelLevel, ...]) -> None:
@@ -119,17 +119,25 @@ class RigPicture(RigView):
         pose, share = reached(asked)
         self.show_pose(pose, is_clamped=share < 1.0)
 
+    def spoken(self) -> str:
+        """The pose, as large as it is drawn."""
+        return f"{super().spoken()}. {_enlargement()}"
+
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         painter = QPainter(self)
         painter.setPen(QColor(theme.DIM))
-        text = translate("DevicePicture", "Motion shown {factor}\u00d7 larger")
         place = self.rect().adjusted(8, 6, -8, -6)
         painter.drawText(
             place,
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom,
-            text.format(factor=ENLARGED),
+            _enlargement(),
         )
+
+
+def _enlargement() -> str:
+    text = translate("DevicePicture", "Motion shown {factor}\u00d7 larger")
+    return text.format(factor=ENLARGED)
 
 
 class _Drawn(QWidget):
@@ -167,6 +175,10 @@ class WheelPicture(_Drawn):
         if share != self.share:
             self.share = share
             self.update()
+
+    def spoken(self) -> str:
+        """The force as a share of the largest one."""
+        return _percent(self.share)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = floor_painter(self)
@@ -216,6 +228,11 @@ class BarsPicture(_Drawn):
             self.bars = bars
             self.update()
 
+    def spoken(self) -> str:
+        """Each bar as a share of the largest force."""
+        said = (f"{bar.label} {_percent(bar.share)}".strip() for bar in self.bars)
+        return ", ".join(said)
+
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = floor_painter(self)
         wide, high = float(self.width()), float(self.height())
@@ -239,6 +256,10 @@ class BarsPicture(_Drawn):
 def _bar_of(level: ChannelLevel) -> Bar:
     share = min(1.0, max(0.0, 1.0 - level.peak_db / LEAST_DB))
     return Bar(str(level.channel), STEP * round(share / STEP), level.is_limited)
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.0f}\u00a0%".replace("-", "\u2212")
 
 
 def _paint_groove(painter: QPainter, groove: QRectF) -> None:
@@ -279,6 +300,7 @@ class DevicePicture(QWidget):
             self.shown.deleteLater()
         self.shown = picture_of(record)
         self._stack.addWidget(self.shown)
+        read_in_order(self.window())
         self.show_sent(_NO_TICKS, ())
 
     def show_sent(self, ticks: NDArray[Any], levels: tuple[ChannelLevel, ...]) -> None:

@@ -5,7 +5,6 @@ import math
 from PySide6.QtCore import QEvent, QPointF, QSize, QSizeF, Qt
 from PySide6.QtGui import (
     QColor,
-    QFocusEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from app.plots.grip_painter import GripPainter, excursion_text, force_text
 from app.plots.grip_scene import Camera, Grip
 from app.widgets import theme
+from app.widgets.voice import tell_change
 
 LEAST_PX = QSize(150, 80)
 WANTED_PX = QSize(300, 200)
@@ -65,7 +65,7 @@ class GripView(QWidget):
         self._drag_from: QPointF | None = None
         self.camera = Camera()
         self.grip = Grip(self.tr("Simulated grip"), self.tr("No device"))
-        self._describe()
+        self.setAccessibleName(self.grip.title)
 
     def sizeHint(self) -> QSize:
         return WANTED_PX
@@ -77,20 +77,18 @@ class GripView(QWidget):
         is_news = (grip.title, grip.state) != (self.grip.title, self.grip.state)
         self.grip = grip
         if is_news:
-            self._describe()
+            self.setAccessibleName(grip.title)
+            tell_change(self)  # only then, else it never ends
         self.update()
 
-    def _describe(self) -> None:
-        """Say the same in words; only at changes of state, else it never ends."""
-        self.setAccessibleName(self.grip.title)
-        said = [self.grip.state]
-        if self.grip.position_m is not None:
-            said.append(
-                self.tr("force {force}, grip {out} from the centre").format(
-                    force=force_text(self.grip), out=excursion_text(self.grip)
-                )
-            )
-        self.setAccessibleDescription(". ".join([*said, self.toolTip()]))
+    def spoken(self) -> str:
+        """State and figures."""
+        if self.grip.position_m is None:
+            return self.grip.state
+        figures = self.tr("force {force}, grip {out} from the centre").format(
+            force=force_text(self.grip), out=excursion_text(self.grip)
+        )
+        return f"{self.grip.state}. {figures}"
 
     # --- looking from elsewhere ----------------------------------------------
 
@@ -140,10 +138,6 @@ class GripView(QWidget):
             yaw, pitch, nearer = _MOVES[Qt.Key(event.key())]
             turned = self.camera.turned(_KEY_RAD * yaw, _KEY_RAD * pitch)
             self.look(turned.zoomed(_ZOOM_PER_NOTCH**nearer))
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        self._describe()
-        super().focusInEvent(event)
 
     # --- painting ------------------------------------------------------------
 

@@ -149,6 +149,11 @@ class PlayheadPlot(pg.PlotWidget):
         self.view_box.setXRange(*self.span.around(media_s), padding=0)
         self.view_box.updateMatrix()  # now, not in the middle of painting
 
+    def spoken(self) -> str:
+        """The values at the playhead."""
+        words = self.pointer.words(self._media_s)
+        return self.notice or ", ".join(text for text, _ in words)
+
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:  # noqa: N802
         super().drawBackground(painter, rect)
         painter.save()

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.plots.playhead_plot import clock_text
 from app.widgets import theme
-from app.widgets.texts import local
+from app.widgets.texts import local, titled
 from hapticplayer.model.arrays import Floats
 from hapticplayer.sequence.comparison import Curves
 from hapticplayer.sequence.excursion import FAR, LIMITS
@@ -85,6 +85,12 @@ class RenderingPicture(QWidget):
         """Show two renderings, or the one that is known; the notice stands for none."""
         self.before, self.after, self.notice = before, after, notice
         self.update()
+
+    def spoken(self) -> str:
+        """The largest force and excursion of both, or the notice."""
+        named = zip(self.names, (self.before, self.after), strict=True)
+        said = [titled(name, _peaks(one)) for name, one in named if one is not None]
+        return ", ".join(said) or self.notice
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         with QPainter(self) as painter:
@@ -216,6 +222,12 @@ class RenderingPicture(QWidget):
 def _height(row: _Row, area: QRectF, value: float) -> float:
     share = (min(max(value, row.low), row.high) - row.low) / (row.high - row.low)
     return area.bottom() - share * area.height()
+
+
+def _peaks(curves: Curves) -> str:
+    force_n = float(np.abs(curves.force_n).max())
+    excursion_mm = _MM * float(curves.excursion_m.max())
+    return local(f"{force_n:.2f} N, {excursion_mm:.0f} mm")
 
 
 def _excursion_mm(curves: Curves | None) -> Floats | None:

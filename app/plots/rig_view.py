@@ -2,7 +2,7 @@
 
 import math
 
-from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtCore import QCoreApplication, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -18,6 +18,8 @@ from app.plots.rig_platform import (
 )
 from app.widgets import theme
 from hapticplayer.model.arrays import Floats
+
+translate = QCoreApplication.translate
 
 LEAST_PX, WANTED_PX = QSize(180, 140), QSize(420, 300)
 _FROM_RAD, _ABOVE_RAD = math.radians(-35.0), math.radians(22.0)
@@ -40,6 +42,7 @@ class RigView(QWidget):
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(LEAST_PX)
+        self.setAccessibleName(translate("DevicePicture", "Platform of the rig"))
         self.pose, self.is_clamped = PlatformPose(), False
 
     def sizeHint(self) -> QSize:
@@ -49,6 +52,19 @@ class RigView(QWidget):
         if (pose, is_clamped) != (self.pose, self.is_clamped):
             self.pose, self.is_clamped = pose, is_clamped
             self.update()
+
+    def spoken(self) -> str:
+        """The pose in figures."""
+        _, _, up_m, *turns_rad = self.pose
+        figures = (1e3 * up_m, *map(math.degrees, turns_rad))
+        up, roll, pitch, yaw = (
+            f"{v + 0.0:.0f}".replace("-", "\u2212") for v in figures
+        )
+        said = translate(
+            "DevicePicture", "up {up} mm; roll {roll}, pitch {pitch}, yaw {yaw} degrees"
+        ).format(up=up, roll=roll, pitch=pitch, yaw=yaw)
+        end = translate("DevicePicture", "at the end of its reach")
+        return f"{said}; {end}" if self.is_clamped else said
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = floor_painter(self)

@@ -1,5 +1,8 @@
 """Rows, columns, labels and dialogs: what the pages are built of."""
 
+from collections.abc import Iterator
+from itertools import pairwise
+
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
@@ -12,6 +15,8 @@ from PySide6.QtWidgets import (
     QLayout,
     QScrollArea,
     QSizePolicy,
+    QSplitter,
+    QTabWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -124,6 +129,38 @@ def captioned(text: str, widget: QWidget) -> tuple[QLabel, QWidget]:
     return caption, widget
 
 
+def read_in_order(window: QWidget) -> None:
+    """Let Tab go through a window as it is laid out.
+
+    Qt puts what was made last at the end, wherever it stands.
+    """
+    stops = [
+        one
+        for one in _laid_out(window)
+        if one.focusPolicy() & Qt.FocusPolicy.TabFocus and one.focusProxy() is None
+    ]
+    for before, after in pairwise(stops):
+        QWidget.setTabOrder(before, after)
+
+
+def _laid_out(parent: QWidget | QLayout) -> Iterator[QWidget]:
+    inside: list[QWidget | QLayout | None] = []
+    if isinstance(parent, QTabWidget):
+        inside = [parent.tabBar(), *map(parent.widget, range(parent.count()))]
+    elif isinstance(parent, QSplitter):
+        inside = list(map(parent.widget, range(parent.count())))
+    elif isinstance(parent, QScrollArea):
+        inside = [parent.widget()]
+    elif layout := parent if isinstance(parent, QLayout) else parent.layout():
+        items = [layout.itemAt(row) for row in range(layout.count())]
+        inside = [item.widget() or item.layout() for item in items if item]
+    for one in inside:
+        if isinstance(one, QWidget):
+            yield one
+        if one is not None:
+            yield from _laid_out(one)
+
+
 def resize_within_screen(window: QWidget, width_px: int, height_px: int) -> None:
     """Give a window a size, or less where the screen has no room for it and its title.
 
@@ -206,6 +243,9 @@ class ElidedLabel(QWidget):
         if text != self._text or new != self._colour:
             self._text, self._colour = text, new
             self.update()
+
+    def spoken(self) -> str:
+        return self._text
 
     def fix_width(self, width_px: int) -> None:
         """Take exactly this width from now on."""

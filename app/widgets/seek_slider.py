@@ -3,6 +3,7 @@
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
+    QFocusEvent,
     QImage,
     QKeyEvent,
     QMouseEvent,
@@ -13,6 +14,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractSlider, QSizePolicy, QSlider, QWidget
 
 from app.widgets import theme
+from app.widgets.texts import position_text
 
 _HEIGHT_PX = 32
 _GROOVE_PX = 6.0
@@ -41,7 +43,7 @@ class SeekSlider(QSlider):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setSingleStep(_STEP_MS)
         self.setPageStep(_PAGE_MS)
-        self._painted_px = -1
+        self._painted_px = self._told_s = -1
         self.heat: QImage | None = None
         self.marks_s: tuple[float, ...] = ()
         self.setMouseTracking(True)
@@ -49,6 +51,7 @@ class SeekSlider(QSlider):
     def set_duration(self, duration_s: float) -> None:
         """Say how long the clip is, s."""
         self.setRange(0, max(0, round(1e3 * duration_s)))
+        self._told_s = -1
         self.setEnabled(duration_s > 0.0)
 
     def set_heat(self, heat: QImage | None) -> None:
@@ -68,6 +71,16 @@ class SeekSlider(QSlider):
             self.blockSignals(True)
             self.setValue(round(1e3 * media_s))
             self.blockSignals(False)
+            if not self.hasFocus():  # a reader who is here would hear every second
+                self._describe()
+
+    def _describe(self) -> None:
+        """Say the time in words: its value is in milliseconds."""
+        now_s = self.value() // 1000
+        if now_s != self._told_s:
+            self._told_s = now_s
+            said = position_text(1e-3 * self.value(), 1e-3 * self.maximum())
+            self.setAccessibleDescription(said)
 
     def sizeHint(self) -> QSize:
         return QSize(300, _HEIGHT_PX)
@@ -100,10 +113,15 @@ class SeekSlider(QSlider):
         if event.button() == Qt.MouseButton.LeftButton:
             self.setSliderDown(False)
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        self._describe()
+        super().focusInEvent(event)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         before = self.value()
         super().keyPressEvent(event)
         if self.value() != before:
+            self._describe()
             self.sought.emit(1e-3 * self.value())
 
     def _go(self, x_px: float) -> None:

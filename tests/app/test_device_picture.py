@@ -1,7 +1,9 @@
 """Pictures of what a device is sent, chosen by its capability record."""
 
+import math
 from dataclasses import replace
 
+import hearing
 import numpy as np
 import pytest
 
@@ -87,6 +89,7 @@ def test_a_wheel_turns_by_its_own_axis_to_the_side_of_the_force(application, qtb
     full_n = RECORDS["wheel"].peak_force_n
     wheel.show_sent(ticks(force_n=(full_n, -0.5 * full_n, 0.0)), ())
     assert wheel.share == pytest.approx(-0.5)
+    assert hearing.value(wheel) == "\u221250\u00a0%"
     wheel.show_sent(ticks(force_n=(0.0, 9.0 * full_n, 0.0)), ())
     assert wheel.share == 1.0
     wheel.show_sent(ticks(force_n=(0.0, np.nan, 0.0)), ())
@@ -100,6 +103,7 @@ def test_bars_show_the_strength_or_the_level_of_each_channel(application, qtbot)
     full_n = RECORDS["shaker"].peak_force_n
     bars.show_sent(ticks(force_n=(0.3 * full_n, 0.4 * full_n, 0.0)), ())
     assert [bar.share for bar in bars.bars] == [pytest.approx(0.5)]
+    assert hearing.value(bars) == "50\u00a0%"
     levels = (ChannelLevel(3, 1.0, True), ChannelLevel(4, 10 ** (-24 / 20), False))
     bars.show_sent(ticks(), levels)
     assert [(bar.label, bar.is_limited) for bar in bars.bars] == [
@@ -107,6 +111,7 @@ def test_bars_show_the_strength_or_the_level_of_each_channel(application, qtbot)
         ("4", False),
     ]
     assert [bar.share for bar in bars.bars] == [pytest.approx(1.0), pytest.approx(0.5)]
+    assert hearing.value(bars) == "3 100\u00a0%, 4 50\u00a0%"
 
 
 @needs("rigs")
@@ -119,5 +124,9 @@ def test_a_platform_does_what_the_packet_says(application, qtbot):
     angles = rig.pose.pitch_rad, rig.pose.roll_rad
     assert angles == pytest.approx((ENLARGED * 0.02, ENLARGED * -0.01))
     assert not rig.is_clamped
+    roll, pitch = (round(math.degrees(angle)) for angle in angles[::-1])
+    assert f"up {1000 * rig.pose.up_m:.0f} mm" in hearing.value(rig)
+    assert f"roll \u2212{-roll}, pitch {pitch}" in hearing.value(rig)
     rig.show_sent(ticks(planned_n=(0.0, 0.0, 5.0)), ())
     assert rig.is_clamped
+    assert "at the end of its reach" in hearing.value(rig)

@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 
+import hearing
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QSizeF, Qt
@@ -315,7 +316,7 @@ class CountingView(GripView):
 
 
 @pytest.fixture
-def view(qtbot) -> CountingView:
+def view(application, qtbot) -> CountingView:
     made = CountingView()
     qtbot.addWidget(made)
     made.resize(320, 320)
@@ -400,10 +401,10 @@ def test_a_screen_reader_hears_the_state_and_the_figures(view):
     view.show_grip(replace(ACTIVE, force_n=(2.0, 0, 0)))
     assert view.accessibleName() == "Simulated grip"
     for said in ("Force is active", "2.0 N", "11 mm of 40", "arrow keys"):
-        assert said in view.accessibleDescription()
+        assert said in hearing.description(view)
     view.show_grip(Grip("Grip", "No device"))
     assert view.accessibleName() == "Grip"
-    assert view.accessibleDescription().startswith("No device")
+    assert hearing.description(view).startswith("No device")
 
 
 def test_a_long_state_is_wrapped_and_shown_whole(qtbot):

@@ -3,6 +3,7 @@
 import csv
 from xml.etree import ElementTree as ET
 
+import hearing
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
@@ -112,6 +113,8 @@ def test_the_read_out_says_the_values_of_the_track(panel, source):
         name, number = text.split()
         assert name == axis
         assert float(number) == pytest.approx(value, abs=0.02)
+    panel.force.set_playhead(0.7)
+    assert hearing.value(panel.force) == ", ".join(text for text, _ in words)
 
 
 def test_hovering_draws_the_read_out(panel, qtbot):

@@ -4,6 +4,7 @@ import shutil
 import threading
 from dataclasses import replace
 
+import hearing
 import numpy as np
 import pytest
 
@@ -111,6 +112,9 @@ def test_a_choice_is_predicted_beside_what_is_there(page, ride, wait_for, monkey
     wait_for(lambda: page.after is not None)
     peak_n = before.tracks["realistic"].peak_n()
     assert shown(page, "peak") == [f"{peak_n:.2f} N", f"{peak_n / 2:.2f} N"]
+    said = hearing.value(page.picture)
+    assert f"{peak_n:.2f} N" in said
+    assert f"{peak_n / 2:.2f} N" in said
     assert page.picture.before is page.before.curves
     assert page.picture.after is page.after.curves
     assert open_sequence(ride).mapping.gain_n_per_mps2 == 0.4

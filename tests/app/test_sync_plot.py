@@ -1,5 +1,6 @@
 """The sync plot shows what the meters measured, where it is seen and nowhere else."""
 
+import hearing
 import numpy as np
 import pytest
 from PySide6.QtGui import QColor
@@ -78,6 +79,9 @@ def test_points_lie_where_the_differences_are(plot, qtbot):
         assert near(image, round(area.right()) - 2, y, colour)
         assert not near(image, round(area.left()) + 5, y, colour)
     assert plot.height_of(area, LATE_MS) > area.top()
+    said = hearing.value(plot)
+    assert "video: p50 +20.0" in said
+    assert "sound: p50 \u221210.0" in said
 
 
 def test_a_value_beyond_the_plot_is_held_on_its_edge(plot, qtbot):

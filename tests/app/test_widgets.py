@@ -47,6 +47,17 @@ def test_the_keys_step(slider, qtbot):
     assert signal.args == [30.0]
 
 
+def test_a_reader_hears_the_position_and_not_every_second(slider, qtbot):
+    slider.clearFocus()
+    slider.follow(12.3)
+    assert slider.accessibleDescription() == "00:12.3 / 01:00.0"
+    slider.setFocus()
+    slider.follow(20.0)
+    assert slider.accessibleDescription() == "00:12.3 / 01:00.0"
+    qtbot.keyClick(slider, Qt.Key.Key_PageUp)
+    assert slider.accessibleDescription() == "00:30.0 / 01:00.0"
+
+
 def test_a_slider_without_a_clip_does_nothing(slider, qtbot):
     slider.set_duration(0.0)
     with qtbot.assertNotEmitted(slider.sought):

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.bridge.languages import NAMES
 from app.experimenter.study.document import Place, StudyDocument
-from app.widgets.layout import indent, keep_width
+from app.widgets.layout import indent, keep_width, read_in_order
 from hapticplayer.model.ranges import Range
 
 translate = QCoreApplication.translate
@@ -51,6 +51,7 @@ class Fields(QScrollArea):
         if shape != self._shape:
             self._shape = shape
             self._make_again(fill)
+            read_in_order(self.window())
         for show in list(self._show):
             show()
 
