@@ -7,6 +7,7 @@ without end. So a file is opened without waiting and read only if it is a regula
 import json
 import math
 import os
+import re
 import stat
 from collections.abc import Callable
 from pathlib import Path
@@ -41,6 +42,7 @@ _KINDS = (
     (stat.S_ISBLK, Message("is a device, not a file")),
     (stat.S_ISSOCK, Message("is a socket, not a file")),
 )
+_ADDRESS = re.compile("[A-Za-z][A-Za-z0-9+.-]+:/")
 _FLAGS = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC
 
 PathLike = str | os.PathLike[str]
@@ -62,6 +64,9 @@ def open_regular(
         _refuse_special(Path(path).stat(), refusal)  # opening a device may act on it
         reader = open(path, "rb", opener=lambda one, _: os.open(one, _FLAGS))  # noqa: SIM115
     except FileNotFoundError:
+        if _ADDRESS.match(str(path)):
+            what = Message("is an address, not a file of this machine")
+            raise refusal(what, Message("download it, and give the file")) from None
         raise refusal(
             Message("there is no such file"), Message("check the name and the folder")
         ) from None

@@ -24,7 +24,6 @@ from hapticplayer.capture.gopro_cori import clock_by_cori
 from hapticplayer.capture.gopro_placing import PayloadRun, parts_of, placing
 from hapticplayer.capture.gopro_streams import (
     OTHER_CAMERA,
-    RAW_MAGIC,
     GoproStream,
     collect,
     parse_packets,
@@ -43,6 +42,7 @@ from hapticplayer.capture.streams import (
 from hapticplayer.capture.stuck import working
 from hapticplayer.errors import InputError, Message, TelemetryError
 from hapticplayer.media.telemetry import (
+    RAW_MAGIC,
     TelemetryPacket,
     data_tracks,
     hidden_start_s,

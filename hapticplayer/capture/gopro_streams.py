@@ -19,11 +19,9 @@ from hapticplayer.capture.gpmf import (
     text_of,
 )
 from hapticplayer.errors import Message, TelemetryError
-from hapticplayer.media.telemetry import TelemetryPacket
+from hapticplayer.media.telemetry import RAW_MAGIC, TelemetryPacket
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import MAX_PAYLOADS, MAX_SAMPLES
-
-RAW_MAGIC = b"DEVC"
 
 RAW_PAYLOAD_S = 1.001
 """Assumed length of a payload in a raw dump: 30 frames at 29.97 Hz."""

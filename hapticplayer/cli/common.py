@@ -243,7 +243,11 @@ def add_device_name(
 
     With `motion` its name may also stand alone.
     """
-    names = [name for name in device_names() if motion or not takes_motion(name)]
+    names = [
+        name
+        for name in device_names()
+        if name != NO_DEVICE and (motion or not takes_motion(name))
+    ]
     known = partial(_known_name, names)
     named = command.add_mutually_exclusive_group()
     if motion:
@@ -260,9 +264,9 @@ def add_device_name(
         "--device",
         type=known,
         default=default,
-        metavar="NAME[:SERIAL]",
-        help=f"{', '.join(names)}; of several Falcons one by its number "
-        f"(default: {default})",
+        metavar="NAME[:OPTIONS]",
+        help=f"{', '.join(names)}; falcon:SERIAL for one of several Falcons, see "
+        f"docs/devices.md for what else takes options (default: {default})",
     )
 
 

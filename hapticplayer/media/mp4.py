@@ -20,7 +20,9 @@ _NESTED = frozenset(b"moov trak edts mdia minf stbl moof traf".split())
 _COUNT_AT = {b"stsz": 8, b"stz2": 8, b"trun": 4}
 """Where the number of samples stands in the box's content."""
 _MAX_EDITS = 10_000
-_MAX_NAME_BYTES = 100
+_MAX_NAME_BYTES, _BEGIN_BYTES = 100, 8
+_OFFSETS = {b"stco": 4, b"co64": 8}
+"""The size of an entry."""
 
 
 class Box(NamedTuple):
@@ -66,6 +68,7 @@ class ClipTrack:
         ticks_per_s: of its own time.
         delay_s: of its first sample, which is decoded before it is shown.
         edits: its edit list; empty where all is shown.
+        begins: the first bytes of a track that is neither video nor sound.
     """
 
     number: int = 0
@@ -75,6 +78,7 @@ class ClipTrack:
     ticks_per_s: int = 0
     delay_s: float = 0.0
     edits: tuple[Edit, ...] = ()
+    begins: bytes = b""
 
 
 def hidden_s(track: ClipTrack) -> float:
@@ -161,7 +165,7 @@ def tracks_of(clip: AnyClip) -> tuple[ClipTrack, ...]:
                 found.append(ClipTrack())
             elif box.kind == b"mvhd":
                 movie_ticks = _ticks_of(content_of(stream, box, 32))
-            elif found and (box.kind == b"elst" or box.kind in _FIELDS):
+            elif found and box.kind in (b"elst", *_OFFSETS, *_FIELDS):
                 found[-1] = _with_field(found[-1], stream, box, movie_ticks)
     return tuple(map(_in_seconds, found))
 
@@ -180,7 +184,17 @@ def _with_field(
 ) -> ClipTrack:
     if box.kind == b"elst":
         return dataclasses.replace(track, edits=_edits(stream, box, movie_ticks))
+    if box.kind in _OFFSETS:
+        return _with_begin(track, stream, box)
     return _FIELDS[box.kind](track, content_of(stream, box, 20 + _MAX_NAME_BYTES))
+
+
+def _with_begin(track: ClipTrack, stream: BinaryIO, box: Box) -> ClipTrack:
+    first = content_of(stream, box, 8 + _OFFSETS[box.kind])[8:]
+    if track.kind in ("vide", "soun") or not first:
+        return track
+    stream.seek(min(int.from_bytes(first, "big"), size_of(stream)))
+    return dataclasses.replace(track, begins=stream.read(_BEGIN_BYTES))
 
 
 def _with_number(track: ClipTrack, content: bytes) -> ClipTrack:

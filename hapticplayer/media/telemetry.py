@@ -28,6 +28,9 @@ _TICKS_PER_S = 1000
 HANDLER, MARK = "GoPro MET", "gpmd"
 """In the track's handler name, after a length byte or a tab; of its samples."""
 
+RAW_MAGIC = b"DEVC"
+"""With which GPMF begins."""
+
 
 @dataclass(frozen=True, slots=True)
 class TelemetryPacket:
@@ -42,8 +45,9 @@ class TelemetryPacket:
 
 
 def is_gopro(track: ClipTrack) -> bool:
-    """Whether a track is GPMF: by its mark, where another program has renamed it."""
-    return track.mark == MARK or HANDLER in track.name
+    """Whether a track is GPMF; other programs change its name, and its mark."""
+    is_named = track.mark == MARK or HANDLER in track.name
+    return is_named or track.begins.startswith(RAW_MAGIC)
 
 
 def find_telemetry(container: InputContainer, clip: AnyClip) -> DataStream | None:

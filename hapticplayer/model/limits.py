@@ -65,6 +65,18 @@ magnet at the sensor shows 1e6 nT."""
 MAX_ACCELERATION_MPS2 = 500.0
 """No hand-held sensor measures 50 g; GoPro's range is 16 g."""
 
+
+def refuse_absurd(acceleration_mps2: NDArray[np.floating], name: str) -> None:
+    """Raise InputError for far more than sensors measure; spikes may be in it."""
+    largest_mps2 = float(np.abs(acceleration_mps2).max(initial=0.0))
+    if not largest_mps2 <= 10.0 * MAX_ACCELERATION_MPS2:
+        raise InputError(
+            "{name} reaches {largest_mps2:.3g} m/s2, beyond what sensors measure",
+            name=name,
+            largest_mps2=largest_mps2,
+        )
+
+
 REST_MPS2 = (8.5, 11.0)
 """Norm where the gyro shows rest, so that only cheap accelerometers widen it, by up to
 10 %; `PLAUSIBLE_NORM_MPS2` of motion is of moving hands too."""
@@ -154,6 +166,18 @@ def refuse_large_force(
             where=where,
             remedy=remedy or Message("give the forces in newton"),
             largest_n=largest_n,
+        )
+
+
+def refuse_far_times(time_s: NDArray[np.floating], name: str) -> None:
+    """Raise InputError for times that no clip has."""
+    farthest_s = float(np.abs(time_s).max(initial=0.0))
+    if not farthest_s <= MAX_SECONDS:
+        raise InputError(
+            "{name} reaches {farthest_s:.3g} s, beyond any clip",
+            remedy=Message("give times in seconds of media time"),
+            name=name,
+            farthest_s=farthest_s,
         )
 
 

@@ -31,6 +31,11 @@ from hapticplayer.model import (
     Sampling,
     rendered_feedback,
 )
+from hapticplayer.model.limits import (
+    refuse_absurd,
+    refuse_far_times,
+    refuse_large_force,
+)
 from hapticplayer.rendering import FEEDBACKS, ConditionInputs
 from hapticplayer.rendering.effects import NO_EFFECTS, EffectList
 from hapticplayer.sequence.arrays import read_arrays
@@ -181,6 +186,8 @@ def sequence_of(
         motion = None
         if MOTION in listed:
             motion = MotionTrack(**_motion_fields(small.arrays(MOTION, listed)))
+            refuse_absurd(motion.acceleration_mps2, "acceleration_mps2")
+            refuse_far_times(motion.time_s, MOTION)
     title = without_controls(description.title)
     return Sequence(folder, title, clip, motion, tracks, mapping, description)
 
@@ -384,12 +391,14 @@ def _read_tracks(
         if entry.file is None:
             continue
         arrays = small.arrays(entry.file, listed)
-        tracks[name] = ForceTrack(
+        tracks[name] = track = ForceTrack(
             arrays["time_s"],
             arrays["force_n"],
             Reconstruction(str(arrays["reconstruction"])),
             entry.provenance,
         )
+        refuse_large_force(track.force_n, entry.file)
+        refuse_far_times(track.time_s, entry.file)
     realistic = tracks[rendered_feedback(tracks)]
     for condition in FEEDBACKS:
         if condition.is_made_at_opening:

@@ -29,17 +29,17 @@ class Bands:
 
     Args:
         timescale: ticks in a second.
+        unread: how often each thing was not understood; it is added to.
 
     Attributes:
         where: the channel that is read, for errors.
         assumed: what a file does not say.
-        unread: how often each thing was not understood.
     """
 
-    def __init__(self, timescale: float) -> None:
+    def __init__(self, timescale: float, unread: Counter[str]) -> None:
         self.where = ""
         self.assumed: list[Message] = []
-        self.unread: Counter[str] = Counter()
+        self.unread = unread
         self._timescale, self._left = timescale, MAX_SAMPLES
 
     def shape(self, band: HjifBand, library: dict[float, EffectEntry]) -> EffectCurve:

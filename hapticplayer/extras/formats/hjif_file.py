@@ -1,7 +1,10 @@
 """The entries of an hjif file that are read, as typed structures."""
 
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple, get_args, get_type_hints
 
 from msgspec import Meta, Struct
 
@@ -11,6 +14,15 @@ from hapticplayer.untrusted import ANOTHER
 
 MAX_BYTES = 96 << 20
 """Of JSON that others wrote."""
+
+_DESCRIPTIVE = frozenset(
+    (
+        *("version", "profile", "level", "date", "description", "name", "id"),
+        *("avatars", "avatar_id", "semantic", "effect_semantic_scheme"),
+        *("frequency_sampling", "sample_count"),
+    )
+)
+"""Entries that change no force; so does whatever describes a reference device."""
 
 Number = Annotated[float, Meta(ge=-1e12, le=1e12)]
 Factor = Annotated[float, Meta(ge=-1e6, le=1e6)]
@@ -90,14 +102,50 @@ class Experience(Struct):
     timescale: Annotated[float, Meta(ge=1.0, le=1e12)] = 1000.0
 
 
-def experience(path: Path) -> Experience:
+class HjifContent(NamedTuple):
+    """A file.
+
+    Attributes:
+        experience: what is read of it.
+        unread: how often each other entry is there that may change the force.
+    """
+
+    experience: Experience
+    unread: Counter[str]
+
+
+def content_of(path: Path) -> HjifContent:
     """The content of a file; what is null in it counts as absent."""
     given = read_json(path, dict[str, Any], InputError, ANOTHER, MAX_BYTES)
     try:
-        return convert(given, Experience, str(path), InputError, ANOTHER)
+        found = convert(given, Experience, str(path), InputError, ANOTHER)
     except InputError:
-        plain = _without_null(given)
-        return convert(plain, Experience, str(path), InputError, ANOTHER, strict=False)
+        given = _without_null(given)
+        found = convert(given, Experience, str(path), InputError, ANOTHER, strict=False)
+    return HjifContent(found, Counter(_unread(given, Experience)))
+
+
+def _unread(given: dict[str, Any], kind: type[Struct]) -> Iterator[str]:
+    """Yield the names of entries that are not those of their structures."""
+    others = given.keys() - set(kind.__struct_fields__)
+    if kind is not Device:
+        yield from (name[:40] for name in others - _DESCRIPTIVE if given[name])
+    for name, inner in _inner_kinds(kind).items():
+        entries = given.get(name) or []
+        for entry in entries if isinstance(entries, list) else [entries]:
+            yield from _unread(entry, inner)
+
+
+@cache
+def _inner_kinds(kind: type[Struct]) -> dict[str, type[Struct]]:
+    """The structures within a structure, by their names."""
+    hints = get_type_hints(kind).items()
+    inner = {name: (*get_args(hint), hint)[0] for name, hint in hints}
+    return {
+        name: one
+        for name, one in inner.items()
+        if isinstance(one, type) and issubclass(one, Struct)
+    }
 
 
 def _without_null(value: Any) -> Any:

@@ -6,6 +6,7 @@ direction act along the chosen one. What `Other` is, the published encoder's mod
 sound and AHAP, is chosen too.
 """
 
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,7 @@ from hapticplayer.extras.formats.hjif_file import (
     Device,
     HjifChannel,
     Perception,
-    experience,
+    content_of,
 )
 from hapticplayer.extras.formats.hjif_signals import (
     BEFORE_ZERO,
@@ -45,11 +46,11 @@ _MEANT = {"force": FORCE[0], "vibration": VIBRATION[0]}
 
 def read(path: Path, choices: ReadChoices) -> ForceFile:
     """Return the force of a file."""
-    found = experience(path)
+    found, unread = content_of(path)
     modalities = {one.perception_modality for one in found.perceptions}
     if _OTHER in modalities and choices.other_is == ASK:
         raise ForceQuestion(str(path), not modalities.isdisjoint(FORCE + VIBRATION))
-    reader = _ChannelReader(choices, found.timescale)
+    reader = _ChannelReader(choices, found.timescale, unread)
     for row, perception in enumerate(found.perceptions):
         reader.add(perception, f"{path}, perceptions[{row}]")
     return reader.result(path)
@@ -58,8 +59,10 @@ def read(path: Path, choices: ReadChoices) -> ForceFile:
 class _ChannelReader:
     """Collects the channels of a file as polylines with a direction in newtons."""
 
-    def __init__(self, choices: ReadChoices, timescale: float) -> None:
-        self._choices, self._bands = choices, Bands(timescale)
+    def __init__(
+        self, choices: ReadChoices, timescale: float, unread: Counter[str]
+    ) -> None:
+        self._choices, self._bands = choices, Bands(timescale, unread)
         self._parts: list[tuple[Floats, EffectCurve]] = []
         self._masks: set[float] = set()
 

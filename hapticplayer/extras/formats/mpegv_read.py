@@ -72,7 +72,7 @@ class _EffectReader:
 
     def __init__(self, choices: ReadChoices, times: EffectTimes, where: str) -> None:
         self._choices, self._where = choices, where
-        self._notes, self._unread = times.assumed, times.unread
+        self._notes, self._unread, self._times = times.assumed, times.unread, times
         self._parts: list[tuple[Floats, Floats]] = []
         self._motions: list[tuple[Floats, Floats]] = []
         self._has_force = False
@@ -128,27 +128,29 @@ class _EffectReader:
         )
         return ForceFile(track, tuple(self._notes), tuple(unread))
 
-    def _moves(self, notes: list[Message]) -> list[tuple[Floats, Floats]]:
+    def _moves(self, unread: list[Message]) -> list[tuple[Floats, Floats]]:
         """The force that motion adds: nothing beside a force."""
         count = len(self._motions)
         if self._has_force and count:
             said = Message(
                 "motion beside the force was left out ({count})", count=count
             )
-            notes.append(said)
+            unread.append(said)
             return []
         if count:
             gain = float(np.mean(Mapping().gain_n_per_mps2))
             said = Message(
                 "acceleration was taken times {gain:.2g} N per m/s²", gain=gain
             )
-            notes.insert(0, said)
+            self._notes[said] = None
         return self._motions
 
     def _matrix(self, element: Element) -> Floats:
         """Return a matrix of forces (n, 3) N."""
         name = "PassiveKinestheticForce"
         found = [child for child in element.iter() if name_of(child.tag) == name]
+        for child in found[:1]:
+            self._times.list_attributes(child, {"dim"})
         words = (found[0].text or "").split() if found else []
         sizes = [
             text.split()
@@ -172,6 +174,8 @@ class _EffectReader:
     def _constant(self, element: Element) -> Floats:
         for child in element:
             if name_of(child.tag) == "ActiveKinesthetic":
+                forces = {f"{what}{axis}" for what in "ft" for axis in "xyz"}
+                self._times.list_attributes(child, forces)
                 given = Attributes(child.attrib, self._where)
                 force_n = [given.number(f"f{k}", 0.0, -1e6, 1e6) for k in "xyz"]
                 if any(given.number(f"t{k}", 0.0, -1e6, 1e6) for k in "xyz"):
@@ -187,6 +191,8 @@ class _EffectReader:
             if name != "MoveToward" or not child.get("acceleration") or len(force_n):
                 self._unread[f"RigidBodyMotion, {name}"] += 1
                 continue
+            understood = {"acceleration", "directionH", "directionV"}
+            self._times.list_attributes(child, understood)
             given = Attributes(child.attrib, self._where)
             size = given.number("acceleration", 0.0, -1e3, 1e3)
             flat, steep = (

@@ -31,6 +31,11 @@ _OTHER_TIMES = (
     *("start", "startTime", "begin", "time"),
 )
 _MAX_DEPTH = 8
+_UNDERSTOOD = {
+    *(*_INHERITED, *_TIMES, "timeScale", "type", "uri"),
+    *("id", "lang", "schemaLocation", "noNamespaceSchemaLocation"),  # change no force
+    *("timeSamples", "autoExtraction"),  # as the reader says
+}
 
 SHORT_S = 0.02
 """Nobody feels a vibration of less than a period."""
@@ -171,6 +176,7 @@ class EffectTimes:
             if name_of(element.tag) == "Declarations":
                 self._declare(element)
         self._is_other(root, "SEM")
+        self.list_attributes(root, _UNDERSTOOD)
         found = list(self._inside(root, _SemPlace({})))
         if found and not any("timeScale" in _attributes_of(x) for x in root.iter()):
             self.assumed[Message("times were taken as milliseconds")] = None
@@ -208,6 +214,7 @@ class EffectTimes:
             raise InputError(what, where=self._where, remedy=ANOTHER)
         if name in ("Declarations", "Parameter") or self._is_other(element, name):
             return
+        self.list_attributes(element, _UNDERSTOOD)
         own = _attributes_of(element)
         merged = Attributes({**place.given, **own}, self._where)
         place = place._replace(scale=merged.number("timeScale", place.scale, 1.0, 1e9))
@@ -227,6 +234,11 @@ class EffectTimes:
             place = place._replace(given=passed, depth=place.depth + 1)
             place = place._replace(base_s=self._base_s(element, place, declared_s))
             yield from self._inside(element, place)
+
+    def list_attributes(self, element: Element, understood: set[str]) -> None:
+        """List those that are not understood."""
+        for name in _attributes_of(element).keys() - understood:
+            self.unread[f"{name[:40]} of {name_of(element.tag)[:40]}"] += 1
 
     def _is_other(self, element: Element, name: str) -> bool:
         """Whether an element has times that are not understood, which are listed."""
@@ -276,7 +288,8 @@ class EffectTimes:
             self.unread["ReferenceEffect"] += 1
             return
         its_own = Attributes(_attributes_of(meant), self._where)
-        kept = {k: v for k, v in own.items() if k not in ("id", "uri", "type")}
+        known = _UNDERSTOOD - {"id", "uri", "type"}
+        kept = {k: v for k, v in own.items() if k in known}
         attributes, declared_s = {**its_own.values, **kept}, None
         if place.begin_s is not None:
             scale = its_own.number("timeScale", place.scale, 1.0, 1e9)

@@ -67,11 +67,11 @@ _TABLES = {
     "sub-*/motion/*_channels.tsv": "columns of the motion table",
     "sub-*/motion/*_events.tsv": "start and end of each trial, with its condition, and "
     "interruptions",
-    "sub-*/*_scans.tsv": "when each motion table begins, UTC; the days are counted from "
-    "1925-01-01, so that no date tells who took part",
+    "sub-*/*_scans.tsv": "when each motion table begins after the first one, which begins "
+    "at 1925-01-01T00:00:00, so that neither date nor hour tells who took part",
 }
 _MAKERS = {"falcon": ("Novint", "Falcon")}
-_FIRST_DAY = dt.date(1925, 1, 1)
+_FIRST = dt.datetime(1925, 1, 1, tzinfo=dt.UTC)
 """Dates that are shifted lie in 1925 or before, says BIDS."""
 
 # the end of a run is marked shortly after its last tick
@@ -205,7 +205,7 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
             _events(session, span_s, folder / "motion" / f"{base}_events.tsv")
             scans[f"motion/{base}_motion.tsv"] = _utc(session, span_s[0])
     if scans:
-        earlier = min(scans.values()).date() - _FIRST_DAY
+        earlier = min(scans.values()) - _FIRST
         rows = [
             (table, (at - earlier).strftime("%Y-%m-%dT%H:%M:%S.%fZ"))
             for table, at in scans.items()

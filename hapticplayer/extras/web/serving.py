@@ -50,6 +50,8 @@ CONNECTION_S = 30.0
 LOOPBACK = "127.0.0.1"
 _ANY_ADDRESS = ("192.0.2.1", 9)  # of documentation (RFC 5737): nothing is sent there
 _RANGE = re.compile(r"bytes=(\d{1,18}-\d{0,18}|-\d{1,18})")
+_AUTHORITY = re.compile(r"^https?://[^/?]*", re.ASCII | re.IGNORECASE)
+"""Of a request in absolute form, as proxies send it (RFC 9112, 3.2.2)."""
 _MEDIA_TYPES = {".mkv": "video/x-matroska", ".mp4": "video/mp4"}
 
 
@@ -243,7 +245,8 @@ class _Handler(BaseHTTPRequestHandler):
             # a body, perhaps one that was not understood, would be the next request
             self._refuse(HTTPStatus.BAD_REQUEST)
             return
-        token, _, name = self.path.partition("?")[0].removeprefix("/").partition("/")
+        path = _AUTHORITY.sub("", self.path, count=1).partition("?")[0]
+        token, _, name = path.removeprefix("/").partition("/")
         ours = self.server.token.encode()
         if not hmac.compare_digest(token.encode("utf-8", "replace"), ours):
             self._refuse(HTTPStatus.FORBIDDEN)

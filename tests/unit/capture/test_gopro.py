@@ -381,11 +381,14 @@ def test_no_damage_gets_out_as_numbers(tmp_path):
     assert outcomes == {READ, REFUSED}
 
 
-def test_a_track_that_was_renamed_is_read_by_its_mark(shared_data, tmp_path):
+@pytest.mark.parametrize("mark", [b"gpmd", b"mebx"])
+def test_a_track_that_was_renamed_is_read(shared_data, tmp_path, mark):
     content = (shared_data / "capture" / "gopro" / "karma.mp4").read_bytes()
     renamed = tmp_path / "renamed.mp4"
     assert content.count(b"GoPro MET") == 1
-    renamed.write_bytes(content.replace(b"GoPro MET", b"Core Meta"))
+    renamed.write_bytes(
+        content.replace(b"GoPro MET", b"Core Meta").replace(b"gpmd", mark)
+    )
     found = read_recording(renamed).imu
     own = read_recording(shared_data / "capture" / "gopro" / "karma.mp4").imu
     assert np.array_equal(found.specific_force_mps2, own.specific_force_mps2)

@@ -88,6 +88,10 @@ def local_playlist(path: Path, clip: Path) -> Path:
     return path
 
 
+def address(path: Path, clip: Path) -> Path:
+    return Path(f"http://{clip.name}")
+
+
 def concatenation(path: Path, clip: Path) -> Path:
     (path.parent / "sibling.mp4").write_bytes(clip.read_bytes())
     path.write_text("ffconcat version 1.0\nfile sibling.mp4\n")
@@ -101,6 +105,7 @@ def session_description(path: Path, clip: Path) -> Path:
 
 NASTY: dict[str, tuple[Callable[[Path, Path], Path], str]] = {
     "missing.mp4": (missing, "there is no such file"),
+    "http:/numbered.mp4": (address, "is an address, not a file of this machine"),
     "folder.mp4": (folder, "is a folder"),
     "pipe.mp4": (fifo, "is a pipe"),
     "zero.mp4": (device, "is a device"),
@@ -146,7 +151,7 @@ def test_nasty_file_is_refused_in_one_sentence(
     ],
 )
 def test_name_of_a_protocol_is_no_file(name: str, clip: Path) -> None:
-    with pytest.raises(MediaError, match=r"no such file|cannot be reached"):
+    with pytest.raises(MediaError, match=r"is an address|no such file|be reached"):
         open_media(name.format(clip=clip))
 
 

@@ -227,14 +227,43 @@ def test_pickled_objects_are_never_loaded(tmp_path):
 @pytest.mark.parametrize("kind", [complex, "U8", "S8", "M8[s]", "m8[s]", "f4,f4"])
 @pytest.mark.parametrize("field", ["time_s", "force_n"])
 def test_force_that_is_not_of_real_numbers_is_refused(sequence_folder, kind, field):
-    path = sequence_folder / "force_realistic.npz"
+    change_array(
+        sequence_folder, "force_realistic", field, lambda a: np.zeros(a.shape, kind)
+    )
+    with pytest.raises(SequenceError, match=f"{field} must hold real numbers"):
+        open_sequence(sequence_folder)
+
+
+def change_array(folder, name, field, change):
+    """Change an array of a file, so that its checksum is right."""
+    path = folder / f"{name}.npz"
     with np.load(path) as held:
         made = {name: held[name] for name in held.files}
-    made[field] = np.zeros(made[field].shape, dtype=kind)
+    made[field] = change(made[field])
     np.savez(path, **made)
     entry = {"sha256": storage.sha256_of(path), "size_bytes": path.stat().st_size}
-    edit(sequence_folder, lambda content: content["files"].update({path.name: entry}))
-    with pytest.raises(SequenceError, match=f"{field} must hold real numbers"):
+    edit(folder, lambda content: content["files"].update({path.name: entry}))
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(
+    ("name", "field", "value", "said"),
+    [
+        ("force_realistic", "force_n", 1e38, "beyond any device"),
+        ("force_realistic", "time_s", 1e300, "beyond any clip"),
+        ("motion", "time_s", 1e300, "beyond any clip"),
+        ("motion", "acceleration_mps2", 1e300, "beyond what sensors measure"),
+    ],
+)
+def test_stored_numbers_beyond_reason_are_refused(
+    sequence_folder, name, field, value, said
+):
+    def ending(array):
+        array[-1] = value
+        return array
+
+    change_array(sequence_folder, name, field, ending)
+    with pytest.raises(SequenceError, match=said):
         open_sequence(sequence_folder)
 
 

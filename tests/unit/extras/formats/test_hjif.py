@@ -378,3 +378,19 @@ def test_a_written_file_has_what_the_reference_loader_needs(tmp_path, rng):
     assert channel.keys() >= {"gain", "mixing_coefficient", "body_part_mask", "bands"}
     assert type(channel["bands"][0]["upper_frequency_limit"]) is int
     assert hjif.is_ours(path.read_bytes()[:400])
+
+
+def test_an_entry_that_is_not_read_is_listed(read):
+    lines = effect((0, 1.0), (9, 1.0), semantic="rain")
+    lines["keyframes"][0]["ease"] = "in"
+    made = content(band(effects=[lines], window=3, **LINEAR), vertices=[], **UP)
+    made["syncs"] = [{"timestamp": 500}]
+    (perception,) = made["perceptions"]
+    perception["unit_exponent"] = -6
+    perception["reference_devices"][0] |= {"weight": 3.0, "impedance": 2}
+    names = sorted(str(note) for note in read(made).unread)
+    wanted = [f"not read: {n} (1)" for n in ("ease", "syncs", "unit_exponent")]
+    assert names == [*wanted, "not read: window (1)"]
+
+
+LINEAR = {"curve_type": "Linear"}

@@ -496,3 +496,24 @@ def test_more_motion_than_is_read_is_refused(written, monkeypatch):
 def test_xml_with_a_document_type_is_refused(read, head):
     with pytest.raises(InputError, match="not valid XML"):
         read(head + SEM.format(""), ".xml")
+
+
+PRIORITY, NAMED = "priority='2'", "id='a' xml:lang='de'"
+
+
+def test_an_attribute_that_is_not_read_is_listed(read):
+    move = (
+        '<Effect xsi:type="sev:RigidBodyMotionType" si:pts="0" duration="900">'
+        '<sev:MoveToward directionH="0" acceleration="2.5" speed="3"/></Effect>'
+    )
+    plain = (
+        f'<GroupOfEffects si:pts="9000" wobble="1">{shake(PRIORITY)}'
+        f"</GroupOfEffects>{shake(NAMED)}{move}"
+    )
+    found = read(SEM.format(plain).replace("<SEM ", '<SEM puMode="ancestors" '), ".sem")
+    assert {str(note) for note in found.unread} == {
+        "not read: wobble of GroupOfEffects (1)",
+        "not read: priority of Effect (1)",
+        "not read: speed of MoveToward (1)",
+        "not read: puMode of SEM (1)",
+    }

@@ -475,7 +475,7 @@ def test_no_dataset_tells_the_days_on_which_people_came(study, tmp_path):
     }
     (scans,) = (tmp_path / "out").rglob("*_scans.tsv")
     (row,) = table(scans, "\t")
-    assert re.fullmatch(r"1925-01-01T\d\d:\d\d:\d\d\.\d{6}Z", row["acq_time"])
+    assert row["acq_time"] == "1925-01-01T00:00:00.000000Z"
     for path in (tmp_path / "out").rglob("*.*"):
         if path.is_file():
             assert not [day for day in days if day.encode() in path.read_bytes()], path

@@ -74,6 +74,14 @@ def test_the_file_comes_whole_and_in_parts(ask, file):
     assert (response.status, content) == (416, b"")
 
 
+def test_a_request_with_the_whole_address_is_answered(server, file):
+    with connected(server) as proxy:
+        address = server.url.replace("http:", "HTTP:")
+        proxy.sendall(f"GET {address} HTTP/1.1\r\nHost: a\r\n\r\n".encode())
+        with proxy.makefile("rb") as answer:
+            assert answer.readline().startswith(b"HTTP/1.1 200")
+
+
 def test_a_part_of_another_state_is_the_whole_file(ask, file):
     first, _ = ask(Range="bytes=0-9")
     same = [first.getheader("ETag"), first.getheader("Last-Modified")]
