@@ -339,6 +339,15 @@ def locked(folder: Path, clock: Clock | None = None) -> Iterator[None]:
         os.close(lock)
 
 
+def lock_folder(folder: Path) -> int | None:
+    """A descriptor that locks a folder until it is closed; None while another has it."""
+    lock = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    if _try_lock(lock):
+        return lock
+    os.close(lock)
+    return None
+
+
 @contextmanager
 def _holding(lock: int) -> Iterator[None]:
     """Note that this thread has a lock."""

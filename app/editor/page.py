@@ -26,6 +26,7 @@ from app.editor.effect_panel import EffectPanel
 from app.editor.kind_list import KindList
 from app.editor.live_force import LiveForce
 from app.editor.playing import PlayerSetup, Playing
+from app.editor.unsaved import Unsaved
 from app.editor.view import TimeView
 from app.player.command import KEYS
 from app.widgets.layout import (
@@ -76,10 +77,15 @@ class EditorPage(QDialog):
     """The sequence in this folder has other effects and tracks."""
 
     def __init__(
-        self, folder: Path, setup: PlayerSetup, parent: QWidget | None = None
+        self,
+        folder: Path,
+        setup: PlayerSetup,
+        parent: QWidget | None = None,
+        *,
+        recovers: bool = False,
     ) -> None:
         super().__init__(parent)
-        self.folder, self._setup = folder, setup
+        self.folder, self._setup, self._recovers = folder, setup, recovers
         self.loaded: Loaded | None = None
         self.live: LiveForce | None = None
         self.jobs = Jobs(self._on_failed)
@@ -90,6 +96,7 @@ class EditorPage(QDialog):
         self.kinds, self.panel = KindList(), EffectPanel(self.editing)
         self.messages, self.job_bar = MessageBar(), JobBar()
         self._attempts = Attempts()
+        self.unsaved = Unsaved(folder, self.document, self.messages.show_text)
         self.playing = Playing(setup, self.messages.show_text, self)
         self.comparison = Comparison()
         self.play_bar = PlayBar(self.playing, self.view)
@@ -124,6 +131,7 @@ class EditorPage(QDialog):
         )
         commands.bind(self, self, self._setup.settings.table(KEYS))
         self.lanes.pointed.connect(self._on_pointed)
+        self.unsaved.settled.connect(lambda: self._set_usable(is_usable=True))
         self.job_bar.cancelled.connect(self._cancel)
 
     def _lay_out(self) -> None:
@@ -144,14 +152,16 @@ class EditorPage(QDialog):
             split.addWidget(part)
         split.setSizes([_STAGE_PX, _LANES_PX])
         split.setChildrenCollapsible(False)
-        above = (self.messages, self.job_bar, (split, 1), self.comparison)
+        bars = (self.messages, self.job_bar, self.unsaved.bar)
+        above = (*bars, (split, 1), self.comparison)
         whole: QVBoxLayout = fill_page(self, *above, self.change_bar, spacing=8)
         whole.setContentsMargins(12, 10, 12, 10)
 
     def _set_usable(self, *, is_usable: bool) -> None:
         self.play_bar.set_usable(is_usable=is_usable)
+        can_edit = is_usable and not self.unsaved.is_asking
         for widget in (self.lanes, self.kinds, self.panel):
-            widget.setEnabled(is_usable)
+            widget.setEnabled(can_edit)
         self._show_document()
 
     # --- beginning and end ---------------------------------------------------
@@ -186,6 +196,9 @@ class EditorPage(QDialog):
         if line.problem:
             is_over = lambda: self._saved_effects is not line.effects  # noqa: E731
             self.messages.show_text(line.problem, is_over)
+        self.unsaved.begin(source.title, line.effects)
+        if self._recovers:
+            self.unsaved.recover()
         self._set_usable(is_usable=True)
         if not self.playing.begin(source, screen_name(self)):
             self.play_bar.play_button.setEnabled(False)
@@ -208,7 +221,7 @@ class EditorPage(QDialog):
             return  # it is being saved
         if not self.document.stack.isClean() and not self._may_close():
             return
-        self._end()
+        self._end(is_discarded=True)
         super().reject()
 
     def _cancel(self) -> None:
@@ -236,11 +249,12 @@ class EditorPage(QDialog):
         return chosen is buttons.Discard
 
     def close_jobs(self) -> None:
-        """End what runs; the window is about to close."""
-        self._end()
+        """End what runs; the window is about to close, and nobody has been asked."""
+        self._end(is_discarded=False)
 
-    def _end(self) -> None:
+    def _end(self, *, is_discarded: bool) -> None:
         self._poll_timer.stop()
+        self.unsaved.end(is_discarded=is_discarded)
         self.playing.end()
         if self.live is not None:
             self.live.close()
@@ -277,6 +291,7 @@ class EditorPage(QDialog):
         self._attempts.begin()
         self.document.stack.setClean()
         self._saved_effects = self.document.effects
+        self.unsaved.saved()
         assert self.loaded is not None  # it was saved
         self.loaded = self.loaded._replace(source=source)
         self._set_usable(is_usable=True)
@@ -313,7 +328,8 @@ class EditorPage(QDialog):
         self.jobs.poll()
         if not self.jobs.is_busy:
             self.job_bar.hide()
-            if self.loaded is not None and not self.lanes.isEnabled():
+            is_idle = self.loaded is None or self.unsaved.is_asking
+            if not is_idle and not self.lanes.isEnabled():
                 self._set_usable(is_usable=True)  # saving was cancelled
                 self.lanes.setFocus()
         if self.live is not None:

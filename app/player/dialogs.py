@@ -142,8 +142,13 @@ class Dialogs(DeviceDialogs):
         page.library_chosen.connect(self._keep_library)
         self._open_working(page)
 
-    def edit_effects(self, clock: Clock, folder: Path | None = None) -> None:
-        """Edit the effects of a sequence; of the one that is open if none is given."""
+    def edit_effects(
+        self, clock: Clock, folder: Path | None = None, *, recovers: bool = False
+    ) -> None:
+        """Edit the effects of a sequence; of the one that is open if none is given.
+
+        With `recovers` it begins with the changes that a kill has left unsaved.
+        """
         source = self._session.player.snapshot().source
         if folder is None and source is not None and source.path.is_dir():
             folder = source.path
@@ -159,7 +164,7 @@ class Dialogs(DeviceDialogs):
         device = self._session.player.snapshot().leading.name
         self._lend()
         setup = PlayerSetup(clock, device, self._settings, self.own_player)
-        page = EditorPage(folder, setup, self._window)
+        page = EditorPage(folder, setup, self._window, recovers=recovers)
         page.saved.connect(self._show_again)
         page.finished.connect(lambda _: self._take_back())
         self._open_working(page)

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 from app.bridge.desktop import Desktop
 from app.bridge.errors import IsOver
 from app.bridge.pump import Cadence, Pump
+from app.bridge.recovery import left_behind
 from app.bridge.settings import Settings, choose_library, keep_outputs
 from app.experimenter.study_menu import StudyMenu
 from app.player import choices
@@ -40,7 +41,7 @@ from app.player.video_surface import VideoSurface
 from app.player.viewing import Viewing
 from app.widgets.files import FileDrops
 from app.widgets.layout import column_of
-from app.widgets.messages import JobBar, MessageBar, OfferBar
+from app.widgets.messages import JobBar, MessageBar, OfferBar, RecoveryBar
 from app.widgets.theme import icon
 from hapticplayer.clock import Clock
 from hapticplayer.model import Feedback
@@ -84,13 +85,14 @@ class PlayerWindow(QMainWindow):
         self.session = Session(player, self.show_message)
         self.dialogs = Dialogs(self, self.session, settings)
         self.messages, self.job_bar, self.offer = MessageBar(), JobBar(), OfferBar()
+        self.recovery = RecoveryBar()
         self.empty_page, self.plots = EmptyPage(), PlotArea()
         self.transport, self.health = Transport(), HealthLine()
         self.sync_plot = SyncPlot()
         self.commands = Actions(self, settings)
         self._lay_out()
         parts = (self.transport, self.plots, self.health)
-        hidden = [self.menuBar(), *parts, self.sync_plot, self.offer]
+        hidden = [self.menuBar(), *parts, self.sync_plot, self.offer, self.recovery]
         floating = FloatingControls(self.transport, surface, self._middle)
         self.fullscreen = Fullscreen(self, surface, hidden, floating)
         self._display = Display(self, self.session, clock, parts)
@@ -129,6 +131,7 @@ class PlayerWindow(QMainWindow):
     def begin(self) -> None:
         self._escape.install()
         self.pump.start()
+        self.recovery.offer(left_behind("effects"))
 
     # --- building ------------------------------------------------------------
 
@@ -155,7 +158,7 @@ class PlayerWindow(QMainWindow):
         splitter.setHandleWidth(_HANDLE_PX)
         splitter.setSizes([_STAGE_PX, PLOTS_PX])
         middle = QWidget()
-        above = (self.messages, self.job_bar, self.offer)
+        above = (self.messages, self.job_bar, self.recovery, self.offer)
         below = (self.sync_plot, self.health)
         self._middle = column_of(
             *(*above, (splitter, 1), self.transport, *below), spacing=0, of=middle
@@ -171,6 +174,9 @@ class PlayerWindow(QMainWindow):
         session.ended.connect(self._on_ended)
         session.chosen.connect(self._offer_import)
         self.offer.accepted.connect(self._import_shown)
+        self.recovery.wanted.connect(
+            lambda kept: self.dialogs.edit_effects(self.clock, kept.path, recovers=True)
+        )
         self.surface.double_clicked.connect(self.toggle_fullscreen)
         self.surface.wheeled.connect(self._on_wheel)
         self.surface.menu_wanted.connect(lambda at: self.viewing.open_menu(at, self))

@@ -1,5 +1,7 @@
 """What the window says for a while: errors, progress, what a key has changed."""
 
+from collections.abc import Iterable
+
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAccessible, QAccessibleEvent, QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QSizePolicy, QWidget
@@ -7,10 +9,11 @@ from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QSizePolicy, QWidget
 from app.bridge.errors import IsOver
 from app.bridge.jobs import JobState
 from app.bridge.languages import translated
+from app.bridge.recovery import Kept, forget
 from app.widgets import theme
 from app.widgets.buttons import Button, text_button
 from app.widgets.layout import ElidedLabel, row_of
-from app.widgets.texts import PERCENT, job_text
+from app.widgets.texts import PERCENT, job_text, moment_text, quoted
 from hapticplayer.errors import HapticPlayerError, message_of
 
 _LONGEST, _LOOK_MS = 600, 200
@@ -170,6 +173,7 @@ class OfferBar(QFrame):
     """Something that can be done with what is open, until it is done or closed."""
 
     accepted = Signal()
+    refused = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -181,9 +185,10 @@ class OfferBar(QFrame):
         self.accept_button = text_button("", "", "primary")
         self.accept_button.clicked.connect(self.hide)
         self.accept_button.clicked.connect(self.accepted)
-        close = text_button(self.tr("Close"), self.tr("Hide this message"))
-        close.clicked.connect(self.hide)
-        parts = ((self.text, 1), self.accept_button, close)
+        self.refuse_button = text_button(self.tr("Close"), self.tr("Hide this message"))
+        self.refuse_button.clicked.connect(self.hide)
+        self.refuse_button.clicked.connect(self.refused)
+        parts = ((self.text, 1), self.accept_button, self.refuse_button)
         row_of(*parts, spacing=12, margins=(12, 6, 8, 6), of=self)
         self.hide()
 
@@ -193,6 +198,35 @@ class OfferBar(QFrame):
         self.accept_button.setText(button)
         self.setAccessibleName(text)
         self.show()
+
+
+class RecoveryBar(OfferBar):
+    """Work of a window that was killed: taken back, or thrown away for good."""
+
+    wanted = Signal(object)
+    """To be edited again: `Kept` of those that were offered."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._left: list[Kept] = []
+        self.accepted.connect(lambda: self.wanted.emit(self._left[0]))
+        self.refused.connect(self._discard)
+        self.refuse_button.setText(self.tr("Discard"))
+        self.refuse_button.setToolTip(self.tr("Throw these changes away for good"))
+
+    def offer(self, left: Iterable[Kept], text: str = "") -> None:
+        """Offer these, one after the other; `text` in place of the usual sentence."""
+        self._left = list(left)
+        if self._left:
+            text = text or self.tr("Changes to {name} from {moment} were not saved.")
+            first = self._left[0]
+            name, moment = quoted(first.title), moment_text(first.kept_utc)
+            text = text.format(name=name, moment=moment)
+            self.show_offer(text, self.tr("Recover"))
+
+    def _discard(self) -> None:
+        forget(self._left.pop(0))
+        self.offer(self._left)
 
 
 class StatusLine(QLabel):

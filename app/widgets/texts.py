@@ -66,6 +66,13 @@ def date_text(moment_utc: str) -> str:
     return moment.toLocalTime().toString(pattern)
 
 
+def moment_text(moment_utc: str) -> str:
+    """Return the day and the minute of a moment in ISO 8601, here."""
+    moment = QDateTime.fromString(moment_utc, Qt.DateFormat.ISODate)
+    clock = moment.toLocalTime().toString("HH:mm") if moment.isValid() else ""
+    return f"{date_text(moment_utc)} {clock}".strip()
+
+
 def position_text(media_s: float, duration_s: float) -> str:
     """Return "mm:ss.s / mm:ss.s", with hours when the clip has them."""
     with_hours = duration_s >= 3600.0
