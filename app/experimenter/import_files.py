@@ -1,5 +1,6 @@
 """First page of an import: the files, and what was recognised in them."""
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.bridge.languages import translated
 from app.experimenter.import_mounting import Triad
+from app.experimenter.import_reading import ReadingPage, words_of
 from app.experimenter.import_suggestion import SuggestionBox
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -36,6 +38,7 @@ from hapticplayer.sequence.import_preview import ImportPreview, pair
 
 translate = QCoreApplication.translate
 _MOST_NOTES = 6
+_WORDS = "words"
 _ALL_THE_ROOM = 100  # next to a stretch of 1
 _BETWEEN_FILES = "; "  # of a log in several files
 
@@ -73,7 +76,12 @@ class FilesPage(QWidget):
         self.suggestion = SuggestionBox()
         self.question = _Question()
         self.question.answered.connect(self._answer)
-        self.question.template_wanted.connect(self._choose_template)
+        self.question.form_wanted.connect(self.open_form)
+        self.how = text_button(
+            self.tr("&How the log is read\u2026"),
+            self.tr("Units, axes, signs and more, with a check against gravity"),
+        )
+        self.how.clicked.connect(lambda: self.open_form({}))
         self.keep = text_button(
             self.tr("&Save as template\u2026"),
             self.tr("Save these answers as a template for all logs of this logger"),
@@ -117,7 +125,7 @@ class FilesPage(QWidget):
                 grid.addWidget(widget, line, place)
         for place, widget in enumerate(captioned(self.tr("&Format"), self.format)):
             grid.addWidget(widget, len(rows), place)
-        keep = row_of(self.keep, STRETCH)
+        keep = row_of(self.how, self.keep, STRETCH)
         texts = column_of(self.facts, self.notes, keep, STRETCH)
         found = row_of((texts, 1), column_of(self.triad, STRETCH))
         asked = (self.problem, self.question, self.suggestion)
@@ -152,6 +160,23 @@ class FilesPage(QWidget):
             self._asked = None
             self.changed.emit()
 
+    def open_form(self, words: Mapping[str, str]) -> ReadingPage | None:
+        """Let people say how the log is read."""
+        chosen = self.chosen()
+        if chosen is None:
+            return None
+        known = parse_choices(self._words).given() | dict(words)
+        page = ReadingPage(chosen[1] or chosen[0], known, self.window())
+        page.taken.connect(self._take_form)
+        page.finished.connect(page.deleteLater)
+        page.open()
+        return page
+
+    def _take_form(self, answers: dict[str, str]) -> None:
+        self._before = self._words
+        self._words = [f"{key}={value}" for key, value in answers.items()]
+        self.changed.emit()
+
     def _answer(self, words: list[str]) -> None:
         keys = {word.partition("=")[0] for word in words}
         kept = [w for w in self._words if w.partition("=")[0] not in keys]
@@ -169,8 +194,8 @@ class FilesPage(QWidget):
 
     def forget(self) -> None:
         """Show nothing until something is recognised."""
-        parts = (self.problem, self.question, self.suggestion, self.triad, self.keep)
-        for widget in parts:
+        asked = (self.problem, self.question, self.suggestion)
+        for widget in (*asked, self.triad, self.keep, self.how):
             widget.hide()
         self.facts.clear()
         self.notes.clear()
@@ -181,6 +206,8 @@ class FilesPage(QWidget):
         if isinstance(problem, LogQuestion):
             self._asked = problem
             self.question.ask(problem)
+            if any("columns=" in answer for answer in problem.answers):
+                self.open_form({})
             return
         if self._asked is not None and self._words != self._before:
             self._words = self._before  # the answer is none: it is asked again
@@ -203,6 +230,7 @@ class FilesPage(QWidget):
         self.triad.show_axes(AS_RECORDED, found.up)
         self.triad.show()
         self.keep.setVisible(bool(self._words))
+        self.how.show()
 
     def _facts(self, found: ImportPreview) -> list[str]:
         clip = found.clip
@@ -263,12 +291,6 @@ class FilesPage(QWidget):
         dialog.filesSelected.connect(take)
         dialog.open()
 
-    def _choose_template(self) -> None:
-        kinds = self.tr("Templates (*.json)")
-        dialog = file_dialog(self, self.tr("Choose a template"), self._folder, kinds)
-        dialog.fileSelected.connect(lambda path: self._answer([f"template={path}"]))
-        dialog.open()
-
     def _choose_kept(self) -> None:
         kinds = self.tr("Templates (*.json)")
         title = self.tr("Save the template")
@@ -294,10 +316,10 @@ class FilesPage(QWidget):
 
 
 class _Question(QFrame):
-    """What is doubtful about a log, with the answers (KEY=VALUE words) that are likely."""
+    """What is doubtful about a log, with the answers that are likely, and a form."""
 
     answered = Signal(list)
-    template_wanted = Signal()
+    form_wanted = Signal(dict)
 
     def __init__(self) -> None:
         super().__init__()
@@ -310,20 +332,17 @@ class _Question(QFrame):
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.answers = QButtonGroup(self)
         self._choices = QVBoxLayout()
-        self.other = QLineEdit()
-        self.other.setAccessibleName(self.tr("Answer"))
-        self.other.setPlaceholderText(self.tr("Or answer like those above"))
-        self.other.returnPressed.connect(self._answer)
         self.take = text_button(
             self.tr("&Answer"), self.tr("Read the log with this answer"), "primary"
         )
         self.take.clicked.connect(self._answer)
-        template = text_button(
-            self.tr("&Template\u2026"), self.tr("Load the answers from a template")
+        self.form = text_button(
+            self.tr("Answer in a &form\u2026"),
+            self.tr("Units, axes, signs and more, with a check against gravity"),
         )
-        template.clicked.connect(self.template_wanted)
-        answer = row_of(self.other, template, self.take)
-        parts = (self.text, self._choices, answer, self.problem)
+        self.form.clicked.connect(lambda: self.form_wanted.emit(self._words()))
+        buttons = row_of(STRETCH, self.form, self.take)
+        parts = (self.text, self._choices, self.problem, buttons)
         column_of(*parts, margins=(9, 9, 9, 9), of=self)
 
     def ask(self, question: LogQuestion) -> None:
@@ -335,28 +354,28 @@ class _Question(QFrame):
             self.answers.removeButton(button)
             button.deleteLater()
         for answer in _each(question.answers):
-            radio = QRadioButton(translated(answer))
-            radio.clicked.connect(lambda _on, a=answer: self._propose(a))
-            self.answers.addButton(radio)
-            self._choices.addWidget(radio)
-        self.other.clear()
+            words = words_of(answer)
+            if words and "columns" not in words:  # which the form shows
+                radio = QRadioButton(translated(answer))
+                radio.setProperty(_WORDS, words)
+                radio.toggled.connect(lambda _on: self.take.setEnabled(True))
+                self.answers.addButton(radio)
+                self._choices.addWidget(radio)
+        self.take.setVisible(bool(self.answers.buttons()))
+        self.take.setEnabled(False)
         self.show()
 
     def show_problem(self, text: str) -> None:
         """Say that an answer cannot be one."""
         self.problem.setText(text)
 
-    def _propose(self, answer: str) -> None:
-        words = [word.rstrip(",") for word in answer.split() if "=" in word]
-        by_key = {
-            word.partition("=")[0]: word for word in words
-        }  # the last, an example
-        self.other.setText(" ".join(by_key.values()))
+    def _words(self) -> dict[str, str]:
+        """The answer that is chosen, by key."""
+        chosen = self.answers.checkedButton()
+        return dict(chosen.property(_WORDS)) if chosen else {}
 
     def _answer(self) -> None:
-        words = self.other.text().split()
-        if words:
-            self.answered.emit(words)
+        self.answered.emit([f"{key}={value}" for key, value in self._words().items()])
 
 
 def _paths(text: str) -> tuple[Path, ...]:

@@ -15,14 +15,14 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import translated
+from app.experimenter.import_processing import ProcessingFields
 from app.experimenter.rendering_fields import RenderingFields
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.files import file_dialog, folder_dialog, settings_filter
+from app.widgets.files import folder_dialog
 from app.widgets.layout import (
     STRETCH,
     ElidedLabel,
-    captioned,
     column_of,
     paragraph,
     row_of,
@@ -31,6 +31,7 @@ from app.widgets.layout import (
 from app.widgets.texts import local
 from hapticplayer.capture.mounting import (
     AS_RECORDED,
+    BY_FRAMES,
     MOUNTINGS,
     all_mountings,
     axes_matrix,
@@ -39,10 +40,8 @@ from hapticplayer.capture.mounting import (
 )
 from hapticplayer.capture.sync.result import FoundMounting
 from hapticplayer.model.arrays import Floats
-from hapticplayer.sequence.calibration import read_calibration
 from hapticplayer.sequence.import_preview import ImportPreview
 from hapticplayer.sequence.library import free_name
-from hapticplayer.sequence.processing import Processing
 
 _SIDE_PX = 210
 _HEAD = 0.16
@@ -191,15 +190,7 @@ class MountingPage(QWidget):
         self.triad = Triad()
         self.gravity = paragraph()
         self.rendering = RenderingFields(self)
-        self.calibration = QLineEdit()
-        self.calibration.setAccessibleName(self.tr("Calibration"))
-        self.calibration.setPlaceholderText(self.tr("None"))
-        self.calibration.setToolTip(
-            self.tr(
-                "For short recordings: the file with what a longer one of the same sensor "
-                "tells of its errors"
-            )
-        )
+        self.motion = ProcessingFields(self, library)
         self.title = QLineEdit()
         self.title.setAccessibleName(self.tr("Title"))
         self.title.setMaxLength(300)
@@ -215,6 +206,9 @@ class MountingPage(QWidget):
         for axes in all_mountings()[len(MOUNTINGS) :]:
             right, front, up = axes.split(",")
             self.mounting.addItem(text.format(right=right, front=front, up=up), axes)
+        self.mounting.addItem(
+            self.tr("As the frames show, when it is imported"), BY_FRAMES
+        )
 
     def _lay_out(self) -> None:
         change = text_button(
@@ -226,13 +220,9 @@ class MountingPage(QWidget):
         form.addRow(self.tr("&Mounting"), self.mounting)
         form.addRow("", self.gravity)
         self.rendering.add_rows(form)
-        choose = text_button(self.tr("Choose\u2026"), self.tr("Choose a calibration"))
-        choose.clicked.connect(self._choose_calibration)
-        name, field = captioned(self.tr("&Calibration"), self.calibration)
-        calibration = row_of((field, 1), choose)
-        form.addRow(name, calibration)
-        rows = (self.mounting, self.gravity, calibration, self.rendering.lever_arm)
-        self._of_recording = rows
+        self.motion.add_rows(form)
+        of_recording = (self.mounting, self.gravity, self.rendering.lever_arm)
+        self._of_recording = (*of_recording, *self.motion.rows)
         form.addRow(self.tr("&Title"), self.title)
         form.addRow(self.tr("Library"), row_of((self.place, 1), change))
         hint = paragraph(
@@ -274,18 +264,20 @@ class MountingPage(QWidget):
         """Right, front and up in the recorder's axes."""
         return str(self.mounting.currentData())
 
-    def processing(self) -> Processing:
-        """Return how gravity is removed."""
-        path = self.calibration.text().strip()
-        return Processing(calibration=read_calibration(Path(path)) if path else None)
-
     def target(self) -> Path:
         """Return the folder that will be made."""
         return free_name(self.library, self.title.text())
 
     def _on_mounting(self) -> None:
-        self.triad.show_axes(self.axes, self._up)
-        if self._by_frames is not None and self._by_frames.axes == self.axes:
+        shown = self._by_frames.axes if self._by_frames else AS_RECORDED
+        is_later = self.axes == BY_FRAMES
+        self.triad.show_axes(shown if is_later else self.axes, self._up)
+        if is_later:
+            text = self.tr(
+                "Taken from the frames if they show it clearly; else you are asked."
+            )
+            colour = theme.DIM
+        elif self._by_frames is not None and self._by_frames.axes == self.axes:
             text = self.tr(
                 "The frames show this mounting (ratio {ratio} to the next best); "
                 "gravity does not contradict it."
@@ -307,13 +299,6 @@ class MountingPage(QWidget):
             colour = theme.BAD
         self.gravity.setText(text)
         self.gravity.setStyleSheet(f"color: {colour};")
-
-    def _choose_calibration(self) -> None:
-        title = self.tr("Choose a calibration")
-        start = self.calibration.text() or str(self.library)
-        dialog = file_dialog(self, title, start, settings_filter())
-        dialog.fileSelected.connect(self.calibration.setText)
-        dialog.open()
 
     def _choose_library(self) -> None:
         title = self.tr("Choose the library folder")

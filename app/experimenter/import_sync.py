@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QWidget
 
 from app.bridge.jobs import Job
 from app.bridge.languages import translated
+from app.experimenter.numbers import NumberBox
 from app.experimenter.sync_strip import (
     OF_CLIP,
     OF_LOG,
@@ -25,10 +26,11 @@ from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import COARSE_NOTE, Synchronisation
 from hapticplayer.errors import HapticPlayerError, message_of
 from hapticplayer.model import ClockMap
+from hapticplayer.model.ranges import DRIFT_PPM
 from hapticplayer.playback import snippet
 from hapticplayer.playback.snippet import LONGEST_S, Samples, pats_sound
 from hapticplayer.sequence.import_preview import BY_HAND, ImportPreview
-from hapticplayer.sequence.synchronizing import moved_to, store_skew
+from hapticplayer.sequence.synchronizing import moved_to, store_skew, stored_skews
 
 _LONGEST_OFFSET_S = 86_400.0
 _LARGEST_SKEW_MS = 2000.0
@@ -63,6 +65,7 @@ class SyncPage(QWidget):
         self.skew.setToolTip(
             self.tr("How much later than the video the camera records its sound")
         )
+        self._make_drift_and_camera()
         self.slow = _spin(_SLOWEST, 3, 1.0, self.tr(" \u00d7"))
         self.slow.setMinimum(1.0 / _SLOWEST)
         self.slow.setAccessibleName(self.tr("Slow motion"))
@@ -89,9 +92,22 @@ class SyncPage(QWidget):
         self.strip.pointed.connect(self.frame.request)
         self.offset.valueChanged.connect(self._on_offset)
         self.skew.valueChanged.connect(self._on_skew)
+        self.drift.valueChanged.connect(lambda _value: self._on_drift())
         self._late_s = 0.0
 
     # --- building ------------------------------------------------------------
+
+    def _make_drift_and_camera(self) -> None:
+        name, unit = self.tr("Clock drift"), self.tr(" ppm")
+        self.drift = NumberBox(name, DRIFT_PPM, 3, 1.0, unit)
+        tip = self.tr("By how much faster the video runs than the log's clock")
+        self.drift.setToolTip(tip)
+        self.drift.setKeyboardTracking(False)
+        self.camera = QComboBox()
+        self.camera.setAccessibleName(self.tr("Sound delay of a camera"))
+        self.camera.setToolTip(self.tr("The sound delay that is kept for a camera"))
+        self.camera.activated.connect(lambda _row: self._on_camera())
+        self.camera.hide()
 
     def _lay_out(self) -> None:
         whole = text_button(self.tr("&Whole clip"), self.tr("Show the whole clip"))
@@ -112,7 +128,8 @@ class SyncPage(QWidget):
         offset = captioned(self.tr("&Offset"), self.offset)
         late = captioned(self.tr("S&ound delay"), self.skew)
         self._sound_delay = QWidget()
-        row_of(*late, self.keep_skew, STRETCH, of=self._sound_delay)
+        row_of(*late, self.keep_skew, self.camera, STRETCH, of=self._sound_delay)
+        drift = captioned(self.tr("Clock &drift"), self.drift)
         how = captioned(self.tr("&Method"), self.method)
         slow = captioned(self.tr("Slow mo&tion"), self.slow)
         buttons = (whole, self.near, self.hear)
@@ -129,7 +146,8 @@ class SyncPage(QWidget):
             hint,
             row_of(*buttons, *offset, STRETCH, spacing=4),
             self._sound_delay,
-            row_of(*how, (self.method_text, 1)),
+            row_of(*how, *drift, STRETCH),
+            self.method_text,
             *(self.looked, self.problem, STRETCH),
         )
         self._body = QWidget()
@@ -153,15 +171,22 @@ class SyncPage(QWidget):
         slowed = found.slowed or (found.pace and found.pace.slowed) or 1.0
         offset_s = sync.clock_map.offset_s if sync else -slowed * found.begin_s
         self._late_s = sync.sound_late_s if sync else 0.0
+        # clocks may count from 1970
+        most_s = max(_LONGEST_OFFSET_S, 2.0 * abs(offset_s))
+        self.offset.setRange(-most_s, most_s)
         values = {
             self.skew: 1e3 * self._late_s,
             self.offset: offset_s,
             self.slow: slowed,
         }
+        self.drift.blockSignals(True)
+        self.drift.set_number(sync.drift_ppm if sync else 0.0)
+        self.drift.blockSignals(False)
         for spin, value in values.items():
             spin.blockSignals(True)
             spin.setValue(value)
             spin.blockSignals(False)
+        self._show_cameras()
         self.keep_skew.setVisible(bool(found.clip.camera))
         self.keep_skew.setToolTip(found.clip.camera)
         pats_s = tuple(pat.heard_s for pat in sync.pats) if sync else ()
@@ -200,9 +225,16 @@ class SyncPage(QWidget):
         if sync is None:
             found = self._recognised
             middle_s = 0.5 * found.clip.duration_s if found else 0.0
-            clock = ClockMap(offset_s, self.slow.value())
+            clock = ClockMap(offset_s, self._rate())
             return Synchronisation(clock, BY_HAND, middle_s=middle_s)
-        return moved_to(sync, offset_s)
+        return moved_to(sync, offset_s, self._rate())
+
+    def _rate(self) -> float:
+        """Seconds of media per second of the log's clock."""
+        found = self._recognised.found if self._recognised else None
+        if found is not None and self.drift.number() == found.drift_ppm:
+            return found.clock_map.rate
+        return self.slow.value() * (1.0 + 1e-6 * self.drift.number())
 
     @property
     def slowed(self) -> float | None:
@@ -253,6 +285,33 @@ class SyncPage(QWidget):
     def _on_offset(self, offset_s: float) -> None:
         self.strip.set_shift(offset_s)
         self._show_verdict()
+
+    def _on_drift(self) -> None:
+        """Turn the log's curves about the middle of the clip."""
+        found, before = self._recognised, self.strip.rate
+        middle_s = 0.5 * found.clip.duration_s if found else 0.0
+        log_s = (middle_s - self.offset.value()) / before
+        self.strip.rate = self._rate()
+        self.offset.setValue(middle_s - self.strip.rate * log_s)
+        self._on_offset(self.offset.value())
+
+    def _on_camera(self) -> None:
+        late_s = self.camera.currentData()
+        if late_s is not None:
+            self.skew.setValue(1e3 * late_s)
+
+    def _show_cameras(self) -> None:
+        """Offer the sound delays that are kept, where there are some."""
+        self.camera.clear()
+        try:
+            skews = stored_skews()
+        except HapticPlayerError as problem:
+            skews = {}
+            self.problem.setText(translated(message_of(problem)))
+        self.camera.addItem(self.tr("as kept for\u2026"), None)
+        for name, late_s in skews.items():
+            self.camera.addItem(name, late_s)
+        self.camera.setVisible(bool(skews))
 
     def _on_skew(self, late_ms: float) -> None:
         by_s = self._late_s - 1e-3 * late_ms
@@ -391,8 +450,9 @@ class SyncPage(QWidget):
                 "that the same events line up, and drag them if not."
             )
             return text.format(confidence=confidence), theme.WARN
-        text = self.tr("No three taps found in both sound and motion; drag manually.")
-        return text, theme.WARN
+        return self.tr(
+            "No three taps found in both sound and motion; drag manually."
+        ), theme.WARN
 
     def _verdict_of_frames(self, sync: Synchronisation) -> tuple[str, str]:
         if sync.frames is None:

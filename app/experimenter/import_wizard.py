@@ -15,6 +15,7 @@ from app.bridge.jobs import in_child
 from app.bridge.languages import translated
 from app.experimenter.import_files import FilesPage
 from app.experimenter.import_mounting import MountingPage
+from app.experimenter.import_reading import ReadingPage
 from app.experimenter.import_sync import SyncPage
 from app.experimenter.quality_view import QualityView
 from app.widgets import theme
@@ -75,7 +76,7 @@ class ImportWizard(JobDialog):
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
         rows = (self._progress_row(), self._button_row())
         parts = (self.steps, (self.stack, 1), self.problem, *rows)
-        column_of(*parts, spacing=10, margins=(16, 14, 16, 14), of=self)
+        column_of(*parts, spacing=10, margins=(16, 8, 16, 8), of=self)
 
     def _progress_row(self) -> JobRow:
         self.progress = JobRow(
@@ -272,7 +273,7 @@ class ImportWizard(JobDialog):
             return replace(made, suggest_gain=1.0, sync=SyncChoices(slowed=1.0))
         return replace(
             made,
-            processing=self.mounting.processing(),
+            processing=self.mounting.motion.chosen(),
             log=self.files.choices(),
             sync=SyncChoices(accepted=self.sync.choice()),
             mounting=self.mounting.axes,
@@ -311,3 +312,5 @@ class ImportWizard(JobDialog):
         """Stop what runs and wait for it; the program ends."""
         super().close_jobs()
         self.sync.close_jobs()
+        for page in self.findChildren(ReadingPage):
+            page.close_jobs()

@@ -128,6 +128,7 @@ KEYS = tuple(
     for field in dataclasses.fields(LogChoices)
     if field.init
 )
+_SAVE = Message("save the answers of another log (--save-template FILE)")
 _UNITS_ARE_KNOWN = Message("it holds no such samples, or states their unit")
 _WHY_UNTAKEN: Mapping[str, Message] = {
     "format": Message("its last part names no variant of it"),
@@ -213,7 +214,7 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
         key, value = key.strip().lower(), value.strip()
         name = key.replace("-", "_")
         if key == "template" and value:
-            of_template |= read_template(Path(value))
+            of_template |= _template(value)
         elif not equals or key not in KEYS:
             raise UsageError(
                 "{option} {word!r} is not understood; give KEY=VALUE with one of {known}",
@@ -247,16 +248,28 @@ def parse_choices(words: Sequence[str]) -> LogChoices:
     return LogChoices(**values)
 
 
+def _template(name: str) -> dict[str, str]:
+    """The choices in a file, or those that are kept under a name."""
+    from hapticplayer.capture.log_tables import KEPT, kept_answers
+
+    kept = None if Path(name).exists() else kept_answers().get(name)
+    if kept is None:
+        return read_template(Path(name))
+    return _by_attribute(kept.answers, KEPT)
+
+
 def read_template(path: Path) -> dict[str, str]:
     """Return the choices of a template by attribute."""
-    remedy = Message("save the answers of another log (--save-template FILE)")
     text = read_regular(path, MAX_TEMPLATE_BYTES)
-    content = parse_json(text, str(path), InputError, remedy)
+    return _by_attribute(parse_json(text, str(path), InputError, _SAVE), str(path))
+
+
+def _by_attribute(content: Any, where: str) -> dict[str, str]:
     if not _are_answers(content):
         raise InputError(
             "is not a template for logs (it must hold texts for {known})",
-            where=str(path),
-            remedy=remedy,
+            where=where,
+            remedy=_SAVE,
             known=", ".join(KEYS),
         )
     return {key.replace("-", "_"): value for key, value in content.items()}

@@ -13,6 +13,7 @@ from hapticplayer.errors import InputError, Message
 
 if TYPE_CHECKING:
     from hapticplayer.capture.choices import LogChoices
+    from hapticplayer.capture.log_tables import LogTable
     from hapticplayer.capture.recording import Recording
     from hapticplayer.capture.source import LogSource
 
@@ -34,6 +35,11 @@ def without_reason(_source: "LogSource") -> InputError | None:
     return None
 
 
+def without_tables(_source: "LogSource") -> tuple["LogTable", ...]:
+    """Of a format that describes itself."""
+    return ()
+
+
 WhyNot = Callable[["LogSource"], InputError | None]
 
 
@@ -44,11 +50,13 @@ class Reader(NamedTuple):
         recognises: judges by the beginnings of the files only.
         read: reads the whole recording.
         why_not: the reason why what is nearly of this format is not, or None.
+        tables: the beginnings of those whose columns a person names.
     """
 
     recognises: "Callable[[LogSource], Confidence]"
     read: "Callable[[LogSource, LogChoices], Recording]"
     why_not: WhyNot = without_reason
+    tables: "Callable[[LogSource], tuple[LogTable, ...]]" = without_tables
 
 
 class RecordingFormat(NamedTuple):

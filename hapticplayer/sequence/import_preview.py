@@ -1,6 +1,6 @@
 """Previews a recording before its import: format, axes, synchronisation, curves."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from hapticplayer.capture import read_recording
 from hapticplayer.capture.choices import LogChoices, LogQuestion
 from hapticplayer.capture.frames import FrameRotation, frame_function
+from hapticplayer.capture.log_checks import norm_at_rest
+from hapticplayer.capture.log_tables import LogTable
 from hapticplayer.capture.mounting import (
     WRONG_SIGN,
     fallen_text,
@@ -18,8 +20,9 @@ from hapticplayer.capture.mounting import (
     is_fallen,
     mean_up,
 )
+from hapticplayer.capture.reading import find_format
 from hapticplayer.capture.recording import Recording, find_gaps, refuse_gravity_free
-from hapticplayer.capture.source import LogPath, name_of
+from hapticplayer.capture.source import LogPath, name_of, open_source
 from hapticplayer.capture.sync.methods import AUTO
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.errors import (
@@ -168,6 +171,51 @@ def preview_import(
         pace=pace,
         slowed=slowed,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class ReadingCheck:
+    """What the answers about a log make of it.
+
+    Attributes:
+        rate_hz: median.
+        duration_s: from the first sample to the last.
+        at_rest_mps2: norm of the specific force while stationary; None if it never was.
+        agrees: whether the gyroscope shows how gravity turned; None where it hardly did.
+        notes: format, units, axes and warnings.
+    """
+
+    rate_hz: float
+    duration_s: float
+    at_rest_mps2: float | None
+    agrees: bool | None
+    notes: tuple[str, ...]
+
+
+def check_reading(
+    log: LogPath, choices: LogChoices, *, progress: Progress = no_progress
+) -> ReadingCheck:
+    """Read a log as it was answered; raises as `preview_import` does."""
+    from hapticplayer.motion.repair.rotation import doubt_about, turns_gravity
+
+    progress(0.0, name_of(log))
+    recording = read_recording(log, choices)
+    refuse_gravity_free(recording)
+    imu = recording.imu
+    return ReadingCheck(
+        rate_hz=imu.rate_hz,
+        duration_s=float(imu.time_s[-1] - imu.time_s[0]),
+        at_rest_mps2=norm_at_rest(imu),
+        agrees=doubt_about(imu) is None if turns_gravity(imu) else None,
+        notes=recording.notes[:-1] if choices.given() else recording.notes,
+    )  # the last one tells the answers again
+
+
+def tables_of(log: LogPath, choices: LogChoices) -> tuple[LogTable, ...]:
+    """The tables of a log whose columns a person has to name; () for any other log."""
+    source = open_source(log)
+    form = find_format(source, replace(choices))  # of which nothing is taken
+    return form.reader().tables(source)
 
 
 def _ask_about_sign(recording: Recording, found: Synchronisation | None) -> None:

@@ -118,12 +118,13 @@ def _broken() -> Message:
     return Message("OpenCV is installed, but cannot be loaded: {why}", why=why_broken())
 
 
-def moved_to(found: Synchronisation, offset_s: float) -> Synchronisation:
-    """Return a result with another offset, chosen by a person."""
-    if abs(offset_s - found.clock_map.offset_s) < _SAME_S:
+def moved_to(found: Synchronisation, offset_s: float, rate: float) -> Synchronisation:
+    """Return a result with another offset or clock rate, chosen by a person."""
+    before = found.clock_map
+    if abs(offset_s - before.offset_s) < _SAME_S and rate == before.rate:
         return found
     # the evidence was for the old offset
-    clock = ClockMap(offset_s, found.clock_map.rate, 0.0, 1.0)
+    clock = ClockMap(offset_s, rate, 0.0, 1.0)
     return Synchronisation(
         clock, "offset", has_drift=found.has_drift, sound_late_s=found.sound_late_s
     )

@@ -35,6 +35,7 @@ from app.editor.lanes import Lanes
 from app.editor.page import EditorPage
 from app.editor.playing import PlayerSetup
 from app.experimenter.analysis import AnalysisPage
+from app.experimenter.import_reading import ReadingPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
 from app.experimenter.rendering_page import RenderingPage
@@ -92,6 +93,7 @@ WORKING = (
     EditorPage,
     ImportWizard,
     LibraryPage,
+    ReadingPage,
     RenderingPage,
     SetupPage,
     StudyEditor,
@@ -111,6 +113,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "import-sync": lambda: _import_at(SYNC, window, folder),
         "import-mounting": lambda: _import_at(MOUNTING, window, folder),
         "import-report": lambda: _import_at(REPORT, window, folder),
+        "import-reading": lambda: ReadingPage(_table(folder), {}, window),
         "library-empty": lambda: LibraryPage(folder, window),
         "library": lambda: LibraryPage(_library(window), window),
         "effects": lambda: _editor(window),
@@ -196,6 +199,14 @@ def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:
     else:
         wizard.go_to(step)
     return wizard
+
+
+def _table(folder: Path) -> Path:
+    """Return a log whose columns nobody has named."""
+    log = folder / "table.txt"
+    rows = (f"{0.01 * k:.2f}\tabc\t0.1\t0.2\t9.8\t0\t0\t0.1" for k in range(40))
+    log.write_text("\n".join(["t\tdevice\tacc x\ty\tz\tgyro x\ty\tz", *rows, ""]))
+    return log
 
 
 def _editor(window: PlayerWindow) -> EditorPage:
@@ -290,7 +301,7 @@ def controls(face: QWidget) -> list[QWidget]:
         and w.isEnabled()
         and w.window() is face.window()
         and not w.objectName().startswith("qt_")
-        and not isinstance(w.parent(), QAbstractSpinBox | QAbstractItemView)
+        and not isinstance(w.parent(), QAbstractSpinBox | QAbstractItemView | QComboBox)
     ]
 
 

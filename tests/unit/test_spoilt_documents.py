@@ -9,6 +9,7 @@ import zlib
 import pytest
 
 from hapticplayer.capture.choices import LogChoices, read_template, write_template
+from hapticplayer.capture.log_tables import KEPT, keep_answers, kept_answers
 from hapticplayer.errors import InputError
 from hapticplayer.media.matroska import read_attachments
 from hapticplayer.media.remux import write_attachments
@@ -181,6 +182,13 @@ def test_spoilt_skews_of_cameras_are_refused(tmp_path, monkeypatch):
     path = tmp_path / "hapticplayer" / "cameras.json"
     path.parent.mkdir()
     check(path, {"sound_late_s": {"one": 0.01, "two": 0.02}}, stored_skews)
+
+
+def test_spoilt_answers_that_were_kept_are_refused(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    keep_answers("logger", (("t", "ax"),), {"accel-unit": "g"})
+    path = tmp_path / "hapticplayer" / KEPT
+    check(path, json.loads(path.read_text()), kept_answers)
 
 
 def test_spoilt_settings_are_left_out(tmp_path):

@@ -23,6 +23,14 @@ from hapticplayer.capture.csv_table import (
     read_table,
 )
 from hapticplayer.capture.formats import Confidence
+from hapticplayer.capture.log_tables import (
+    BETWEEN_TABLES,
+    CLOCK,
+    NUMBER,
+    SENSORS,
+    SKIP,
+    TIME,
+)
 from hapticplayer.capture.source import LogSource
 from hapticplayer.capture.streams import (
     NANO,
@@ -34,26 +42,14 @@ from hapticplayer.capture.streams import (
 )
 from hapticplayer.errors import Message, UsageError, joined
 from hapticplayer.extras.loggers.table_layout import (
-    CLOCK,
-    NUMBER,
-    SKIP,
-    TIME,
     Layout,
     layouts_of,
     proposed_names,
+    tables,
     unread_columns,
 )
 from hapticplayer.model.arrays import Floats
-from hapticplayer.model.spellings import (
-    DAY_S,
-)
-
-_SENSORS = {
-    "accel": ("ax", "ay", "az"),
-    "rate": ("gx", "gy", "gz"),
-    "field": ("mx", "my", "mz"),
-}
-_BETWEEN_TABLES = "/"
+from hapticplayer.model.spellings import DAY_S
 
 
 def recognises(source: LogSource) -> Confidence:
@@ -127,7 +123,7 @@ def _read_table(
     place = {column: number for number, column in enumerate(at)}
     parts = {
         kind: numbers.values[:, [place[axis] for axis in axes]]
-        for kind, axes in _SENSORS.items()
+        for kind, axes in SENSORS.items()
         if axes[0] in place
     }
     if TIME not in place:
@@ -152,7 +148,7 @@ def _columns(
         raise _question(layouts, where)
     columns = [
         tuple(c.strip().lower() for c in part.split(",") if c.strip())
-        for part in choices.columns.split(_BETWEEN_TABLES)
+        for part in choices.columns.split(BETWEEN_TABLES)
     ]
     if fault := _fault(columns, layouts, choices):
         raise UsageError(
@@ -210,9 +206,7 @@ def _fault(
             total=len(layouts),
         )
     named = [name for names in columns for name in names if name not in {TIME, SKIP}]
-    missing = [
-        axis for axis in _SENSORS["accel"] + _SENSORS["rate"] if axis not in named
-    ]
+    missing = [axis for axis in SENSORS["accel"] + SENSORS["rate"] if axis not in named]
     if not (choices.rate_hz or all(TIME in names for names in columns)):
         missing.insert(0, Message("{time} (or rate-hz=100)", time=TIME))
     faults = [
@@ -226,7 +220,7 @@ def _fault(
     faults += [
         Message("names a part of {axes}", axes=", ".join(axes))
         for names in columns
-        for axes in _SENSORS.values()
+        for axes in SENSORS.values()
         if 0 < len(set(axes) & set(names)) < len(axes)
     ]
     return next((fault for fault in faults if fault), "")
@@ -241,7 +235,7 @@ def _misfit(names: tuple[str, ...], layout: Layout) -> str:
             total=len(layout.kinds),
             shown=layout.shown,
         )
-    known = {TIME, SKIP, *(axis for axes in _SENSORS.values() for axis in axes)}
+    known = {TIME, SKIP, *(axis for axes in SENSORS.values() for axis in axes)}
     unknown = [name for name in names if name not in known]
     if unknown:
         return Message("has the unknown name {unknown!r}", unknown=unknown[0])
@@ -295,4 +289,4 @@ def _ask_units(
         )
 
 
-READER = log_reader(recognises, read, unread_columns)
+READER = log_reader(recognises, read, unread_columns)._replace(tables=tables)

@@ -6,6 +6,16 @@ from collections import Counter
 from typing import NamedTuple
 
 from hapticplayer.capture.csv_table import head_lines, is_number
+from hapticplayer.capture.log_tables import (
+    BETWEEN_TABLES,
+    CLOCK,
+    EMPTY,
+    NUMBER,
+    SKIP,
+    TEXT,
+    TIME,
+    LogTable,
+)
 from hapticplayer.capture.source import LogSource
 from hapticplayer.errors import InputError, Message
 from hapticplayer.model.spellings import (
@@ -16,15 +26,10 @@ from hapticplayer.model.spellings import (
     plain,
 )
 
-NUMBER, CLOCK, TEXT, EMPTY = "number", "clock", "text", "empty"
-"""Kinds of columns."""
-
-TIME, SKIP = "time", "-"
-"""Names of columns beside those of the axes."""
-
 _MIN_COLUMNS = 4
 _SAMPLE_LINES = 60
 _MOST_TABLES = 3
+_SHOWN_ROWS = 5
 _MOSTLY = 0.9
 _LONGEST_HEADER_BYTES = 1 << 20
 
@@ -123,9 +128,43 @@ def _layout(source: LogSource, name: str) -> Layout | None:
     lines = head_lines(source, name)
     found = _best(lines)
     if found is None and len(lines) > _SAMPLE_LINES:  # its header may be longer
-        text = source.text(name, _LONGEST_HEADER_BYTES).replace("\r", "")
-        found = _best(text.split("\n")[:-1])
+        found = _best(_more_lines(source, name))
     return found
+
+
+def _more_lines(source: LogSource, name: str) -> list[str]:
+    text = source.text(name, _LONGEST_HEADER_BYTES).replace("\r", "")
+    return text.split("\n")[:-1]
+
+
+def tables(source: LogSource) -> tuple[LogTable, ...]:
+    """The beginnings of the tables of a source, () if it holds anything else."""
+    layouts = layouts_of(source)
+    proposed = proposed_names(list(layouts.values())).split(BETWEEN_TABLES)
+    names = proposed if any(proposed) else [""] * len(layouts)
+    return tuple(
+        LogTable(
+            name,
+            layout.header[: len(layout.kinds)],
+            layout.kinds,
+            _first_rows(source, name, layout),
+            tuple(part.split(",")) if part else (),
+        )
+        for (name, layout), part in zip(layouts.items(), names, strict=True)
+    )
+
+
+def _first_rows(
+    source: LogSource, name: str, layout: Layout
+) -> tuple[tuple[str, ...], ...]:
+    lines, end = head_lines(source, name), layout.skip_lines + _SHOWN_ROWS
+    if len(lines) < end:
+        lines = _more_lines(source, name)
+    rows = [
+        _cells(line, layout.separator, layout.decimal)
+        for line in lines[layout.skip_lines : end]
+    ]
+    return tuple(tuple(row[: len(layout.kinds)]) for row in rows if any(row))
 
 
 def _best(lines: list[str]) -> Layout | None:
@@ -265,7 +304,7 @@ def proposed_names(layouts: list[Layout]) -> str:
         return ""  # the names may be those of other columns
     if not (is_whole and all(TIME in part for part in parts)):
         return ""
-    return "/".join(",".join(part) for part in parts)
+    return BETWEEN_TABLES.join(",".join(part) for part in parts)
 
 
 def _proposed(layout: Layout) -> list[str]:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from app.experimenter import import_suggestion, import_wizard
+from app.experimenter.import_reading import ReadingPage
 from app.experimenter.import_wizard import FILES, MOUNTING, REPORT
 from hapticplayer.capture.choices import LogQuestion
 from hapticplayer.errors import Message
@@ -24,37 +25,33 @@ def test_a_doubtful_log_asks_and_takes_the_answer(wizard, ride, wait_for, tmp_pa
     question = wizard.files.question
     wait_for(question.isVisible)
     assert not wizard.next.isEnabled()
-    question.other.setText("columns=rubbish")
-    question.take.click()
+    assert wizard.findChild(ReadingPage).isVisible()  # its columns are unknown
+    wizard.findChild(ReadingPage).reject()
+    assert not question.take.isVisible()  # there is no answer to choose
+    columns = "columns=time,ax,ay,az,gx,gy,gz"
+    question.answered.emit([columns, "accel-unit=rubbish", "rate-unit=rad/s"])
     wait_for(lambda: not wizard.jobs.is_busy and question.isVisible())
-    question.other.setText(
-        "columns=time,ax,ay,az,gx,gy,gz accel-unit=g rate-unit=rad/s"
-    )
-    question.take.click()
+    question.answered.emit([columns, "accel-unit=g", "rate-unit=rad/s"])
     wait_for(lambda: "units" in question.text.text())
-    radio = next(b for b in question.answers.buttons() if b.text() == "time-unit=s")
-    radio.click()
-    assert question.other.text() == "time-unit=s"
+    question.answers.buttons()[0].click()
     question.take.click()
     wait_for(wizard.next.isEnabled)
     assert "in g" in wizard.files.notes.text()
     assert wizard.files.keep.isVisible()
 
 
-@pytest.mark.parametrize(
-    ("answer", "filled_in"),
-    [
-        ("accel-sign=-, or correct the sign in the log", "accel-sign=-"),
-        ("axes=x,-z,y, or the axes that were right, front, up", "axes=x,-z,y"),
-        ("axes=RIGHT,FRONT,UP in its axes, such as axes=x,-z,y", "axes=x,-z,y"),
-        ("format=csv and columns=time,ax (- for others)", "format=csv columns=time,ax"),
-    ],
-)
-def test_a_chosen_answer_is_filled_in_as_it_is_typed(wizard, answer, filled_in):
+def test_a_chosen_answer_goes_into_the_form(wizard):
     question = wizard.files.question
-    question.ask(LogQuestion(Message("is doubtful"), (Message(answer),), "/x/log.csv"))
-    question.answers.buttons()[0].click()
-    assert question.other.text() == filled_in
+    answers = (Message("accel-sign=-, or correct it"), Message("record it again"))
+    question.ask(LogQuestion(Message("is doubtful"), answers, "/x/log.csv"))
+    (radio,) = question.answers.buttons()
+    assert not question.take.isEnabled()
+    radio.click()
+    assert question.take.isEnabled()
+    wanted = []
+    question.form_wanted.connect(wanted.append)
+    question.form.click()
+    assert wanted == [{"accel-sign": "-"}]
 
 
 @needs("loggers")
@@ -72,9 +69,9 @@ def test_a_log_in_two_files_is_read_as_one(wizard, ride, wait_for, tmp_path):
     question = wizard.files.question
     wait_for(question.isVisible)
     assert "2 tables" in question.text.text()
+    wizard.findChild(ReadingPage).reject()
     words = "columns=time,ax,ay,az/time,gx,gy,gz time-unit=s accel-unit=m/s2"
-    question.other.setText(f"{words} rate-unit=rad/s")
-    question.take.click()
+    question.answered.emit([*words.split(), "rate-unit=rad/s"])
     wait_for(wizard.next.isEnabled)
     assert "200 Hz" in wizard.files.facts.text()
     assert wizard.files.chosen() == (folder / "ride.mp4", tuple(logs))

@@ -74,7 +74,7 @@ def test_a_camera_with_its_own_motion_needs_no_pats(wizard, ride, wait_for, tmp_
         wizard.mounting.mounting.findData("-x,-y,z")
     )
     kept = tmp_path / "camera.json"
-    wizard.mounting.calibration.setText(str(kept))
+    wizard.mounting.motion.calibration.setText(str(kept))
     wizard.next.click()
     assert "there is no such file" in wizard.problem.text()
     known = SensorCalibration(gyro_bias_sigma_radps=(0.01,) * 3)

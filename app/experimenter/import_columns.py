@@ -1,0 +1,202 @@
+"""Fields for the answers about a log, and the columns of its tables."""
+
+import itertools
+from collections.abc import Mapping
+
+from PySide6.QtCore import QCoreApplication, Qt, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QLineEdit,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.widgets import theme
+from app.widgets.texts import titled
+from hapticplayer.capture.log_tables import (
+    BETWEEN_TABLES,
+    CLOCK,
+    NUMBER,
+    SENSORS,
+    SKIP,
+    TIME,
+    LogTable,
+)
+
+translate = QCoreApplication.translate
+
+_TABLE_PX = 210
+_LONGEST_CELL = 26
+
+
+class Choice(QComboBox):
+    """One of some answers, or none; where it is open, also one that is typed."""
+
+    changed = Signal()
+
+    def __init__(self, name: str, options: Mapping[str, str], *, is_open: bool = False):
+        super().__init__()
+        self.setAccessibleName(name)
+        self.setEditable(is_open)
+        self.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
+        self.addItem(translate("Reading", "not stated"), "")
+        for value, text in options.items():
+            self.addItem(text, value)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        if field := self.lineEdit():
+            field.setAccessibleName(name)
+        self.currentIndexChanged.connect(lambda _row: self.changed.emit())
+        self.editTextChanged.connect(lambda _text: self.changed.emit())
+
+    def value(self) -> str:
+        """The answer as the engine reads it."""
+        row = self.findText(self.currentText())
+        return self.currentText().strip() if row < 0 else str(self.itemData(row))
+
+    def put(self, value: str) -> None:
+        """Show an answer."""
+        if self.findData(value) < 0 and not self.isEditable():
+            self.addItem(value, value)
+        row = self.findData(value)
+        self.setCurrentIndex(row)
+        if row < 0:
+            self.setEditText(value)
+
+
+class Number(QLineEdit):
+    """A number, or nothing."""
+
+    changed = Signal()
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setAccessibleName(name)
+        self.setPlaceholderText(translate("Reading", "not stated"))
+        self.textChanged.connect(lambda _text: self.changed.emit())
+
+    def value(self) -> str:
+        """The answer as the engine reads it."""
+        return self.text().strip().replace(",", ".")
+
+    def put(self, value: str) -> None:
+        """Show an answer."""
+        self.setText(value)
+
+
+class ColumnMap(QScrollArea):
+    """The first rows of each table, below a choice of what each column holds."""
+
+    changed = Signal()
+
+    def __init__(self, tables: tuple[LogTable, ...]) -> None:
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # Tab goes to what is inside
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.tables = tables
+        self.names: list[list[QComboBox]] = []
+        inside, column = QWidget(), QVBoxLayout()
+        for table in tables:
+            if len(tables) > 1:
+                column.addWidget(QLabel(table.name))
+            column.addLayout(self._grid(table))
+        column.addStretch(1)
+        inside.setLayout(column)
+        self.setWidget(inside)
+        self.setWidgetResizable(True)
+        bar_px = self.horizontalScrollBar().sizeHint().height()
+        self.setFixedHeight(min(_TABLE_PX, inside.sizeHint().height() + bar_px + 2))
+
+    def _grid(self, table: LogTable) -> QGridLayout:
+        grid, names = QGridLayout(), []
+        grid.setHorizontalSpacing(14)
+        grid.setVerticalSpacing(2)
+        titles = itertools.chain(table.header, itertools.repeat(""))
+        for at, (kind, title) in enumerate(zip(table.kinds, titles, strict=False)):
+            number = self.tr("Column {number}").format(number=at + 1)
+            shown = title or number
+            combo = self._names_for(kind, titled(number, title) if title else number)
+            caption = _cell(shown, theme.TEXT)
+            caption.setBuddy(combo)
+            grid.addWidget(caption, 0, at)
+            grid.addWidget(combo, 1, at)
+            for line, row in enumerate(table.rows, start=2):
+                if at < len(row):
+                    grid.addWidget(_cell(row[at], theme.DIM), line, at)
+            names.append(combo)
+        grid.setColumnStretch(len(table.kinds), 1)
+        self.names.append(names)
+        return grid
+
+    def _names_for(self, kind: str, name: str) -> QComboBox:
+        combo = QComboBox()
+        combo.setAccessibleName(name)
+        for value, text in column_texts().items():
+            if value == SKIP or kind == NUMBER or (value, kind) == (TIME, CLOCK):
+                combo.addItem(text, value)
+        combo.setEnabled(combo.count() > 1)  # a column of text is ignored
+        combo.currentIndexChanged.connect(lambda _row: self._on_named(combo))
+        return combo
+
+    def _on_named(self, chosen: QComboBox) -> None:
+        """Take a name from the column that had it; each table has its own time."""
+        value = chosen.currentData()
+        of_table = next(names for names in self.names if chosen in names)
+        every = of_table if value == TIME else list(itertools.chain(*self.names))
+        for other in every:
+            if value != SKIP and other is not chosen and other.currentData() == value:
+                other.setCurrentIndex(0)
+        self.changed.emit()
+
+    def value(self) -> str:
+        """The answer as the engine reads it; "" while no column has a name."""
+        named = [[str(one.currentData()) for one in names] for names in self.names]
+        if all(name == SKIP for name in itertools.chain(*named)):
+            return ""
+        return BETWEEN_TABLES.join(",".join(names) for names in named)
+
+    def put(self, value: str) -> None:
+        """Show an answer, as far as it fits."""
+        parts = value.split(BETWEEN_TABLES) if value else [""] * len(self.names)
+        for names, part in zip(self.names, parts, strict=False):
+            words = itertools.chain(part.split(","), itertools.repeat(SKIP))
+            for combo, word in zip(names, words, strict=False):
+                combo.setCurrentIndex(max(0, combo.findData(word.strip())))
+
+    def kinds_of(self, name: str) -> set[str]:
+        """The kinds of the columns with a name; "" for a table that has none."""
+        found = set()
+        for table, names in zip(self.tables, self.names, strict=True):
+            chosen = [one.currentData() for one in names]
+            found.add(table.kinds[chosen.index(name)] if name in chosen else "")
+        return found
+
+
+def column_texts() -> dict[str, str]:
+    """What a column may hold, for people."""
+    texts = {
+        "accel": translate("Reading", "accelerometer {axis}"),
+        "rate": translate("Reading", "gyroscope {axis}"),
+        "field": translate("Reading", "magnetometer {axis}"),
+    }
+    return {
+        SKIP: translate("Reading", "ignore"),
+        TIME: translate("Reading", "time"),
+        **{
+            name: texts[sensor].format(axis=name[-1])
+            for sensor, names in SENSORS.items()
+            for name in names
+        },
+    }
+
+
+def _cell(text: str, colour: str) -> QLabel:
+    is_long = len(text) > _LONGEST_CELL
+    made = QLabel(f"{text[:_LONGEST_CELL]}\u2026" if is_long else text)
+    made.setTextFormat(Qt.TextFormat.PlainText)
+    made.setStyleSheet(f"color: {colour};")
+    made.setToolTip(text)
+    return made
