@@ -333,15 +333,15 @@ def _unexplained_mps2(impulse: Floats, attitude: Floats, step_s: Floats) -> Floa
         attitude: (B, K, 4) of the sensor in it.
         step_s: (B, K, 1).
     """
-    axes = [quat.rotate(attitude, np.eye(3)[axis]) for axis in range(3)]
-    tilts = [np.cumsum(axis * step_s, axis=1) for axis in axes]
-    by_bias = [np.cumsum(np.cross(tilt, impulse), axis=1) for tilt in tilts]
+    axes = quat.rotate(attitude[:, :, None], np.eye(3))  # (B, K, 3, 3), one in a row
+    tilts = np.cumsum(axes * step_s[..., None], axis=1)
+    by_bias = np.cumsum(np.cross(tilts, impulse[:, :, None]), axis=1)
     windows, steps = impulse.shape[:2]
     kept = np.linspace(0, steps - 1, min(RESIDUALS, steps)).astype(int)
     velocity = np.cumsum(impulse, axis=1)[:, kept].reshape(windows, -1)
     time_s = np.cumsum(step_s, axis=1)[:, kept, :, None]
     unit = np.broadcast_to(np.eye(3), (windows, len(kept), 3, 3))
-    bias = np.stack(by_bias, axis=-1)[:, kept]
+    bias = by_bias[:, kept].swapaxes(2, 3)
     design = np.concatenate([unit, time_s * unit, bias], axis=-1)
     design = design.reshape(windows, -1, 9)
     normal = np.einsum("bik,bil->bkl", design, design)

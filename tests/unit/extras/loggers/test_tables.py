@@ -381,16 +381,16 @@ def test_enormous_times_are_refused_without_a_warning(tmp_path, stamp, where, un
 @pytest.mark.filterwarnings("error")
 def test_enormous_cells_of_any_format_are_no_warnings(tmp_path, key):
     one = FORMATS[key]
-    files = one.write(sample(4.0, apart=one.apart))
+    # both sensors are compared from 2 s on: a second for each cell, so in one format
+    files = one.write(sample(4.0 if key == "Razor $" else 1.8, apart=one.apart))
     if key == "GoPro, raw":
         pytest.skip("holds no text")
     for name, content in files.items():
         lines = content.split(b"\n")
         row = len(lines) // 2
         cells = re.split(rb"([,;\t])", lines[row])
-        for at, cell in itertools.product(
-            range(0, len(cells), 2), (b"1e300", b"-1e308")
-        ):
+        enormous = itertools.cycle((b"1e300", b"-1e308"))
+        for at, cell in zip(range(0, len(cells), 2), enormous, strict=False):
             spoilt = b"".join([*cells[:at], cell, *cells[at + 1 :]])
             damaged = b"\n".join([*lines[:row], spoilt, *lines[row + 1 :]])
             path = put(
