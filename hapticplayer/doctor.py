@@ -1,7 +1,8 @@
 """Finds what this machine lacks to run the program, and names it by package.
 
-Standard library only, and able to start on a bare system Python before anything is
-installed: `python3 hapticplayer/doctor.py`. The set-up asks it what to install.
+Standard library and `errors` only, and able to start on a bare system Python before
+anything is installed: `python3 hapticplayer/doctor.py`. The set-up asks it what to
+install.
 """
 
 from __future__ import annotations
@@ -23,6 +24,11 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+if not __package__:  # a program of its own
+    sys.path.append(str(ROOT))
+
+from hapticplayer.errors import Message, joined  # noqa: E402
+
 APT_LIST = ROOT / "packaging" / "apt-packages.txt"
 APT_INSTALL = "apt-get install --no-install-recommends"
 OLDEST_PYTHON = (3, 11)
@@ -72,7 +78,8 @@ class MachineCheck:
     """What was looked at, what was found, and what would mend it.
 
     Attributes:
-        name: what was looked at, a package or a property of the machine.
+        name: what was looked at, a package or a property of the machine; as the texts,
+            a `Message` where it is words.
         ok: it is there.
         detail: what was found, in a few words.
         remedy: what a person can do, empty when there is nothing to do.
@@ -148,11 +155,13 @@ def check() -> list[MachineCheck]:
         _check_python_packages(),
         _check_optional(
             *("OpenCV", "cv2", OPENCV, f"{_pip_install(OPENCV)} (150 MB)"),
-            "synchronising by frames is coarse, no motion is suggested from the picture",
+            Message(
+                "synchronising by frames is coarse, no motion is suggested from the frames"
+            ),
         ),
         _check_optional(
-            *("cameras", "telemetry_parser", CAMERAS, how_to_get_cameras()),
-            "the motion in clips of Sony and Insta360 is not read",
+            *(Message("cameras"), "telemetry_parser", CAMERAS, how_to_get_cameras()),
+            Message("the motion in clips of Sony and Insta360 is not read"),
         ),
         _check_display(),
         _check_sound(),
@@ -169,7 +178,9 @@ def _check_python() -> MachineCheck:
         sys.version_info >= OLDEST_PYTHON,
         required=True,
         detail=f"{platform.python_version()} ({sys.executable})",
-        remedy=f"use Python {oldest} or newer, as in Debian 12 and 13",
+        remedy=Message(
+            "use Python {oldest} or newer, as in Debian 12 and 13", oldest=oldest
+        ),
     )
 
 
@@ -179,10 +190,13 @@ def _check_apt() -> list[MachineCheck]:
     except OSError:
         return [
             MachineCheck(
-                "system packages",
+                Message("system packages"),
                 ok=True,
-                detail=f"not looked at: the list of them is not here ({APT_LIST})",
-                remedy="run the doctor of the source tree for this part",
+                detail=Message(
+                    "not looked at: the list of them is not here ({file})",
+                    file=APT_LIST,
+                ),
+                remedy=Message("run the doctor of the source tree for this part"),
             )
         ]
     return [
@@ -190,7 +204,9 @@ def _check_apt() -> list[MachineCheck]:
             package.name,
             is_there(package.proof),
             required=package.required,
-            detail=f"{package.purpose} ({package.proof})",
+            detail=Message(
+                "{what} ({proof})", what=Message(package.purpose), proof=package.proof
+            ),
             remedy=f"{APT_INSTALL} {package.name}",
         )
         for package in packages
@@ -225,11 +241,13 @@ def _check_python_packages() -> MachineCheck:
         else:
             found.append(f"{name} {version}")
     return MachineCheck(
-        "Python packages",
+        Message("Python packages"),
         not missing,
         required=True,
-        detail="missing: " + ", ".join(missing) if missing else ", ".join(found),
-        remedy="./run sets them up in .venv",
+        detail=Message("missing: {names}", names=", ".join(missing))
+        if missing
+        else ", ".join(found),
+        remedy=Message("./run sets them up in .venv"),
     )
 
 
@@ -250,7 +268,11 @@ def how_to_get_cameras() -> str:
     """What reads the motion of cameras beyond GoPro, as a remedy."""
     if sys.version_info[:2] > NEWEST_FOR_CAMERAS:
         newest = "{}.{}".format(*NEWEST_FOR_CAMERAS)
-        return f"{CAMERAS} exists for Python up to {newest} only"
+        return Message(
+            "{package} exists for Python up to {newest} only",
+            package=CAMERAS,
+            newest=newest,
+        )
     return _pip_install(CAMERAS)
 
 
@@ -289,12 +311,20 @@ def _check_display() -> MachineCheck:
         tried.append((f"Wayland {wayland}", ok))
     if x11:
         tried.append((f"X11 {x11}", x_server_answers(x11)))
-    words = [f"{name} {'answers' if ok else 'is silent'}" for name, ok in tried]
+    words = [
+        Message("{server} answers", server=name)
+        if ok
+        else Message("{server} is silent", server=name)
+        for name, ok in tried
+    ]
     return MachineCheck(
-        "display",
+        Message("display"),
         any(ok for _, ok in tried),
-        detail=", ".join(words) or "neither DISPLAY nor WAYLAND_DISPLAY is set",
-        remedy="start from a desktop session; --headless plays without a window",
+        detail=joined(", ", words)
+        or Message("neither DISPLAY nor WAYLAND_DISPLAY is set"),
+        remedy=Message(
+            "start from a desktop session; --headless plays without a window"
+        ),
     )
 
 
@@ -306,15 +336,17 @@ def _check_sound() -> MachineCheck:
         path = _runtime_directory() / "pulse" / "native"
     ways = []
     if _answers(socket.AF_UNIX, str(path)):
-        ways.append("a PulseAudio or PipeWire server answers")
+        ways.append(Message("a PulseAudio or PipeWire server answers"))
     cards = SOUND_CARDS.read_text() if SOUND_CARDS.is_file() else ""
     if re.search(r"^\s*\d+ \[", cards, re.MULTILINE):
-        ways.append("there is a sound card")
+        ways.append(Message("there is a sound card"))
     return MachineCheck(
-        "sound",
+        Message("sound"),
         bool(ways),
-        detail=", ".join(ways) or "neither a sound server nor a sound card",
-        remedy="clips play silently, led by the system clock, until there is one",
+        detail=joined(", ", ways) or Message("neither a sound server nor a sound card"),
+        remedy=Message(
+            "clips play silently, led by the system clock, until there is one"
+        ),
     )
 
 
@@ -344,38 +376,51 @@ def _limits() -> str:
 def _check_scheduling() -> MachineCheck:
     kernel = tuple(map(int, re.findall(r"\d+", platform.release())[:2]))
     if not hasattr(os, "sched_setscheduler"):
-        ok, detail = False, "normal: this system grants nothing else"
+        ok, detail = False, Message("normal: this system grants nothing else")
     elif may_use_fifo():
-        ok, detail = True, f"fifo: priority {LOOP_PRIORITY} is granted ({_limits()})"
+        ok, detail = True, Message("fifo: priority {n} is granted", n=LOOP_PRIORITY)
     elif kernel >= OLDEST_SLICE_KERNEL:
-        ok, detail = True, f"slice: short slices, as fifo is not allowed ({_limits()})"
+        ok, detail = True, Message("slice: short slices, as fifo is not allowed")
     else:
-        ok, detail = False, f"normal: neither fifo nor short slices ({_limits()})"
+        ok, detail = False, Message("normal: neither fifo nor short slices")
+    if hasattr(os, "sched_setscheduler"):
+        detail = Message("{what} ({limits})", what=detail, limits=_limits())
     return MachineCheck(
-        "scheduling",
+        Message("scheduling"),
         ok,
         detail=detail,
-        remedy=f"allow rtprio {LOOP_PRIORITY} and memlock in /etc/security/limits.d",
+        remedy=Message(
+            "allow rtprio {n} and memlock in /etc/security/limits.d", n=LOOP_PRIORITY
+        ),
     )
 
 
 def _check_wakefulness() -> MachineCheck:
     if not CPU_LATENCY.exists():
-        ok, detail = False, "this system takes no request to keep them awake"
+        ok, detail = False, Message("this system takes no request to keep them awake")
     elif os.access(CPU_LATENCY, os.W_OK):
-        ok, detail = True, "kept out of deep sleep while a force may be on"
+        ok, detail = True, Message("kept out of deep sleep while a force may be on")
     else:
-        ok, detail = False, "may sleep deeply: the loop wakes up some 20 us later"
+        ok, detail = (
+            False,
+            Message("may sleep deeply: the loop wakes up some 20 us later"),
+        )
     return MachineCheck(
-        "processors",
+        Message("processors"),
         ok,
         detail=detail,
-        remedy="copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d",
+        remedy=Message(
+            "copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d"
+        ),
     )
 
 
 def _check_falcon() -> MachineCheck:
-    ok, detail, remedy = False, "none on USB", "the simulated device stands in"
+    ok = False
+    detail, remedy = (
+        Message("none on USB"),
+        Message("the simulated device stands in"),
+    )
     for device in USB_DEVICES.glob("*"):
         try:
             usb_id = tuple(
@@ -388,8 +433,9 @@ def _check_falcon() -> MachineCheck:
         if usb_id == FALCON_USB_ID:
             node = Path("/dev/bus/usb/{:03}/{:03}".format(*place))
             ok = os.access(node, os.R_OK | os.W_OK)
-            detail = f"{node}" if ok else f"{node}, but this user may not open it"
-            remedy = "install the udev rule of packaging/ and plug it in again"
+            held = Message("{node}, but this user may not open it", node=node)
+            detail = Message(str(node)) if ok else held
+            remedy = Message("install the udev rule of packaging/ and plug it in again")
     return MachineCheck("Falcon", ok, detail=detail, remedy=remedy)
 
 

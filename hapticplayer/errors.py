@@ -4,12 +4,17 @@ Every message says what is wrong, where, and what to do, in one sentence; the
 command line prints it on stderr, the window shows it in the person's language.
 """
 
+from __future__ import annotations
+
 import numbers
 import re
 import shlex
 import string
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any, Self, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:  # the doctor runs on older Pythons, which lack it
+    from typing import Self
 
 T = TypeVar("T")
 _SPEC = re.compile(r"[+,]{0,2}0?\d?(\.\d)?[%a-zA-Z]?")  # of a number, and not long

@@ -24,15 +24,17 @@ from app.bridge.languages import without_options
 from app.editor.commands import EDITOR_COMMANDS
 from app.player.command import CONTEXT as COMMANDS_CONTEXT
 from app.player.commands import COMMANDS
+from hapticplayer.doctor import RUN_GROUPS, read_apt_list
 
 ROOT = Path(__file__).resolve().parents[1]
 LANGUAGES = ("de", "fr")
 CONTEXT = "engine"
-ONLY_ON_A_TERMINAL = ("cli/", "doctor.py")
+ONLY_ON_A_TERMINAL = ("cli/",)
 VALUES = (  # that become messages, or parts of them, only when the program runs
     *("relaxed", "normal", "firm", "simulated camera"),
     *("fifo", "slice", "starting", "gone"),
     *("complete", "ended", "failed", "ready", "stopped"),
+    *("ok", "MISSING", "without"),
 )
 FROM_SYSTEM = (
     *("ENOENT", "EACCES", "EPERM", "ENOSPC", "EROFS", "EIO", "EISDIR", "ENOTDIR"),
@@ -81,6 +83,7 @@ def templates() -> list[str]:
             found.update(map(without_options, templates))
     for path in (ROOT / "app").rglob("*.py"):
         found.update(templates_in(path.read_text(encoding="utf-8")))
+    found.update(one.purpose for one in read_apt_list() if one.group in RUN_GROUPS)
     return sorted(found - {""})  # a notice that says nothing yet
 
 

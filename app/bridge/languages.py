@@ -2,6 +2,8 @@
 
 import re
 from pathlib import Path
+from string import Formatter
+from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
@@ -65,7 +67,21 @@ def translated(message: str) -> str:
         name: translated(value) if isinstance(value, Message) else value
         for name, value in message.values.items()
     }
-    return text.format(**values) if values else text
+    return _NUMBERS.vformat(text, (), values) if values else text
+
+
+class _Numbers(Formatter):
+    """Writes numbers with the language's decimal sign; names stay as they are."""
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        text = str(super().format_field(value, format_spec))
+        if isinstance(value, float):
+            text = text.replace(".", QLocale().decimalPoint())
+            return re.sub(r"^-(?=\d)", "\u2212", text)
+        return text
+
+
+_NUMBERS = _Numbers()
 
 
 def _looked_up(text: str) -> str:

@@ -174,8 +174,8 @@ def sync(stats: SyncStats | None) -> Reading:
         level = Level.GOOD if abs(stats.p50_ms) <= SYNC_GOOD_MS else Level.WATCH
         text = translate("Health", "{p50:+.1f}, {p95:+.1f} ms")
     p50_ms, p95_ms = (round(ms, 1) + 0.0 for ms in (stats.p50_ms, stats.p95_ms))
-    text = local(text.format(p50=p50_ms, p95=p95_ms))  # there is no -0.0
-    return Reading(level, text.replace("-", "\u2212"))
+    # there is no -0.0
+    return Reading(level, local(text.format(p50=p50_ms, p95=p95_ms)))
 
 
 def frames(snapshot: Snapshot, before: Frames = NONE_YET) -> Reading:

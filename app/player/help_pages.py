@@ -9,6 +9,7 @@ from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QDialog, QFileDialog, QPlainTextEdit, QWidget
 
 from app.bridge.jobs import POLL_MS, Job
+from app.bridge.languages import translated
 from app.player.problem_report import check_text, save, shown
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -23,7 +24,7 @@ from app.widgets.layout import (
     row_of,
 )
 from app.widgets.messages import StatusLine
-from hapticplayer.errors import HapticPlayerError, Progress
+from hapticplayer.errors import HapticPlayerError
 
 WIDTH_PX, HEIGHT_PX = 720, 560
 _NOTES_PX = 80
@@ -51,15 +52,20 @@ class CheckPage(QDialog):
         row = row_of(STRETCH, self.copy, close)
         fill_page(self, head, (self.text, 1), row)
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
-        self._look = Checks(self, self.text.setPlainText)
+        self._look = Checks(self, self.text.setPlainText, translated)
 
 
 class Checks:
     """Runs the checks in a thread and hands the text over; a socket may take a second."""
 
-    def __init__(self, parent: QWidget, take: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        parent: QWidget,
+        take: Callable[[str], None],
+        say: Callable[[str], str] = str,
+    ) -> None:
         self._take = take
-        self._job = Job("check", _checked)
+        self._job = Job("check", lambda _progress: check_text(say))
         self._timer = QTimer(parent)
         self._timer.setInterval(POLL_MS)
         self._timer.timeout.connect(self._poll)
@@ -70,10 +76,6 @@ class Checks:
         if self._job.is_done:
             self._timer.stop()
             self._take(self._job.result or str(self._job.problem))
-
-
-def _checked(_progress: Progress) -> str:
-    return check_text()
 
 
 class ReportPage(QDialog):

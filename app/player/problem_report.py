@@ -7,7 +7,7 @@ import re
 import socket
 import traceback
 import zipfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 import PySide6
@@ -28,14 +28,14 @@ _NAMED = frozenset({"Device", "Feedback"})
 """Figures with names that people have chosen."""
 
 
-def check_text() -> str:
-    """The doctor's table."""
+def check_text(say: Callable[[str], str] = str) -> str:
+    """The doctor's table; `say` may translate, a report stays English."""
     lines = []
     for one in doctor.check():
         mark = "ok" if one.ok else "MISSING" if one.required else "without"
-        lines.append(f"{mark:8}{one.name}: {one.detail}")
+        lines.append(f"{say(Message(mark)):8} {say(one.name)}: {say(one.detail)}")
         if one.remedy and not one.ok:
-            lines.append(f"        {one.remedy}")
+            lines.append(f"{'':8} {say(one.remedy)}")
     return "\n".join(lines)
 
 

@@ -124,7 +124,7 @@ class SyncPlot(QWidget):
             painter.setPen(QColor(theme.ZERO if mark_ms == 0.0 else theme.GRID))
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
             painter.setPen(QColor(theme.DIM))
-            text = f"{mark_ms:+.0f} ms".replace("-", "\u2212").replace("+0", "0")
+            text = local(f"{mark_ms:+.0f} ms").replace("+0", "0")
             box = QRectF(0, y - high_px / 2, area.left() - _EDGE_PX, high_px)
             painter.drawText(box, Qt.AlignmentFlag.AlignRight, text)
 
@@ -158,7 +158,7 @@ def _figures(trace: Trace) -> str:
     if not len(trace.later_ms):
         return "\u2013"
     p50, p95 = np.percentile(trace.later_ms, [50.0, 95.0])
-    return local(f"p50 {p50:+.1f}, p95 {p95:+.1f} ms").replace("-", "\u2212")
+    return local(f"p50 {p50:+.1f}, p95 {p95:+.1f} ms")
 
 
 def _colours() -> tuple[str, str]:

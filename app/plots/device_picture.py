@@ -28,6 +28,7 @@ from app.plots.rig_view import RigView, floor_painter
 from app.widgets import theme
 from app.widgets.layout import read_in_order
 from app.widgets.level_meter import LEAST_DB
+from app.widgets.texts import local
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.model.device import ChannelLevel, DeviceCapabilities, Signal
 from hapticplayer.model.rig import RigMotion
@@ -259,7 +260,7 @@ def _bar_of(level: ChannelLevel) -> Bar:
 
 
 def _percent(share: float) -> str:
-    return f"{100 * share:.0f}\u00a0%".replace("-", "\u2212")
+    return local(f"{100 * share:.0f}\u00a0%")
 
 
 def _paint_groove(painter: QPainter, groove: QRectF) -> None:

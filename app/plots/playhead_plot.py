@@ -255,7 +255,7 @@ def clock_text(media_s: float) -> str:
     hours, minutes = divmod(minutes, 60)
     rest = f".{tenths % 10}" if tenths % 10 else ""
     clock = f"{minutes:02}" if hours else f"{minutes}"
-    whole = f"{clock}:{tenths // 10:02}{rest}"
+    whole = local(f"{clock}:{tenths // 10:02}{rest}")
     return f"{hours}:{whole}" if hours else whole
 
 

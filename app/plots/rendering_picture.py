@@ -173,7 +173,7 @@ class RenderingPicture(QWidget):
             painter.setPen(QColor(theme.ZERO if mark == 0.0 else theme.GRID))
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
             painter.setPen(QColor(theme.DIM))
-            text = local(f"{mark:.3g}").replace("-", "\u2212")
+            text = local(f"{mark:.3g}")
             box = QRectF(
                 0, y - metrics.height() / 2, area.left() - _EDGE_PX, metrics.height()
             )

@@ -17,6 +17,7 @@ from app.plots.rig_platform import (
     platform_m,
 )
 from app.widgets import theme
+from app.widgets.texts import local
 from hapticplayer.model.arrays import Floats
 
 translate = QCoreApplication.translate
@@ -57,12 +58,13 @@ class RigView(QWidget):
         """The pose in figures."""
         _, _, up_m, *turns_rad = self.pose
         figures = (1e3 * up_m, *map(math.degrees, turns_rad))
-        up, roll, pitch, yaw = (
-            f"{v + 0.0:.0f}".replace("-", "\u2212") for v in figures
+        up, roll, pitch, yaw = (f"{value + 0.0:.0f}" for value in figures)
+        said = local(
+            translate(
+                "DevicePicture",
+                "up {up} mm; roll {roll}, pitch {pitch}, yaw {yaw} degrees",
+            ).format(up=up, roll=roll, pitch=pitch, yaw=yaw)
         )
-        said = translate(
-            "DevicePicture", "up {up} mm; roll {roll}, pitch {pitch}, yaw {yaw} degrees"
-        ).format(up=up, roll=roll, pitch=pitch, yaw=yaw)
         end = translate("DevicePicture", "at the end of its reach")
         return f"{said}; {end}" if self.is_clamped else said
 

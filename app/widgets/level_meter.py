@@ -121,5 +121,5 @@ def _level_text(level: ChannelLevel, step_db: float) -> str:
         text = translate("LevelMeter", "channel {channel} {db} dB, limited")
     else:
         text = translate("LevelMeter", "channel {channel} {db} dB")
-    db = f"{step_db * round(level.peak_db / step_db) + 0.0:.0f}".replace("-", "\u2212")
+    db = f"{step_db * round(level.peak_db / step_db) + 0.0:.0f}"
     return text.format(channel=level.channel, db=local(db))

@@ -46,14 +46,15 @@ def breakable(text: str) -> str:
 
 
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
+_MINUS = re.compile(r"(?<![\w.,:-])-(?=\d)")
 
 
 def local(text: str) -> str:
-    """Return a text with its decimal points as the language has them: 0.5 or 0,5.
+    """Return a text with its numbers as people read them: 0.5 or 0,5, and \u22120.5.
 
-    Not for times of a clip, which are written alike everywhere, nor for names.
+    Not for names, nor for what a file or another program reads.
     """
-    return _POINT.sub(QLocale().decimalPoint(), text)
+    return _MINUS.sub("\u2212", _POINT.sub(QLocale().decimalPoint(), text))
 
 
 def date_text(moment_utc: str) -> str:
@@ -87,5 +88,5 @@ def time_text(media_s: float, *, with_hours: bool = False, digits: int = 1) -> s
     minutes, count = divmod(count, 60 * parts)
     seconds = f"{count // parts:02}.{count % parts:0{digits}}"
     if not with_hours:
-        return f"{minutes:02}:{seconds}"
-    return f"{minutes // 60}:{minutes % 60:02}:{seconds}"
+        return local(f"{minutes:02}:{seconds}")
+    return local(f"{minutes // 60}:{minutes % 60:02}:{seconds}")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QUrl
 
+from app.player import help_pages
 from app.player.guide import GuideWindow, documents, read_guide, slug
 from app.player.help_pages import CheckPage, ReportPage
 from app.player.problem_report import without_names, without_texts
@@ -89,6 +90,20 @@ def test_the_system_check_names_what_it_has_looked_at(window, wait_for):
     page = window.findChild(CheckPage)
     wait_for(lambda: "Python" in page.text.toPlainText())
     assert "ok" in page.text.toPlainText()
+    page.close()
+
+
+def test_each_text_of_the_system_check_can_be_translated(monkeypatch, window, wait_for):
+    def say(text):
+        return f"<{text.template}>" if isinstance(text, Message) else text
+
+    monkeypatch.setattr(help_pages, "translated", say)
+    window.commands.system_check.trigger()
+    page = window.findChild(CheckPage)
+    wait_for(lambda: "Python" in page.text.toPlainText())
+    said = page.text.toPlainText()
+    for text in ("ok", "sound", "scheduling", "processors", "{what} ({proof})"):
+        assert f"<{text}>" in said
     page.close()
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from hapticplayer import doctor
+from hapticplayer import doctor, errors
 
 RUN_PACKAGES = [
     package for package in doctor.read_apt_list() if package.group in doctor.RUN_GROUPS
@@ -170,16 +170,21 @@ def test_the_file_runs_alone_on_a_bare_python(tmp_path) -> None:
     assert result.stderr == ""
 
 
-def test_the_file_needs_only_the_standard_library() -> None:
-    source = Path(doctor.__file__).read_text(encoding="utf-8")
+@pytest.mark.parametrize("module", [doctor, errors])
+def test_the_doctor_needs_only_the_standard_library(module) -> None:
+    source = Path(module.__file__).read_text(encoding="utf-8")
     imported = set()
     for node in ast.walk(ast.parse(source, feature_version=(3, 9))):
         if isinstance(node, ast.Import):
             imported |= {each.name.partition(".")[0] for each in node.names}
         elif isinstance(node, ast.ImportFrom):
-            imported.add(node.module.partition(".")[0])
+            imported.add(node.module)
 
-    assert imported <= sys.stdlib_module_names
+    assert imported - {
+        "hapticplayer.errors",
+        "collections.abc",
+        "importlib.machinery",
+    } <= (sys.stdlib_module_names)
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ from app.plots.rendering_picture import RenderingPicture
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.layout import captioned, column_of, paragraph, row_of
+from app.widgets.texts import local
 from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.model import ranges
 from hapticplayer.rendering import FEEDBACKS, ChosenFeedback, condition_named
@@ -201,7 +202,7 @@ def _name_of(entry: Any) -> str:
 
 def _level_words(level: Mapping[str, float]) -> str:
     delay_ms, gain = 1e3 * level.get("delay_s", 0.0), level.get("gain", 1.0)
-    return f"{delay_ms:+.0f} ms, \u00d7 {gain:g}".replace("-", "\u2212")
+    return local(f"{delay_ms:+.0f} ms, \u00d7 {gain:g}")
 
 
 class ConditionPreview(QWidget):

@@ -16,6 +16,7 @@ from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog
 from app.widgets.layout import column_of, paragraph
 from app.widgets.tables import plain_table
+from app.widgets.texts import local
 from hapticplayer import storage
 from hapticplayer.errors import HapticPlayerError, InputError, message_of
 from hapticplayer.structures import convert
@@ -188,5 +189,5 @@ class OrderPage(QWidget):
 def _trial_words(trial: Condition, titles: Mapping[str, str]) -> str:
     parts = [titles.get(trial.sequence) or trial.sequence, trial.feedback]
     if (trial.delay_s, trial.gain) != (0.0, 1.0):
-        parts.append(f"{1e3 * trial.delay_s:+.0f} ms \u00d7{trial.gain:g}")
+        parts.append(local(f"{1e3 * trial.delay_s:+.0f} ms \u00d7{trial.gain:g}"))
     return ", ".join(parts)
