@@ -311,6 +311,8 @@ def _frames_text(found: Mapping[str, Any]) -> list[str]:
             f"± {1e3 * second['offset_sigma_s']:.1f} ms, "
             f"confidence {second['confidence']:.2f}"
         )
+    if found.get("seen"):
+        lines.append(f"  {found['seen']}")
     return lines
 
 

@@ -39,6 +39,7 @@ _EXTRA = Message(
     "with hapticplayer[vision] installed, the frames are compared with the gyro exactly, "
     "and those of H.265 too"
 )
+_PACED = Message("frames cannot be compared with the gyroscope at another speed")
 _NEXT_BEST = 3
 _SAME_S = 0.0005  # half a step of the window
 
@@ -106,6 +107,8 @@ def notes_on_sync(recording: Recording, found: Synchronisation) -> tuple[str, ..
     notes, before, after = recording.notes, recording.lag, found.lag
     if before is not None and after is not None:
         notes = tuple(after.text if n == before.text else n for n in notes)
+    if found.is_seen_otherwise:
+        notes = (*notes, found.seen)
     return (*notes, *coarse_notes()) if found.is_coarse else notes
 
 
@@ -182,8 +185,7 @@ def find_sync(
         recording.placing.others if recording.placing else (),
     )
     found = _at(sync_method(choices.method).function()(inputs), middle_s)
-    if seen:
-        frame_function("ask-about-reading")(recording, seen[-1], found)
+    found = _compared(clip, recording, choices, found, seen, progress)
     if choices.refuses_idle_skew and not heard:
         raise UsageError(
             "{clip}: the skew of the sound would have no effect, because the offset "
@@ -192,6 +194,29 @@ def find_sync(
             method=found.method,
         )
     return found
+
+
+def _compared(
+    clip: ClipInfo,
+    recording: Recording,
+    choices: SyncChoices,
+    found: Synchronisation,
+    seen: list[FrameRotation],
+    progress: Progress,
+) -> Synchronisation:
+    """The result, with what frames tell of the gyroscope; a few where none were followed."""
+    frames = seen[-1] if seen else None
+    if frames is None:
+        is_followed = choices.method in {AUTO, "frames"} and found.is_measured
+        if is_followed or not found.is_confident:
+            return found
+        if choices.slowed not in {None, 1.0} or not is_exact():
+            why = _PACED if is_exact() else _EXTRA
+            return dataclasses.replace(found, seen=why)
+    compare = frame_function("compare")
+    result = compare(clip, recording, found, progress, frames=frames)
+    assert isinstance(result, Synchronisation)
+    return result
 
 
 def _given(clip: ClipInfo, choices: SyncChoices, middle_s: float) -> ClockMap | None:

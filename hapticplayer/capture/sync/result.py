@@ -190,6 +190,8 @@ class Synchronisation:
         contradiction: why the recording's own clock was not believed by itself.
         others: places by other sources, where that remains undecided.
         middle_s: of the clip, at which the printed offset holds.
+        seen: what the frames tell of the gyro's axes and unit.
+        is_seen_otherwise: whether that speaks against the offset or the log.
     """
 
     clock_map: ClockMap
@@ -210,6 +212,8 @@ class Synchronisation:
     contradiction: Message | str = ""
     others: tuple[OtherPlace, ...] = ()
     middle_s: float = 0.0
+    seen: Message | str = ""
+    is_seen_otherwise: bool = False
 
     @property
     def offset_s(self) -> float:
@@ -262,6 +266,7 @@ class Synchronisation:
             "second": self.second.described() if self.second else None,
             "lag": self.lag.described() if self.lag else None,
             "contradiction": str(self.contradiction) or None,
+            "seen": str(self.seen) or None,
             "pats": [
                 {
                     "heard_s": round(pat.heard_s, 4),

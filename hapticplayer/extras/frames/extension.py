@@ -17,7 +17,7 @@ _FUNCTIONS = {
     "lag": "own_clock:with_lag_by_frames",
     "own-clock": "own_clock:clock_by_rotation",
     "turn-rates": "turn_rate:turn_rates",
-    "ask-about-reading": "reading:ask_about_reading",
+    "compare": "reading:compared",
     "suggest": "suggesting:suggested",
 }
 

@@ -5,6 +5,7 @@ images. Gravity tells which of them a log has that is read rightly.
 """
 
 import dataclasses
+import itertools
 import math
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -33,9 +34,15 @@ from hapticplayer.capture.mounting import (
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.source import name_of
 from hapticplayer.capture.sync.result import Synchronisation
-from hapticplayer.errors import InputError, Message, UsageError
+from hapticplayer.errors import InputError, Message, Progress, UsageError
+from hapticplayer.extras.frames.rotation import rotation
 from hapticplayer.extras.frames.rotation_match import Gyro, Watched, fit_at
-from hapticplayer.extras.frames.synchronizing import synchronize_frames, usable
+from hapticplayer.extras.frames.synchronizing import (
+    refuse_without_gyro,
+    synchronize_frames,
+    usable,
+)
+from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import ClockMap, ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import UPRIGHT
@@ -47,6 +54,20 @@ _CLEARLY_WORSE, _NEARLY_BEST = 1.5, 1.2
 _MOST_ANSWERS = 3
 _ACCEL, _RATE = "accel-axes", "rate-axes"
 _TURNS_RADPS, _UNRELATED = 0.05, 0.5
+_PART_S, _PARTS = 5.0, 3
+_FEWEST_SAMPLES = 100
+_MOST_OFF_S, _SAME_S = 1.0, 0.05  # of an offset that is known or given
+_SURELY_WORSE = 2.0  # in few frames, and of a camera's own gyro
+
+_AGREES = Message("the camera in the frames turns as the gyroscope does")
+_CALM = Message(
+    "the gyroscope's axes were not compared with the frames: the camera hardly turns"
+)
+_AT_SCALE = "the camera in the frames turns as the gyroscope would at {scale:.3g} times its rate"
+_OTHERWISE = Message(
+    "the camera in the frames does not turn as the gyroscope does, in any axes: a "
+    "stabilised video, another offset, or the log of another clip"
+)
 
 
 class AxesFit(NamedTuple):
@@ -56,38 +77,151 @@ class AxesFit(NamedTuple):
     unexplained: float
 
 
-def ask_about_reading(
+def compared(
+    clip: ClipInfo,
+    recording: Recording,
+    found: Synchronisation,
+    progress: Progress,
+    *,
+    frames: FrameRotation | None = None,
+) -> Synchronisation:
+    """The result, with what the frames tell of the gyro's axes and unit.
+
+    Args:
+        clip: the video.
+        recording: as it was read.
+        found: how both were synchronised.
+        progress: see `watching.watched`.
+        frames: of the clip; None where the offset is known, given, or that of a method
+            that was chosen, so that it is not questioned, and few frames are enough.
+
+    Raises:
+        LogQuestion: where other axes or units fit clearly better, with those that do.
+        InputError: when the unit is wrong that the log states.
+        UsageError: when the camera turns clearly, but not as the gyro in any axes.
+    """
+    is_settled = frames is None or found.method == "embedded"
+    try:
+        if frames is None:
+            frames = look_where_it_turns(clip, recording, found, progress)
+        usable(recording.imu, frames)
+    except InputError as why:  # no gyro, or frames that tell too little
+        return dataclasses.replace(found, seen=why.what)
+    if is_settled:
+        return _seen_at(recording, frames, found)
+    scales = _SCALES[:1] if _is_unit_kept(recording) else _SCALES
+    scale, clock = _scale_and_clock(recording.imu, frames, found, scales)
+    if clock is None:
+        if not _is_unit_kept(recording):
+            _refuse_unrelated(recording, frames, found)
+        return dataclasses.replace(found, seen=_unlike(frames))
+    _ask_about_reading(recording, frames, clock, scale, _CLEARLY_WORSE)
+    return dataclasses.replace(found, seen=_AGREES)
+
+
+def look_where_it_turns(
+    clip: ClipInfo, recording: Recording, found: Synchronisation, progress: Progress
+) -> FrameRotation:
+    """Follow the parts of a clip in which its gyro rotates most about two axes."""
+    refuse_without_gyro(recording.imu)
+    imu, clock = recording.imu, found.clock_map
+    count = max(1, int(clip.duration_s / _PART_S))
+    edges_s = np.linspace(0.0, clip.duration_s, count + 1)
+    rows = np.searchsorted(imu.time_s, (edges_s - clock.offset_s) / clock.rate)
+    turns = []
+    for part, (begin, end) in enumerate(itertools.pairwise(rows)):
+        rate = imu.angular_rate_radps[begin:end]
+        second = np.linalg.eigvalsh(np.cov(rate.T))[1] if len(rate) > 1 else 0.0
+        turns.append((float(second), part))
+    parts = sorted(part for _, part in sorted(turns)[-_PARTS:])
+    spans_s = [(float(edges_s[part]), float(edges_s[part + 1])) for part in parts]
+    return rotation(clip.path, spans_s=spans_s, progress=progress)
+
+
+def _seen_at(
     recording: Recording, frames: FrameRotation, found: Synchronisation
+) -> Synchronisation:
+    """What frames tell where the offset is not in question."""
+    is_own = found.method == "embedded"
+    near = _around(recording.imu, found.clock_map, frames)
+    is_unit_sure = is_own and "rate_unit" not in recording.provenance
+    is_axes_only = is_unit_sure or _is_unit_kept(recording) or _unlike(frames) is _CALM
+    scales = _SCALES[:1] if is_axes_only else _SCALES
+    scale, clock = _scale_and_clock(near, frames, found, scales, is_settled=True)
+    if clock is not None and _apart_s(clock, found) < _MOST_OFF_S:
+        if scale != 1.0 and "rate_unit" not in recording.provenance:
+            return _seen_otherwise(found, Message(_AT_SCALE, scale=scale))
+        _ask_about_reading(recording, frames, clock, scale, _SURELY_WORSE)
+        if is_own or _apart_s(clock, found) < _SAME_S:
+            return dataclasses.replace(found, seen=_AGREES)
+        return _seen_otherwise(found, _at_offset(clock, found))
+    seen = _unlike(frames)
+    if is_own or seen is _CALM:
+        return dataclasses.replace(found, seen=seen)
+    elsewhere = synchronize_frames(recording.imu, frames)
+    if elsewhere.is_confident:
+        seen = _at_offset(elsewhere.clock_map, found)
+    return _seen_otherwise(found, seen)
+
+
+def _apart_s(clock: ClockMap, found: Synchronisation) -> float:
+    return abs(clock.offset_at(found.middle_s) - found.offset_s)
+
+
+def _at_offset(clock: ClockMap, found: Synchronisation) -> Message:
+    return Message(
+        "the frames show an offset of {offset_s:.3f} s (--offset {offset_s:.3f})",
+        offset_s=clock.offset_at(found.middle_s),
+    )
+
+
+def _seen_otherwise(found: Synchronisation, seen: Message) -> Synchronisation:
+    return dataclasses.replace(found, seen=seen, is_seen_otherwise=True)
+
+
+def _unlike(frames: FrameRotation) -> Message:
+    """Why no axes fit."""
+    return _CALM if _turn_rate_radps(frames) < _TURNS_RADPS else _OTHERWISE
+
+
+def _around(imu: ImuLog, clock: ClockMap, frames: FrameRotation) -> ImuLog:
+    """The samples around the frames that were followed."""
+    media_s = clock.rate * imu.time_s + clock.offset_s
+    ended = frames.end_s.searchsorted(media_s - _MOST_OFF_S)
+    near = frames.begin_s.searchsorted(media_s + _MOST_OFF_S) > ended
+    if near.all() or np.count_nonzero(near) < _FEWEST_SAMPLES:
+        return imu
+    parts = (imu.time_s, imu.specific_force_mps2, imu.angular_rate_radps)
+    time_s, force, rate = (values[near] for values in parts)
+    return ImuLog(time_s, force, rate, sampling=imu.sampling, source=imu.source)
+
+
+def _is_unit_kept(recording: Recording) -> bool:
+    answers = recording.provenance.get("answers", {})
+    return is_factor(answers.get("rate-unit", ""), RATE_UNITS)
+
+
+def _ask_about_reading(
+    recording: Recording,
+    frames: FrameRotation,
+    clock: ClockMap,
+    scale: float,
+    worse: float,
 ) -> None:
-    """Ask for axes or unit of the gyro where the frames fit others clearly better.
+    """Ask for axes and unit of the gyro with which it rotates as the frames.
 
     Args:
         recording: as it was read.
         frames: of its clip.
-        found: how both were synchronised.
-
-    Raises:
-        LogQuestion: with the answers that fit.
-        InputError: when the unit is wrong that the log states.
-        UsageError: when the camera turns clearly, but not as the gyro in any axes.
+        clock: with which both agree.
+        scale: of the rates with which they do.
+        worse: how much more rotation the usual axes must leave unexplained.
     """
-    imu, answers = recording.imu, recording.provenance.get("answers", {})
-    try:
-        usable(imu, frames)
-    except InputError:  # no gyro, or frames that tell too little
-        return
-    if found.method == "embedded":
-        return
-    is_unit_kept = is_factor(answers.get("rate-unit", ""), RATE_UNITS)
-    scales = _SCALES[:1] if is_unit_kept else _SCALES
-    scale, clock = _scale_and_clock(imu, frames, found, scales)
-    if clock is None:
-        if not is_unit_kept:
-            _refuse_unrelated(recording, frames, found)
-        return
+    answers = recording.provenance.get("answers", {})
     fits: list[Message] = []
     if answers.get(_RATE) != AS_RECORDED:
-        axes = _contradicting(_scaled(imu, scale), frames, clock)
+        imu = _scaled(recording.imu, scale)
+        axes = _contradicting(imu, frames, clock, worse)
         fits = _axes_answers(recording, axes) if axes else []
     if scale != 1.0:
         fits = _unit_answers(recording, scale, fits)
@@ -97,7 +231,7 @@ def ask_about_reading(
                 "its gyroscope does not turn as the camera in the frames of the clip"
             ),
             fits,
-            imu.source,
+            recording.imu.source,
         )
 
 
@@ -105,7 +239,7 @@ def _refuse_unrelated(
     recording: Recording, frames: FrameRotation, found: Synchronisation
 ) -> None:
     """Ask where taps fit, but the frames turn clearly and otherwise than the gyro."""
-    if not found.is_confident or _turn_rate_radps(frames) < _TURNS_RADPS:
+    if not found.is_confident or _unlike(frames) is _CALM:
         return
     best = axes_fits(recording.imu, frames, found.clock_map)[0]
     if best.unexplained < _UNRELATED:
@@ -113,8 +247,10 @@ def _refuse_unrelated(
     raise UsageError(
         "{log}: the taps fit, but the gyro explains only {explained:.0%} of the camera's "
         "rotation in the frames, in any axes: is it the log of this clip, and the video "
-        "not stabilised? To take the taps alone, say so (--sync pats)",
+        "not stabilised? To take the taps alone, say so (--sync pats), or give their "
+        "offset (--offset {offset_s:.3f})",
         log=name_of(recording.imu.source),
+        offset_s=found.clock_map.offset_at(found.middle_s),
         explained=max(0.0, 1.0 - best.unexplained),
     )
 
@@ -134,6 +270,8 @@ def _scale_and_clock(
     frames: FrameRotation,
     found: Synchronisation,
     scales: Sequence[float],
+    *,
+    is_settled: bool = False,
 ) -> tuple[float, ClockMap | None]:
     """The factor of the rates with which frames and gyro agree, and when; or None."""
     by_frames = _of_frames(found)
@@ -141,9 +279,10 @@ def _scale_and_clock(
         return 1.0, by_frames.clock_map
     for scale in scales:
         for sign in (1.0, -1.0):
-            if scale == sign:  # as it is
+            if scale == sign and not is_settled:  # it was tried
                 continue
-            tried = synchronize_frames(_scaled(imu, sign * scale), frames)
+            log = _scaled(imu, sign * scale)
+            tried = synchronize_frames(log, frames, is_own=is_settled)
             if tried.is_confident:
                 return scale, tried.clock_map
     return 1.0, None
@@ -152,7 +291,7 @@ def _scale_and_clock(
 def _of_frames(found: Synchronisation) -> Synchronisation | None:
     """The result of the frames, where it can be believed."""
     for one in (found, found.second):
-        if one is not None and one.method == "frames" and one.is_confident:
+        if one is not None and one.frames is not None and one.is_confident:
             return one
     return None
 
@@ -174,12 +313,14 @@ def axes_fits(imu: ImuLog, frames: FrameRotation, clock: ClockMap) -> list[AxesF
     return sorted(fits, key=lambda fit: fit.unexplained)
 
 
-def _contradicting(imu: ImuLog, frames: FrameRotation, clock: ClockMap) -> list[Floats]:
+def _contradicting(
+    imu: ImuLog, frames: FrameRotation, clock: ClockMap, worse: float
+) -> list[Floats]:
     """Axes that fit clearly better than any mounting that gravity allows, or none."""
     fits, up = axes_fits(imu, frames, clock), mean_up(imu)
     usual = [fit.unexplained for fit in fits if _is_mounting(fit.axes, up)]
     best = max(fits[0].unexplained, 1e-6)
-    if not usual or min(usual) < _CLEARLY_WORSE * best:
+    if not usual or min(usual) < worse * best:
         return []
     return [fit.axes for fit in fits if fit.unexplained < _NEARLY_BEST * best]
 
