@@ -51,7 +51,7 @@ def recorded_session(study, clock):
         }
         played = {} if begun_s is None else playback(begun_s)
         journal.append("trial", **named, is_valid=True, reasons=[], playback=played)
-        journal.append("answers", **named, values=RATINGS)
+        journal.append("answers", **named, page="rating", values=RATINGS)
     journal.close()
     return open_study(study.folder).session(made.code)
 

@@ -31,6 +31,7 @@ from hapticplayer.sequence import force_formats as forces
 from hapticplayer.sequence.events import event_detectors
 from hapticplayer.sequence.presets import PRESETS
 from hapticplayer.study.analysis.analysis import STATISTICS
+from hapticplayer.study.questions import ANSWER_KINDS
 from hapticplayer.study.study_export import study_exporters
 from tools.media_tried import rows as media_tried_rows
 from tools.performance_page import RESULTS, result
@@ -147,6 +148,17 @@ def statistics() -> str:
 def _short(reference: str) -> str:
     """Authors and year."""
     return reference[: reference.find(")") + 1] or reference
+
+
+def question_kinds() -> str:
+    """Kinds of questions of a study."""
+    return table(
+        "kind | answer | entries",
+        (
+            (_code(kind.value), str(row.name).lower(), _code(*row.uses))
+            for kind, row in ANSWER_KINDS.items()
+        ),
+    )
 
 
 def study_exports() -> str:
@@ -319,6 +331,7 @@ TABLES: dict[str, Callable[[], str]] = {
         events,
         presets,
         statistics,
+        question_kinds,
         study_exports,
         force_formats,
         format_costs,

@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from app.participant.fitted_page import FittedPage, paragraph
 from app.participant.questions import (
+    ROWS,
     QuestionRow,
     TextRow,
     digit_of,
     is_typing,
-    make_row,
 )
 from app.widgets.buttons import Button, set_role
 from app.widgets.layout import STRETCH, row_of
@@ -89,7 +89,6 @@ class QuestionsPage(FittedPage):
         self,
         page: Page,
         word: Word,
-        scale: tuple[str, str],
         draft: Mapping[str, Any],
     ) -> None:
         super().__init__()
@@ -101,7 +100,7 @@ class QuestionsPage(FittedPage):
             self.column.addWidget(self._replay_table(page))
         self.rows: list[QuestionRow] = []
         for asked in page.questions:
-            row = make_row(asked, word, scale)
+            row = ROWS[asked.kind](asked)
             if asked.name in draft:
                 row.set_value(draft[asked.name])
             number = len(self.rows)
@@ -159,8 +158,9 @@ class QuestionsPage(FittedPage):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         digit = digit_of(event)
-        if digit and self.rows and not is_typing(self.focusWidget()):
-            if self.rows[self._current].take_digit(digit):
+        if digit >= 0 and self.rows and not is_typing(self.focusWidget()):
+            row = self.rows[self._current]
+            if row.take_digit(digit) and row.goes_on:
                 self._to_next()
         elif event.key() == Qt.Key.Key_Down:
             self._step(1)
@@ -209,7 +209,7 @@ def make_page(
         has_felt: whether the demonstration may be passed over by Enter.
     """
     if page.kind is PageKind.QUESTIONS:
-        return QuestionsPage(page, maker.word, maker.scale(), draft)
+        return QuestionsPage(page, maker.word, draft)
     names = _BUTTONS.get(page.kind, ())
     if page.kind is PageKind.DEMONSTRATION and not has_felt:
         names = names[::-1]  # nothing is skipped by Enter

@@ -1,7 +1,7 @@
 """Questions for mouse, touch and keys: digits answer, Enter continues."""
 
 from abc import abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -9,7 +9,9 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
+    QGridLayout,
     QLabel,
+    QLayout,
     QPlainTextEdit,
     QSpinBox,
     QVBoxLayout,
@@ -17,22 +19,34 @@ from PySide6.QtWidgets import (
 )
 
 from app.participant.fitted_page import paragraph
+from app.participant.visual_scale import VisualScale
 from app.widgets import theme
 from app.widgets.buttons import Button
 from app.widgets.layout import STRETCH, indent, row_of
-from hapticplayer.study.definition import LIKERT, QuestionKind
+from hapticplayer.study.definition import QuestionKind
 from hapticplayer.study.pages import AskedQuestion
+from hapticplayer.study.questions import kind_of, range_of
 
-Word = Callable[[str], str]
 TEXT_LINES = 2
 _BESIDE_PX = 14  # between a scale and the labels at its ends
+_BESIDE_LETTERS = 16  # a longer label has its place below
+_ROW_LETTERS, _BUTTON_LETTERS = (
+    60,
+    5,
+)  # of a row of answers; of a button beside its text
+_OFF, _ON = "\u2610 ", "\u2611 "
 
 
 class QuestionRow(QFrame):
-    """One question with its answer; `entered` means that the keyboard is here now."""
+    """One question with its answer; `entered` means that the keyboard is here now.
+
+    Attributes:
+        goes_on: whether the next question comes after a digit.
+    """
 
     answered = Signal()
     entered = Signal()
+    goes_on = True
 
     def __init__(self, asked: AskedQuestion) -> None:
         super().__init__()
@@ -42,6 +56,10 @@ class QuestionRow(QFrame):
         column.setContentsMargins(12, 6, 12, 8)
         self.title = paragraph("")
         column.addWidget(self.title)
+        if asked.help:
+            line = paragraph(asked.help)
+            line.setStyleSheet(f"color: {theme.DIM};")
+            column.addWidget(line)
         self.show_missing("")
 
     @abstractmethod
@@ -82,29 +100,33 @@ class QuestionRow(QFrame):
 
 
 class ButtonsRow(QuestionRow):
-    """An answer out of a few (value, text), with labels before and after them."""
+    """An answer out of a few."""
 
-    def __init__(
-        self,
-        asked: AskedQuestion,
-        answers: list[tuple[Any, str]],
-        ends: tuple[str, str] = ("", ""),
-    ) -> None:
+    def __init__(self, asked: AskedQuestion) -> None:
         super().__init__(asked)
-        self._values = [value for value, _ in answers]
+        self._values = [value for value, _ in asked.options]
         self.group = QButtonGroup(self)
-        for number, (_, text) in enumerate(answers):
+        for number, (value, text) in enumerate(asked.options):
             button = _AnswerButton(text, self.entered.emit)
             button.setCheckable(True)
-            button.setAccessibleName(f"{asked.text} {text}")
+            label = asked.labels.get(value, "")
+            name = " ".join(filter(None, (asked.text, text, label)))
+            button.setAccessibleName(name)
             self.group.addButton(button, number)
-        self.group.idClicked.connect(lambda _number: self._on_clicked())
-        buttons = [(button, 1) for button in self.group.buttons()]
-        first = (QLabel(ends[0]), _BESIDE_PX) if ends[0] else ()
-        last = (_BESIDE_PX, QLabel(ends[1])) if ends[1] else ()
-        self.column.addLayout(row_of(*first, *buttons, *last))
+        self.group.idClicked.connect(self._on_clicked)
+        self.column.addLayout(self._laid_out())
 
-    def _on_clicked(self) -> None:
+    def _laid_out(self) -> QLayout:
+        """As many beside each other as there is room for."""
+        texts = [button.text() for button in self.group.buttons()]
+        letters = max(map(len, texts), default=0) + _BUTTON_LETTERS
+        columns = min(len(texts), max(1, _ROW_LETTERS // letters)) or 1
+        grid = QGridLayout()
+        for number, button in enumerate(self.group.buttons()):
+            grid.addWidget(button, number // columns, number % columns)
+        return grid
+
+    def _on_clicked(self, _number: int) -> None:
         self.show_missing("")
         self.answered.emit()
 
@@ -116,11 +138,16 @@ class ButtonsRow(QuestionRow):
         if value in self._values:
             self.group.button(self._values.index(value)).setChecked(True)
 
-    def take_digit(self, _digit: int) -> bool:
+    def _number_of(self, digit: int) -> int:
+        """Which answer a digit means: the first is 1."""
+        return digit - 1
+
+    def take_digit(self, digit: int) -> bool:
         """Press the button of this number."""
-        if _digit > len(self._values):
+        number = self._number_of(digit)
+        if not 0 <= number < len(self._values):
             return False
-        button = self.group.button(_digit - 1)
+        button = self.group.button(number)
         button.setFocus(Qt.FocusReason.ShortcutFocusReason)
         button.click()
         return True
@@ -130,6 +157,44 @@ class ButtonsRow(QuestionRow):
         self.group.button(max(0, self.group.checkedId())).setFocus(
             Qt.FocusReason.TabFocusReason
         )
+
+
+class ScaleRow(ButtonsRow):
+    """A scale of points; digits are its numbers, unless some are negative."""
+
+    def _laid_out(self) -> QLayout:
+        buttons: list[QWidget] = list(self.group.buttons())
+        return labelled(buttons, self.asked.labels, self._values)
+
+    def _number_of(self, digit: int) -> int:
+        if self._values[0] < 0:
+            return super()._number_of(digit)
+        return digit - int(self._values[0])
+
+
+class ChoicesRow(ButtonsRow):
+    """Any number of a few answers; digits and the space bar turn each on and off."""
+
+    goes_on = False
+
+    def __init__(self, asked: AskedQuestion) -> None:
+        super().__init__(asked)
+        self.group.setExclusive(False)
+        for button, (_, text) in zip(self.group.buttons(), asked.options, strict=True):
+            button.setText(_OFF + text)
+            button.toggled.connect(
+                lambda is_on, button=button, text=text: button.setText(
+                    (_ON if is_on else _OFF) + text
+                )
+            )
+
+    def value(self) -> Any:
+        buttons = zip(self._values, self.group.buttons(), strict=True)
+        return [value for value, button in buttons if button.isChecked()]
+
+    def set_value(self, value: Any) -> None:
+        for one in value or []:
+            super().set_value(one)
 
 
 class _AnswerButton(Button):
@@ -150,16 +215,46 @@ class _AnswerButton(Button):
             super().keyPressEvent(event)
 
 
+class VisualRow(QuestionRow):
+    """A mark on a line."""
+
+    def __init__(self, asked: AskedQuestion) -> None:
+        super().__init__(asked)
+        limits = range_of(asked.question) or (0, 0)
+        inner = {at: text for at, text in asked.labels.items() if at not in limits}
+        self.scale = VisualScale(limits, inner)
+        self.scale.setAccessibleName(asked.text)
+        self.scale.marked.connect(self._on_marked)
+        self.scale.installEventFilter(self)
+        ends = {at: text for at, text in asked.labels.items() if at in limits}
+        self.column.addLayout(labelled([self.scale], ends, limits))
+
+    def _on_marked(self) -> None:
+        self.show_missing("")
+        self.answered.emit()
+
+    def value(self) -> int | None:
+        return self.scale.value() if self.scale.is_marked else None
+
+    def set_value(self, value: Any) -> None:
+        if isinstance(value, int):
+            self.scale.mark(value)
+
+    def focus(self) -> None:
+        self.scale.setFocus(Qt.FocusReason.TabFocusReason)
+
+
 class NumberRow(QuestionRow):
     """A whole number, typed or stepped to."""
 
     def __init__(self, asked: AskedQuestion) -> None:
         super().__init__(asked)
+        self._least, most = range_of(asked.question) or (0, 0)
         self.box = QSpinBox()
         # one below the least means "not answered"
-        self.box.setRange(asked.least - 1, asked.most)
+        self.box.setRange(self._least - 1, most)
         self.box.setSpecialValueText(" ")
-        self.box.setValue(asked.least - 1)
+        self.box.setValue(self._least - 1)
         self.box.setAccessibleName(asked.text)
         self.box.valueChanged.connect(lambda _value: self.answered.emit())
         self.box.installEventFilter(self)
@@ -176,7 +271,7 @@ class NumberRow(QuestionRow):
 
     def value(self) -> int | None:
         value = self.box.value()
-        return value if value >= self.asked.least else None
+        return value if value >= self._least else None
 
     def set_value(self, value: Any) -> None:
         if isinstance(value, int):
@@ -193,6 +288,7 @@ class TextRow(QuestionRow):
 
     def __init__(self, asked: AskedQuestion) -> None:
         super().__init__(asked)
+        self._most = kind_of(asked.question).most  # type: ignore[attr-defined]
         self.box = QPlainTextEdit()
         self.box.setTabChangesFocus(True)
         self.box.setAccessibleName(asked.text)
@@ -203,8 +299,8 @@ class TextRow(QuestionRow):
     def _on_changed(self) -> None:
         """Keep what is too long from being typed: nothing is cut off later."""
         text = self.box.toPlainText()
-        if len(text) > self.asked.most:
-            self.box.setPlainText(text[: self.asked.most])
+        if len(text) > self._most:
+            self.box.setPlainText(text[: self._most])
             cursor = self.box.textCursor()
             cursor.movePosition(cursor.MoveOperation.End)
             self.box.setTextCursor(cursor)
@@ -227,25 +323,60 @@ class TextRow(QuestionRow):
         self.box.setFocus(Qt.FocusReason.TabFocusReason)
 
 
-def make_row(asked: AskedQuestion, word: Word, scale: tuple[str, str]) -> QuestionRow:
-    """Return the row for a question."""
-    match asked.kind:
-        case QuestionKind.LIKERT:
-            return ButtonsRow(asked, [(n, str(n)) for n in LIKERT], scale)
-        case QuestionKind.YES_NO:
-            return ButtonsRow(asked, [(True, word("yes")), (False, word("no"))])
-        case QuestionKind.CHOICE:
-            return ButtonsRow(asked, list(asked.choices))
-        case QuestionKind.NUMBER:
-            return NumberRow(asked)
-        case QuestionKind.TEXT:
-            return TextRow(asked)
+def labelled(
+    parts: list[QWidget], labels: Mapping[int, str], points: Sequence[int]
+) -> QLayout:
+    """Parts side by side with the labels of points: at both ends, or below.
+
+    Args:
+        parts: one for each point, or one for all.
+        labels: by point.
+        points: from left to right.
+    """
+    first, last = labels.get(points[0], ""), labels.get(points[-1], "")
+    is_short = max(len(first), len(last)) <= _BESIDE_LETTERS
+    if is_short and labels.keys() <= {points[0], points[-1]}:
+        before = (QLabel(first), _BESIDE_PX) if first else ()
+        after = (_BESIDE_PX, QLabel(last)) if last else ()
+        return row_of(*before, *((part, 1) for part in parts), *after)
+    grid = QGridLayout()
+    wide = max(2, len(points))  # columns
+    for number, part in enumerate(parts):
+        columns = 1 if len(parts) > 1 else wide
+        grid.addWidget(part, 0, number, 1, columns)
+    is_of_ends = labels.keys() <= {points[0], points[-1]}
+    for column in range(wide):
+        grid.setColumnStretch(column, 1)
+    for number, at in enumerate(points):
+        if at in labels:
+            line = paragraph(labels[at], centred=not is_of_ends)
+            half = wide // 2
+            if not is_of_ends:
+                grid.addWidget(line, 1, number)
+            elif number:
+                line.setAlignment(Qt.AlignmentFlag.AlignRight)
+                grid.addWidget(line, 1, wide - half, 1, half)
+            else:
+                grid.addWidget(line, 1, 0, 1, half)
+    return grid
+
+
+ROWS: dict[QuestionKind, type[QuestionRow]] = {
+    QuestionKind.SCALE: ScaleRow,
+    QuestionKind.VISUAL: VisualRow,
+    QuestionKind.NUMBER: NumberRow,
+    QuestionKind.YES_NO: ButtonsRow,
+    QuestionKind.CHOICE: ButtonsRow,
+    QuestionKind.CHOICES: ChoicesRow,
+    QuestionKind.TEXT: TextRow,
+}
+"""How each kind of question looks."""
 
 
 def digit_of(event: QKeyEvent) -> int:
-    """Return which of the keys 1 to 9 was pressed; 0 for another."""
+    """Return which of the keys 0 to 9 was pressed; -1 for another."""
     digit = event.key() - Qt.Key.Key_0
-    return digit if 1 <= digit <= 9 else 0
+    return digit if 0 <= digit <= 9 else -1
 
 
 def is_typing(widget: QWidget | None) -> bool:

@@ -30,8 +30,8 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.errors import StudyError
 from hapticplayer.media.encode import write_clip
 from hapticplayer.study.creation import change_definition, create_study
-from hapticplayer.study.definition import QuestionKind
-from hapticplayer.study.pages import PageKind
+from hapticplayer.study.pages import AskedQuestion, PageKind
+from hapticplayer.study.questions import kind_of
 from hapticplayer.study.session_folder import SessionState, StoredSession
 from hapticplayer.study.session_setup import load_study_sources
 from hapticplayer.study.study_folder import Study, open_study
@@ -274,21 +274,16 @@ class Participant:
                 content.buttons[BUTTONS[kind]].click()
             return
         for row in content.rows:
-            row.set_value(answer_to(row.asked.kind, number))
+            row.set_value(answer_to(row.asked, number))
         values = json.dumps({row.asked.name: row.value() for row in content.rows})
         self.given = (number, f"{runner.step} {runner.attempt} {values}")
         content.next.click()
 
 
-def answer_to(kind: QuestionKind, number: int) -> Any:
+def answer_to(asked: AskedQuestion, number: int) -> Any:
     """Return an answer that fits."""
-    return {
-        QuestionKind.LIKERT: 1 + number % 5,
-        QuestionKind.NUMBER: 20 + number,
-        QuestionKind.CHOICE: "right",
-        QuestionKind.YES_NO: number % 2 == 0,
-        QuestionKind.TEXT: f"page {number}",
-    }[kind]
+    rng = np.random.default_rng([os.getpid(), number])
+    return kind_of(asked.question).drawn(rng)
 
 
 def say(text: str) -> None:

@@ -26,7 +26,7 @@ from hapticplayer.simulation.participants import (
     paper_effect,
     simulated_answers,
 )
-from hapticplayer.simulation.sessions import write_answers
+from hapticplayer.simulation.sessions import random_questions, write_answers
 from hapticplayer.storage import (
     FOLDER,
     PRIVATE_FOLDER,
@@ -58,7 +58,7 @@ from hapticplayer.study.analysis.report import (
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 from hapticplayer.study.answers import collect_answers, read_answers
 from hapticplayer.study.creation import chosen_text, new_definition
-from hapticplayer.study.definition import StudyFeedback
+from hapticplayer.study.definition import StudyFeedback, TrialKind
 from hapticplayer.study.definition_reader import DEFINITION
 from hapticplayer.study.study_folder import Study, open_study
 
@@ -226,6 +226,8 @@ def simulate(options: argparse.Namespace) -> int:
     say(_json(report) if options.json else text)
     if not options.json:
         _say_assumed(like)
+        if origin["at_random"]:
+            say_aside(f"answered at random: {', '.join(origin['at_random'])}")
     return 0
 
 
@@ -234,11 +236,8 @@ def _simulated(
 ) -> tuple[dict[str, str], dict[str, Any], list[str]]:
     """Write the sessions; what feedbacks are rated like, their origin, their codes."""
     design, paper = collect_answers(study), paper_effect()
-    if set(design.factors) != set(paper.factors):
-        raise UsageError(
-            "only studies with the paper's factors can be simulated "
-            f"({', '.join(paper.factors)})"
-        )
+    if study.definition.trial is not TrialKind.RATING:
+        raise UsageError("only rating studies can be simulated")
     like = _rated_like(study.definition.chosen_feedbacks, options.like)
     answers = simulated_answers(
         options.participants,
@@ -248,7 +247,8 @@ def _simulated(
         like=None if set(like) == set(paper.feedbacks) == set(like.values()) else like,
     )
     origin = {"simulated": True, "effect": options.effect, "seed": options.seed}
-    origin |= {"rated_like": like}
+    drawn = random_questions(study.definition, paper.factors)
+    origin |= {"rated_like": like, "at_random": drawn}
     return like, origin, write_answers(study, answers, SystemClock(), origin=origin)
 
 

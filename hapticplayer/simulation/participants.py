@@ -26,8 +26,9 @@ from hapticplayer.model.arrays import Floats
 from hapticplayer.model.ranges import SIMULATED_PARTICIPANTS
 from hapticplayer.study.analysis.friedman import chi_squares
 from hapticplayer.study.analysis.power import Draw
-from hapticplayer.study.analysis.scores import QOE, SCALE
+from hapticplayer.study.analysis.scores import SCALE
 from hapticplayer.study.answers import Answers, Participant, Rating
+from hapticplayer.study.definition import QOE
 
 SCATTER = 0.7
 COMMON = 0.2

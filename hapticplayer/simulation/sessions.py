@@ -1,18 +1,28 @@
 """Sessions that no person sat through, such as simulated ones; marked as such."""
 
 import shutil
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from hapticplayer.clock import Clock
 from hapticplayer.study.answers import Answers
-from hapticplayer.study.definition import Condition
+from hapticplayer.study.definition import (
+    Condition,
+    Definition,
+    QuestionKind,
+    QuestionPage,
+    When,
+)
 from hapticplayer.study.journal import Journal
+from hapticplayer.study.pages import PageMaker
 from hapticplayer.study.plan import describe
+from hapticplayer.study.questions import kind_of
 from hapticplayer.study.session_folder import ANSWERS
-from hapticplayer.study.steps import SHEET, trial_step
+from hapticplayer.study.steps import trial_step
 from hapticplayer.study.study_folder import Study, begin_session
 
 Values = Mapping[str, Any]
@@ -28,17 +38,33 @@ def write_scripted_session(
 ) -> str:
     """Write a whole session as if a participant had taken part, and return its code.
 
-    `sheet` answers the information sheet, `rate` a condition's questions; None leaves
-    the trial out, as if it had been skipped. `origin` says why there was no
-    participant, such as `{"simulated": true, "seed": 1}`.
+    `sheet` answers questions of the pages before and after the clips, `rate` a
+    condition's questions; None leaves the trial out, as if it had been skipped. `origin`
+    says why there was no participant, such as `{"simulated": true, "seed": 1}`.
     """
-    session = begin_session(study, study.definition.languages[0], {}, clock)
+    definition = study.definition
+    session = begin_session(study, definition.languages[0], {}, clock)
+    maker = PageMaker(definition, session.plan)
     journal = Journal(session.folder / ANSWERS, clock)
+
+    def answer(page: QuestionPage, values: Values, **of: Any) -> None:
+        names = [one.name for one in maker.asked(page)]
+        given = {name: values[name] for name in names if name in values}
+        if given:
+            about = {"step": page.key, **of, "page": page.key}
+            journal.append("answers", **about, values=given)
+
     with _removed_on_failure([session.folder]), closing(journal):
         journal.append("begin", scripted=dict(origin))
-        journal.append("answers", step=SHEET, values=dict(sheet))
+        for page in definition.pages_at(When.BEFORE):
+            answer(page, sheet)
         for number, condition in enumerate(session.plan.order):
-            _write_trial(journal, number + 1, condition, rate(condition))
+            values = rate(condition)
+            of = _write_trial(journal, number + 1, condition, values)
+            for page in definition.pages_at(When.AFTER_CLIP):
+                answer(page, values or {}, **of)
+        for page in definition.pages_at(When.AFTER):
+            answer(page, sheet)
         journal.append("end", complete=True, reason="")
     return session.code
 
@@ -59,36 +85,73 @@ def _removed_on_failure(written: Sequence[Path]) -> Iterator[None]:
 def write_answers(
     study: Study, answers: Answers, clock: Clock, *, origin: Mapping[str, Any]
 ) -> list[str]:
-    """Add simulated participants to a study, all or none, and return their codes."""
+    """Add simulated participants to a study, all or none, and return their codes.
+
+    Questions that the answers do not have are answered at random.
+    """
     found: dict[tuple[str, str, str], dict[str, int | None]] = {}
     for one in answers.ratings:
         cell = found.setdefault((one.participant, one.sequence, one.feedback), {})
         cell[one.factor] = one.value
     written: list[Path] = []
+    rng = np.random.default_rng(origin.get("seed", 0))
     with _removed_on_failure(written):
         for person in answers.participants:
-            sheet = {
+            known = {
                 "age": person.age,
                 "gender": person.gender,
                 "handedness": person.handedness,
                 "used_device_before": person.used_device_before,
             }
+            sheet = _completed(study, known, (When.BEFORE, When.AFTER), rng)
 
             def rate(condition: Condition, code: str = person.code) -> Values:
-                return found[code, condition.sequence, condition.feedback]
+                cell = found.get((code, condition.sequence, condition.feedback), {})
+                return _completed(study, cell, (When.AFTER_CLIP,), rng)
 
             made = write_scripted_session(study, sheet, rate, clock, origin=origin)
             written.append(study.session_folder(made))
     return [folder.name for folder in written]
 
 
+def _completed(
+    study: Study,
+    known: Values,
+    when: tuple[When, ...],
+    rng: np.random.Generator,
+) -> Values:
+    """Answers to all questions of some pages, at random where none is known.
+
+    What is known and missing stays so; texts that need not be written are not.
+    """
+    made = {}
+    for asked in study.definition.questions_at(*when):
+        kind = kind_of(asked)
+        value = known.get(asked.key)
+        if asked.key in known and (value is None or kind.allows(value)):
+            made[asked.key] = value
+        elif asked.required or asked.kind is not QuestionKind.TEXT:
+            feedbacks = study.definition.feedback_keys
+            each = [f"{asked.key}@{feedback}" for feedback in feedbacks]
+            names = each if asked.for_each_feedback else [asked.key]
+            made |= {name: kind.drawn(rng) for name in names}
+    return made
+
+
+def random_questions(definition: Definition, known: Collection[str]) -> list[str]:
+    """The questions after a clip that are answered at random."""
+    asked = definition.questions_at(When.AFTER_CLIP)
+    return [one.key for one in asked if one.key not in known]
+
+
 def _write_trial(
     journal: Journal, position: int, condition: Condition, values: Values | None
-) -> None:
+) -> dict[str, Any]:
+    """Write a trial, and return what its answers belong to."""
     step, described = trial_step(position), describe(condition)
     if values is None:
         journal.append("skip", step=step, reason="scripted")
-        return
+        return {}
     journal.append(
         "trial",
         step=step,
@@ -98,6 +161,4 @@ def _write_trial(
         reasons=[],
         playback={},
     )
-    journal.append(
-        "answers", step=step, attempt=1, condition=described, values=dict(values)
-    )
+    return {"step": step, "attempt": 1, "condition": described}

@@ -1,10 +1,10 @@
 """The answers of a study as values, for analysis and export."""
 
 import hashlib
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 from msgspec import Meta
 
@@ -13,18 +13,24 @@ from hapticplayer.errors import Message, Progress, StudyError
 from hapticplayer.structures import read_json
 from hapticplayer.study.conduct import Conduct, conduct_of
 from hapticplayer.study.definition import (
-    LIKERT,
     Condition,
     Definition,
+    Question,
     QuestionKind,
     TrialKind,
+    When,
 )
+from hapticplayer.study.questions import kind_of, range_of
 from hapticplayer.study.session_folder import SessionState, StoredSession
-from hapticplayer.study.steps import AnsweredTrial, answered_trials, page_values
+from hapticplayer.study.steps import (
+    AnsweredTrial,
+    answered_trials,
+    page_values,
+    trial_step,
+)
 from hapticplayer.study.study_folder import Study, open_study
 from hapticplayer.study.trial_forces import measure_trial_forces
 
-SHEET, POST_TEST = "sheet", "post-test"
 REVIEWED = "reviewed.json"
 _Digest = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
 
@@ -38,7 +44,7 @@ class Rating:
         sequence: key of the sequence in the definition.
         feedback: "realistic", "none", "random", or another of the definition's.
         factor: "realism", "sensory", "comfort", "satisfaction", or the definition's own.
-        value: 1 to 5; None where it is missing.
+        value: on its scale; None where it is missing.
         is_valid: whether the playback that was rated was without a fault.
     """
 
@@ -81,6 +87,8 @@ class TextAnswer:
         feedback: that the answer is about; empty where it is about all.
         text: as written.
         reviewed: whether a person has approved it for export.
+        sequence: of the clip that it is about; empty where it is about all.
+        trial: position of that clip; None where it is about all.
     """
 
     participant: str
@@ -88,6 +96,30 @@ class TextAnswer:
     feedback: str
     text: str
     reviewed: bool
+    sequence: str = ""
+    trial: int | None = None
+
+    @property
+    def name(self) -> str:
+        """Of the answer in its session."""
+        of = self.feedback if self.trial is None else trial_step(self.trial)
+        return "@".join(filter(None, (self.question, of)))
+
+
+class AnswersTo(NamedTuple):
+    """All answers to a question other than ratings and texts.
+
+    Attributes:
+        question: of the definition.
+        text: its wording.
+        feedback: that it is about; empty where it is about all.
+        values: of those who answered.
+    """
+
+    question: Question
+    text: str
+    feedback: str
+    values: tuple[Any, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +134,7 @@ class Participant:
         used_device_before: whether the participant had used such a device.
         complete: whether the session was completed.
         simulated: whether the session was simulated.
+        values: answers to the questions before and after the clips, by name.
     """
 
     code: str
@@ -111,6 +144,7 @@ class Participant:
     used_device_before: bool | None
     complete: bool = True
     simulated: bool = False
+    values: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,12 +159,15 @@ class Answers:
         ratings: by participant, then in order of the definition.
         sequences: keys.
         feedbacks: keys.
-        factors: keys.
+        factors: keys of the questions after a clip whose answers are numbers.
         open_answers: text answers.
         judgements: answers of consistency trials.
         repeated: ratings that were replaced by those of a repeated trial.
         notices: one sentence for each thing that could not be read or was left out.
         conduct: of the study.
+        ranges: least and most of factors, by key; 1 to 5 for others.
+        qoe: the factors that are summed; None for all.
+        others: answers that are counted.
     """
 
     participants: tuple[Participant, ...]
@@ -143,6 +180,9 @@ class Answers:
     repeated: int = 0
     notices: tuple[str, ...] = ()
     conduct: Conduct = field(default_factory=Conduct)
+    ranges: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    qoe: tuple[str, ...] | None = None
+    others: tuple[AnswersTo, ...] = ()
 
 
 def simulated_mark(participants: Sequence[Participant]) -> str:
@@ -176,7 +216,7 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
     sessions = [s for s in sessions if any(answered_trials(s.records))]
     definition = study.definition
     collected = [_SessionAnswers(session, definition, notices) for session in sessions]
-    is_rating = definition.trial is TrialKind.RATING
+    factors = rated(definition)
     trial_forces = {}
     for number, session in enumerate(sessions if progress else ()):
         assert progress is not None
@@ -188,13 +228,44 @@ def collect_answers(study: Study, progress: Progress | None = None) -> Answers:
         ratings=tuple(r for one in collected for r in one.ratings()),
         sequences=tuple(s.key for s in definition.sequences),
         feedbacks=definition.feedback_keys,
-        factors=tuple(q.key for q in definition.factors) if is_rating else (),
+        factors=tuple(q.key for q in factors),
         open_answers=tuple(a for one in collected for a in one.open_answers()),
         judgements=tuple(j for one in collected for j in one.judgements()),
-        repeated=sum(one.repeated for one in collected) * len(definition.factors),
+        repeated=sum(one.repeated for one in collected) * len(factors),
         notices=tuple(notices),
         conduct=conduct_of(definition, sessions, trial_forces),
+        ranges={q.key: found for q in factors if (found := range_of(q))},
+        qoe=tuple(q.key for q in factors if q.in_qoe),
+        others=tuple(_others(definition, collected)),
     )
+
+
+def rated(definition: Definition) -> tuple[Question, ...]:
+    """The questions that feedbacks are compared by: those answered by a number."""
+    if definition.trial is not TrialKind.RATING:
+        return ()
+    asked = definition.questions_at(When.AFTER_CLIP)
+    return tuple(q for q in asked if kind_of(q).is_measured)
+
+
+def _others(
+    definition: Definition, collected: Sequence["_SessionAnswers"]
+) -> Iterator[AnswersTo]:
+    """Yield the answers that are counted, in the order of the definition."""
+    analysed = [*rated(definition)]
+    if definition.trial is TrialKind.CONSISTENCY and definition.judgement:
+        analysed.append(definition.judgement)
+    keys = {asked.key for asked in analysed}
+    language, feedbacks = definition.languages[0], definition.feedback_keys
+    for when in When:
+        for asked in definition.questions_at(when):
+            if asked.key in keys or asked.kind is QuestionKind.TEXT:
+                continue
+            of_each = asked.for_each_feedback or when is When.AFTER_CLIP
+            for feedback in feedbacks if of_each else ("",):
+                values = [v for one in collected for v in one.given(asked, feedback)]
+                text = definition.wording(asked, language)
+                yield AnswersTo(asked, text, feedback, tuple(values))
 
 
 def _session_notices(sessions: list[StoredSession]) -> Iterator[str]:
@@ -242,14 +313,19 @@ class _SessionAnswers:
         self, session: StoredSession, definition: Definition, notices: list[str]
     ) -> None:
         self._session, self._definition = session, definition
-        self._sheet = page_values(session.records, SHEET)
+        self._values: dict[str, Any] = {}
+        for page in session.definition.pages:
+            if page.when is not When.AFTER_CLIP:
+                self._values |= page_values(session.records, page.key)
         self._trials: dict[Condition, AnsweredTrial] = {}
         self.repeated = 0
         known = set(definition.conditions)
         for trial in answered_trials(session.records):
             if trial.condition in known:
-                self.repeated += trial.condition in self._trials
-                self._trials[trial.condition] = trial
+                before = self._trials.get(trial.condition)
+                self.repeated += before is not None
+                if before is None or trial.pages >= before.pages:
+                    self._trials[trial.condition] = trial
             else:
                 notices.append(
                     Message(
@@ -261,7 +337,7 @@ class _SessionAnswers:
 
     def participant(self) -> Participant:
         """Return the participant."""
-        sheet = self._sheet
+        sheet = self._values
         return Participant(
             code=self._session.code,
             age=_of_type(sheet.get("age"), int),
@@ -270,28 +346,38 @@ class _SessionAnswers:
             used_device_before=_of_type(sheet.get("used_device_before"), bool),
             complete=self._session.state is SessionState.COMPLETE,
             simulated=is_simulated(self._session),
+            values=sheet,
         )
+
+    def given(self, asked: Question, feedback: str) -> Iterator[Any]:
+        """Yield the answers to a question, of the trials with a feedback if given."""
+        name = f"{asked.key}@{feedback}" if asked.for_each_feedback else asked.key
+        found = [self._values.get(name)]
+        found += [
+            trial.values.get(asked.key)
+            for condition, trial in self._trials.items()
+            if condition.feedback == feedback and trial.is_valid
+        ]
+        yield from (one for one in found if one is not None)
 
     def ratings(self) -> Iterator[Rating]:
         """Yield a rating for each condition and factor."""
-        if self._definition.trial is not TrialKind.RATING:
-            return
         for condition in self._definition.conditions:
             trial = self._trials.get(condition)
-            for question in self._definition.factors:
-                value = _of_type(trial.values.get(question.key), int) if trial else None
+            for question in rated(self._definition):
+                value = trial.values.get(question.key) if trial else None
                 yield Rating(
                     self._session.code,
                     condition.sequence,
                     condition.feedback,
                     question.key,
-                    value if value in LIKERT else None,
+                    value if kind_of(question).allows(value) else None,
                     trial.is_valid if trial else True,
                 )
 
     def judgements(self) -> Iterator[Judgement]:
         """Yield a judgement for each condition."""
-        question = self._definition.consistency
+        question = self._definition.judgement
         if self._definition.trial is not TrialKind.CONSISTENCY or question is None:
             return
         for condition in self._definition.conditions:
@@ -308,19 +394,29 @@ class _SessionAnswers:
     def open_answers(self) -> Iterator[TextAnswer]:
         """Yield the text answers of all pages."""
         reviewed = read_reviewed(self._session.folder)
-        session = self._session
-        for page, questions in (
-            (SHEET, session.definition.sheet),
-            (POST_TEST, session.definition.post_test),
-        ):
-            words = {q.key for q in questions if q.kind is QuestionKind.TEXT}
-            for name, value in page_values(session.records, page).items():
-                question, _, feedback = name.partition("@")
-                if question in words and isinstance(value, str) and value.strip():
-                    is_approved = text_digest(session.code, name, value) in reviewed
-                    yield TextAnswer(
-                        session.code, question, feedback, value, is_approved
-                    )
+        code, asked = self._session.code, self._session.definition
+        words = {
+            q.key
+            for page in asked.pages
+            for q in page.questions
+            if q.kind is QuestionKind.TEXT
+        }
+        for made in self._texts(words):
+            is_approved = text_digest(code, made.name, made.text) in reviewed
+            yield replace(made, reviewed=is_approved)
+
+    def _texts(self, words: set[str]) -> Iterator[TextAnswer]:
+        code = self._session.code
+        for name, value in self._values.items():
+            question, _, feedback = name.partition("@")
+            if question in words and isinstance(value, str) and value.strip():
+                yield TextAnswer(code, question, feedback, value, reviewed=False)
+        for of, trial in self._trials.items():
+            for question in words & trial.values.keys():
+                value = trial.values[question]
+                if isinstance(value, str) and value.strip():
+                    place = of.sequence, trial.position
+                    yield TextAnswer(code, question, of.feedback, value, False, *place)
 
 
 def _of_type(value: Any, kind: Any) -> Any:

@@ -153,7 +153,9 @@ def _by_key(old: Any) -> dict[str, Any]:
 
 
 def _key_in(part: Any) -> str:
-    return str(part.get("key", "")) if isinstance(part, dict) else ""
+    """What tells an entry from its neighbours; of a label, its point."""
+    of = part if isinstance(part, dict) else {}
+    return str(of.get("key", of.get("at", "")))
 
 
 def described(feedback: StudyFeedback) -> str | dict[str, Any]:
@@ -191,5 +193,12 @@ def _template(name: str) -> dict[str, Any]:
     known = {one: TEMPLATES / f"{one}.json" for one in template_names()}
     text = entry_named(known, name, Message("template")).read_text(encoding="utf-8")
     content: dict[str, Any] = json.loads(text)
-    base = content.pop("base", None)
-    return {**_template(base), **content} if base else content
+    if not (base := content.pop("base", None)):
+        return content
+    found = _template(base)
+    pages = _by_key(found["pages"])
+    if "pages" in content:  # a page without questions is the one of the base
+        content["pages"] = [
+            one if "questions" in one else pages[one["key"]] for one in content["pages"]
+        ]
+    return {**found, **content}

@@ -19,8 +19,9 @@ GIVE_STUDY = Message("give the folder of a study")
 CORRECT = Message("correct it")
 SCHEMA = "hapticplayer.study"
 VERSION = 1
-LIKERT = (1, 2, 3, 4, 5)
 MAX_CONDITIONS = 400
+QOE = "qoe"
+"""The sum of questions; no question has this key."""
 MAX_ANSWER = 4000
 ANSWER_S = 10.0  # usual time for a question, with the pages around it
 DEMONSTRATION_S = 300.0  # and consent, and getting to know the device
@@ -46,32 +47,32 @@ Seed = Annotated[int, Meta(ge=0, le=2**53)]
 
 
 class TrialKind(enum.StrEnum):
-    """The kind of question after a clip."""
+    """What trials are for."""
 
     RATING = "rating"
-    """One question for each factor, on a five-point scale."""
+    """Conditions are compared by the answers."""
     CONSISTENCY = "consistency"
     """Whether a force that was shifted or scaled matched the video."""
 
 
 class QuestionKind(enum.StrEnum):
-    """The type of answer."""
+    """The type of answer; see `questions.ANSWER_KINDS`."""
 
-    LIKERT = "likert"
+    SCALE = "scale"
+    VISUAL = "visual"
     NUMBER = "number"
-    CHOICE = "choice"
     YES_NO = "yes-no"
+    CHOICE = "choice"
+    CHOICES = "choices"
     TEXT = "text"
 
 
-QUESTION_KINDS = {
-    QuestionKind.LIKERT: Message("Five-point scale"),
-    QuestionKind.YES_NO: Message("Yes or no"),
-    QuestionKind.CHOICE: Message("Choice"),
-    QuestionKind.NUMBER: Message("Number"),
-    QuestionKind.TEXT: Message("Text"),
-}
-"""As people choose them."""
+class When(enum.StrEnum):
+    """When a page of questions is shown."""
+
+    BEFORE = "before"
+    AFTER_CLIP = "after-clip"
+    AFTER = "after"
 
 
 class OrderMethod(enum.StrEnum):
@@ -109,56 +110,63 @@ class AnswerOption(JsonObject, frozen=True):
     text: Text
 
 
+class PointLabel(JsonObject, frozen=True):
+    """The label of a point of a scale."""
+
+    at: Whole
+    text: Text
+
+
 class Question(JsonObject, frozen=True):
     """One question.
 
     Attributes:
-        key: of its answer.
+        key: of its answer, in data and figures.
         kind: how it is answered.
         text: the study's own wording.
+        help: a line below it.
         published: the wording of a publication, if entered.
-        least: smallest accepted number.
-        most: largest accepted number, or length of a text in characters.
-        choices: of a CHOICE.
+        least: smallest number, or first point of a SCALE.
+        most: largest number, last point of a SCALE, or length of a text in characters.
+        unit: of a number, in the data.
+        labels: of points of a SCALE or a VISUAL scale.
+        choices: of CHOICE and CHOICES.
         for_each_feedback: asked once for "Feedback 1", "Feedback 2", ...
+        in_qoe: whether it is part of the sum "qoe".
         required: whether an answer is required.
     """
 
     key: Key
     kind: QuestionKind
     text: Text
+    help: Text | None = None
     published: Text | None = None
     least: Whole | None = None
     most: Whole | None = None
+    unit: Annotated[str, Meta(max_length=40)] = ""
+    labels: Several[PointLabel] = ()
     choices: Several[AnswerOption] = ()
     for_each_feedback: bool = False
+    in_qoe: bool = False
     required: bool = True
 
-    def __post_init__(self) -> None:
-        """Refuse limits and choices that do not fit the kind."""
-        if self.kind is QuestionKind.CHOICE:
-            keys = {choice.key for choice in self.choices}
-            if not 2 <= len(keys) == len(self.choices):
-                raise ValueError(
-                    "'choices' must have two or more entries with different keys"
-                )
-        is_bounded = self.least is not None and self.most is not None
-        if self.kind is QuestionKind.NUMBER and not (
-            is_bounded and self.lowest <= self.highest
-        ):
-            raise ValueError("must have 'least' and 'most', the smaller one first")
-        if self.kind is QuestionKind.TEXT and not 1 <= self.highest <= MAX_ANSWER:
-            raise ValueError(f"'most' must be from 1 to {MAX_ANSWER}")
 
-    @property
-    def lowest(self) -> int:
-        """Smallest accepted number."""
-        return self.least or 0
+class QuestionPage(JsonObject, frozen=True):
+    """Questions that are shown together.
 
-    @property
-    def highest(self) -> int:
-        """Largest accepted number, or length of a text in characters."""
-        return MAX_ANSWER if self.most is None else self.most
+    Attributes:
+        key: of its answers in the records.
+        when: it is shown.
+        questions: in this order.
+        text: above them.
+        replays: whether all clips may be played again there.
+    """
+
+    key: Key
+    when: When
+    questions: Some[Question]
+    text: Text | None = None
+    replays: bool = False
 
 
 class StudyFeedback(JsonObject, frozen=True):
@@ -260,21 +268,12 @@ class Checks(JsonObject, frozen=True):
     scheduling: Some[Literal["fifo", "slice", "normal"]] = ("fifo", "slice")
 
 
-class Scale(JsonObject, frozen=True):
-    """Labels of the ends of the five-point scale."""
-
-    lowest: Text
-    highest: Text
-
-
 class PageTexts(JsonObject, frozen=True):
     """Texts of the pages, and how long data are kept; `PageMaker` fills {blanks}."""
 
     consent: Text
     demonstration: Text
     ready: Text
-    questions: Text
-    post_test: Text
     thanks: Text
     retention: Text
 
@@ -314,11 +313,7 @@ class Definition(JsonObject, frozen=True):
             feedback without parameters may be given by its name alone.
         levels: of consistency trials.
         repeats: how often each consistency trial is played.
-        factors: LIKERT questions after a rating trial.
-        consistency: YES_NO question after a consistency trial.
-        scale: labels of the five-point scale.
-        sheet: questions before the first trial.
-        post_test: questions after the last.
+        pages: of questions, in this order within each `When`.
         texts: of the pages.
         words: labels of buttons.
         use_published: show the published wording where there is one.
@@ -334,10 +329,7 @@ class Definition(JsonObject, frozen=True):
     trial: TrialKind
     sequences: Some[StudySequence]
     feedbacks: Some[Key | StudyFeedback]
-    factors: Several[Question]
-    scale: Scale
-    sheet: Several[Question]
-    post_test: Several[Question]
+    pages: Some[QuestionPage]
     texts: PageTexts
     words: ButtonWords
     order: Order
@@ -347,7 +339,6 @@ class Definition(JsonObject, frozen=True):
     checks: Checks
     levels: Several[ForceLevel] = ()
     repeats: Annotated[int, Meta(ge=1, le=100)] = 1
-    consistency: Question | None = None
     lsl: bool = False
     schema: str = SCHEMA
     version: int = VERSION
@@ -377,18 +368,24 @@ class Definition(JsonObject, frozen=True):
             )
         )
 
+    def pages_at(self, when: When) -> tuple[QuestionPage, ...]:
+        return tuple(page for page in self.pages if page.when is when)
+
+    def questions_at(self, *when: When) -> tuple[Question, ...]:
+        """The questions of these pages, in the order in which they are asked."""
+        return tuple(q for at in when for p in self.pages_at(at) for q in p.questions)
+
     @property
-    def trial_questions(self) -> tuple[Question, ...]:
-        """Questions after each clip."""
-        if self.trial is TrialKind.RATING:
-            return self.factors
-        return (self.consistency,) if self.consistency else ()
+    def judgement(self) -> Question | None:
+        """The question whether force and video went together: the first yes or no."""
+        asked = self.questions_at(When.AFTER_CLIP)
+        return next((q for q in asked if q.kind is QuestionKind.YES_NO), None)
 
     def expected_min(self, clip_s: Mapping[str, float]) -> int:
         """About how long a session takes, in steps of 5 minutes."""
         trials = self.conditions
-        asked = len(self.sheet) + len(self.post_test)
-        asked += len(trials) * len(self.trial_questions)
+        asked = len(self.questions_at(When.BEFORE, When.AFTER))
+        asked += len(trials) * len(self.questions_at(When.AFTER_CLIP))
         played_s = sum(clip_s[trial.sequence] for trial in trials)
         all_s = played_s + asked * ANSWER_S + DEMONSTRATION_S
         return 5 * max(1, round(all_s / 300.0))

@@ -17,21 +17,23 @@ from hapticplayer.study.definition import (
     CORRECT,
     GIVE_STUDY,
     MAX_CONDITIONS,
+    QOE,
     SCHEMA,
     VERSION,
     Definition,
     OrderMethod,
     Question,
-    QuestionKind,
     StudyFeedback,
     Text,
     TrialKind,
+    When,
     refuse,
 )
+from hapticplayer.study.questions import OF_KINDS, Fault, kind_of
 
 DEFINITION = "study.json"
-Fault = tuple[str, Message, Message]
-"""The field, what is wrong there, and what to do."""
+STEPS = ("consent", "demonstration", "end")
+"""Of every session; the other ones are named after pages."""
 
 
 def parse_definition(content: bytes, path: str) -> Definition:
@@ -82,16 +84,29 @@ def _texts(part: Any, field: str = "") -> Iterator[tuple[str, Text]]:
 def _key_faults(made: Definition) -> Iterator[Fault]:
     yield from _alike("languages", made.languages, "")
     yield from _alike("feedbacks", made.feedback_keys)
-    for field in ("sequences", "factors", "sheet", "post_test"):
-        yield from _alike(field, [one.key for one in getattr(made, field)])
+    yield from _alike("sequences", [one.key for one in made.sequences])
+    yield from _alike("pages", [one.key for one in made.pages])
+    taken: set[str] = set()
+    for field, _, asked in _questions(made):
+        if asked.key in taken:
+            what = Message("duplicate key {key!r}", key=asked.key)
+            yield f"{field}.key", what, _RENAME
+        taken.add(asked.key)
+    named = [(f"pages[{n}].key", page.key) for n, page in enumerate(made.pages)]
+    for field, key in named:
+        if key in STEPS or key.startswith("trial-"):
+            yield field, Message("{key!r} is the name of another step", key=key), _OTHER
+    for field, _, asked in _questions(made):
+        if asked.key == QOE:
+            what = Message("{key!r} is the name of the sum of questions", key=QOE)
+            yield f"{field}.key", what, _OTHER
 
 
 def _alike(field: str, keys: Sequence[str], place: str = ".key") -> Iterator[Fault]:
     for number, key in enumerate(keys):
         if key in keys[:number]:
             what = Message("duplicate key {key!r}", key=key)
-            remedy = Message("rename one of them")
-            yield f"{field}[{number}]{place}", what, remedy
+            yield f"{field}[{number}]{place}", what, _RENAME
 
 
 def _feedback_faults(made: Definition) -> Iterator[Fault]:
@@ -100,7 +115,7 @@ def _feedback_faults(made: Definition) -> Iterator[Fault]:
         field, found = f"feedbacks[{number}]", condition_named(one.condition)
         if one.key not in (None, one.condition) and condition_named(str(one.key)):
             what = Message("{key!r} is the name of another condition", key=str(one.key))
-            yield f"{field}.key", what, Message("choose another key")
+            yield f"{field}.key", what, _OTHER
         if found is None:  # a track of each sequence, which is looked for there
             if one.parameters:
                 what = Message("{name!r} has no parameters", name=one.condition)
@@ -145,62 +160,64 @@ def _question_faults(made: Definition) -> Iterator[Fault]:
             most=MAX_CONDITIONS,
         )
         yield "", what, CORRECT
-    if not made.trial_questions:
-        page = "factors" if made.trial is TrialKind.RATING else "consistency"
+    after_clip = made.questions_at(When.AFTER_CLIP)
+    if not after_clip:
         what = Message("has no question after a clip")
-        yield "", what, Message("add a question to {page!r}", page=page)
-    for number, question in enumerate(made.factors):
-        if question.kind is not QuestionKind.LIKERT:
-            what = Message("{value!r} is not allowed", value=question.kind.value)
-            known = Message("choose one of {known}", known=QuestionKind.LIKERT.value)
-            yield f"factors[{number}].kind", what, known
-    asked = made.consistency
-    if asked is not None and asked.kind is not QuestionKind.YES_NO:
-        yield "consistency", Message("must be a yes-no question"), CORRECT
+        yield "pages", what, Message("add a page that is shown after each clip")
+    elif made.trial is TrialKind.CONSISTENCY and made.judgement is None:
+        what = Message("has no yes-or-no question after a clip")
+        yield "pages", what, Message("add one: whether force and video went together")
+    for field, when, asked in _questions(made):
+        for name, what, remedy in kind_of(asked).faults():
+            yield f"{field}.{name}", what, remedy
+        yield from _unused_in(field, when, asked)
 
 
+_RENAME, _OTHER = Message("rename one of them"), Message("choose another key")
 _REMOVE = Message("remove it")
-_OF_OTHER_TRIALS: dict[TrialKind, dict[str, Any]] = {
-    TrialKind.RATING: {"levels": (), "repeats": 1, "consistency": None},
-    TrialKind.CONSISTENCY: {"factors": ()},
-}
-_USED = {
-    QuestionKind.NUMBER: ("least", "most"),
-    QuestionKind.TEXT: ("most",),
-    QuestionKind.CHOICE: ("choices",),
-}
-"""Which of these a kind of question uses."""
+_OF_CONSISTENCY: dict[str, Any] = {"levels": (), "repeats": 1}
+
+
+def _unused_in(field: str, when: When, asked: Question) -> Iterator[Fault]:
+    """Entries of a question that would change nothing."""
+    uses = kind_of(asked).uses
+    for name in OF_KINDS:
+        given = getattr(asked, name)
+        if given not in (None, (), "", False) and name not in uses:
+            what = Message("is not used in {kind} questions", kind=asked.kind.value)
+            yield f"{field}.{name}", what, _REMOVE
+    if asked.for_each_feedback and when is not When.AFTER:
+        what = Message("is only used after the last trial")
+        yield f"{field}.for_each_feedback", what, _REMOVE
+    if asked.in_qoe and when is not When.AFTER_CLIP:
+        what = Message("is only used after a clip")
+        yield f"{field}.in_qoe", what, _REMOVE
 
 
 def _unused(made: Definition) -> Iterator[Fault]:
     """Entries that would change nothing: their author expects them to."""
-    for name, unused in _OF_OTHER_TRIALS[made.trial].items():
-        if getattr(made, name) != unused:
-            what = Message("is not used in {kind} trials", kind=made.trial.value)
-            yield name, what, _REMOVE
+    if made.trial is TrialKind.RATING:
+        for name, unused in _OF_CONSISTENCY.items():
+            if getattr(made, name) != unused:
+                what = Message("is not used in {kind} trials", kind=made.trial.value)
+                yield name, what, _REMOVE
     if len(set(made.levels)) < len(made.levels):
         yield "levels", Message("holds a level twice"), Message("use 'repeats'")
-    for field, question in _questions(made):
-        for name in ("least", "most", "choices"):
-            if getattr(question, name) and name not in _USED.get(question.kind, ()):
-                kind = question.kind.value
-                what = Message("is not used in {kind} questions", kind=kind)
-                yield f"{field}.{name}", what, _REMOVE
-        if question.for_each_feedback and not field.startswith("post_test"):
+    for number, page in enumerate(made.pages):
+        if page.replays and page.when is not When.AFTER:
             what = Message("is only used after the last trial")
-            yield f"{field}.for_each_feedback", what, _REMOVE
-    if made.use_published and not any(one.published for _, one in _questions(made)):
+            yield f"pages[{number}].replays", what, _REMOVE
+    asked_all = [asked for _, _, asked in _questions(made)]
+    if made.use_published and not any(one.published for one in asked_all):
         what = Message("no question has a published wording")
         yield "use_published", what, Message("enter one, or set it to false")
 
 
-def _questions(made: Definition) -> Iterator[tuple[str, Question]]:
-    """Yield each question with its place."""
-    for name in ("sheet", "factors", "post_test"):
-        for number, one in enumerate(getattr(made, name)):
-            yield f"{name}[{number}]", one
-    if made.consistency is not None:
-        yield "consistency", made.consistency
+def _questions(made: Definition) -> Iterator[tuple[str, When, Question]]:
+    """Yield each question with its place and its page's."""
+    for number, page in enumerate(made.pages):
+        for place, asked in enumerate(page.questions):
+            yield f"pages[{number}].questions[{place}]", page.when, asked
 
 
 def _constraint_faults(made: Definition) -> Iterator[Fault]:

@@ -136,7 +136,7 @@ def unreviewed_texts(study: Study) -> list[UnreviewedText]:
     return [
         UnreviewedText(
             answer.participant,
-            "@".join(filter(None, (answer.question, answer.feedback))),
+            answer.name,
             answer.text,
         )
         for answer in collect_answers(study).open_answers

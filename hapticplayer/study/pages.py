@@ -5,16 +5,17 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from hapticplayer.errors import Message, StudyError
+from hapticplayer.errors import StudyError
 from hapticplayer.study.definition import (
-    LIKERT,
     Definition,
     Question,
     QuestionKind,
+    QuestionPage,
     Text,
 )
 from hapticplayer.study.plan import Plan
-from hapticplayer.study.steps import POST_TEST, SHEET, position_of
+from hapticplayer.study.questions import kind_of, range_of
+from hapticplayer.study.steps import pages_of, position_of
 
 
 class PageKind(enum.StrEnum):
@@ -42,22 +43,25 @@ class AskedQuestion:
     Attributes:
         name: of the answer: key of the question, with "@feedback" if it is asked for
             each feedback.
-        kind: how it is answered.
+        question: of the definition.
         text: the question.
+        help: a line below it; may be empty.
         heading: name of the feedback, empty for other questions.
-        least, most: limits of a number; most also of the length of a text.
-        choices: (key, text) of a CHOICE.
-        required: whether an answer is required.
+        options: what can be chosen: (answer, text).
+        labels: of points of a scale.
     """
 
     name: str
-    kind: QuestionKind
+    question: Question
     text: str
+    help: str
     heading: str
-    least: int
-    most: int
-    choices: tuple[tuple[str, str], ...]
-    required: bool
+    options: tuple[tuple[Any, str], ...]
+    labels: Mapping[int, str]
+
+    @property
+    def kind(self) -> QuestionKind:
+        return self.question.kind
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +71,7 @@ class Page:
     Attributes:
         kind: see PageKind.
         step: name of the step.
+        key: of the page of questions.
         text: in the participant's language.
         questions: to be answered.
         replays: clips that can be played again.
@@ -76,6 +81,7 @@ class Page:
 
     kind: PageKind
     step: str
+    key: str = ""
     text: str = ""
     questions: tuple[AskedQuestion, ...] = ()
     replays: Replays = ()
@@ -103,15 +109,25 @@ class PageMaker:
             "{feel}": definition.words.feel[plan.language],
         }
 
-    def page(self, kind: PageKind, step: str, number: int) -> Page:
-        """Return a page."""
-        is_asking = kind is PageKind.QUESTIONS
+    def page(
+        self,
+        kind: PageKind,
+        step: str,
+        number: int,
+        asking: QuestionPage | None = None,
+    ) -> Page:
+        """Return a page; `asking` has its questions, the first of the step by default."""
+        if kind is not PageKind.QUESTIONS:
+            asking = None
+        elif asking is None:
+            asking = next(iter(pages_of(self._definition, step)), None)
         return Page(
             kind=kind,
             step=step,
-            text=self._text_of(kind, step),
-            questions=tuple(self.asked(step)) if is_asking else (),
-            replays=self._replays() if is_asking and step == POST_TEST else (),
+            key=asking.key if asking else "",
+            text=self._text_of(kind, asking),
+            questions=tuple(self.asked(asking)) if asking else (),
+            replays=self._replays() if asking and asking.replays else (),
             position=position_of(step) or 0,
             count=len(self._plan.order),
             number=number,
@@ -133,25 +149,16 @@ class PageMaker:
         word: Text = getattr(self._definition.words, name)
         return self._filled(word)
 
-    def scale(self) -> tuple[str, str]:
-        """Return the labels of the ends of the five-point scale."""
-        scale, language = self._definition.scale, self._plan.language
-        return scale.lowest[language], scale.highest[language]
-
-    def _text_of(self, kind: PageKind, step: str) -> str:
+    def _text_of(self, kind: PageKind, asking: QuestionPage | None) -> str:
         if kind is PageKind.QUESTIONS:
-            if step == SHEET:
-                return ""
-            return self.text("post_test" if step == POST_TEST else "questions")
+            return self._filled(asking.text) if asking and asking.text else ""
         if kind in (PageKind.PAUSED, PageKind.PROBLEM, PageKind.STOPPED):
             return self.word(kind.value)
         return "" if kind is PageKind.PLAYING else self.text(kind.value)
 
-    def asked(self, step: str) -> Iterator[AskedQuestion]:
-        """Yield the questions of a step, some of them once for each feedback."""
-        definition = self._definition
-        pages = {SHEET: definition.sheet, POST_TEST: definition.post_test}
-        for question in pages.get(step, definition.trial_questions):
+    def asked(self, page: QuestionPage) -> Iterator[AskedQuestion]:
+        """Yield the questions of a page, some of them once for each feedback."""
+        for question in page.questions:
             if not question.for_each_feedback:
                 yield self._ask(question, question.key)
                 continue
@@ -166,14 +173,21 @@ class PageMaker:
             text += f" ({self.word('optional')})"
         return AskedQuestion(
             name=name,
-            kind=question.kind,
+            question=question,
             text=text,
+            help=question.help[language] if question.help else "",
             heading=heading,
-            least=question.lowest,
-            most=question.highest,
-            choices=tuple((c.key, c.text[language]) for c in question.choices),
-            required=question.required,
+            options=self._options(question, language),
+            labels={one.at: one.text[language] for one in question.labels},
         )
+
+    def _options(self, asked: Question, language: str) -> tuple[tuple[Any, str], ...]:
+        if asked.kind is QuestionKind.YES_NO:
+            return (True, self.word("yes")), (False, self.word("no"))
+        if asked.kind is QuestionKind.SCALE:
+            least, most = range_of(asked) or (0, 0)
+            return tuple((n, number_text(n)) for n in range(least, most + 1))
+        return tuple((one.key, one.text[language]) for one in asked.choices)
 
     def _feedback_name(self, number: int) -> str:
         """Return the numbered name of a feedback, which hides the condition."""
@@ -196,43 +210,21 @@ def check_answers(
     """Return the answers of a page; unanswered ones are None."""
     checked: dict[str, Any] = {}
     for question in questions:
+        asked = question.question
         value = values.get(question.name)
         if isinstance(value, str):
             value = value.strip() or None
-        if value is None:
-            if question.required:
+        if value in (None, []):
+            value = None
+            if asked.required:
                 raise StudyError("is not answered yet", where=question.name)
-        elif not is_allowed(question, value):
-            raise StudyError(_limits(question), where=question.name)
+        elif not kind_of(asked).allows(value):
+            raise StudyError(kind_of(asked).refusal, where=question.name)
         checked[question.name] = value
     if unknown := set(values) - set(checked):
         raise StudyError("is not a question of this page", where=min(unknown))
     return checked
 
 
-def is_allowed(question: AskedQuestion, value: Any) -> bool:
-    """Whether a question can be answered like this."""
-    is_whole = isinstance(value, int) and not isinstance(value, bool)
-    match question.kind:
-        case QuestionKind.LIKERT:
-            return is_whole and value in LIKERT
-        case QuestionKind.NUMBER:
-            return is_whole and question.least <= value <= question.most
-        case QuestionKind.CHOICE:
-            return isinstance(value, str) and value in dict(question.choices)
-        case QuestionKind.YES_NO:
-            return isinstance(value, bool)
-        case QuestionKind.TEXT:
-            return isinstance(value, str) and len(value) <= question.most
-
-
-def _limits(question: AskedQuestion) -> str:
-    if question.kind is QuestionKind.NUMBER:
-        return Message(
-            "must be a number from {least} to {most}",
-            least=question.least,
-            most=question.most,
-        )
-    if question.kind is QuestionKind.TEXT:
-        return Message("has more than {most} characters", most=question.most)
-    return Message("must be one of the choices")
+def number_text(value: int) -> str:
+    return str(value).replace("-", "\u2212")

@@ -17,9 +17,10 @@ from hapticplayer.errors import InputError, Message, StudyError
 from hapticplayer.structures import convert
 from hapticplayer.study.definition import Amount, Condition, Definition
 from hapticplayer.study.journal import JournalRecord, Records
-from hapticplayer.study.pages import AskedQuestion, PageMaker, is_allowed
+from hapticplayer.study.pages import AskedQuestion, PageMaker
 from hapticplayer.study.plan import Plan
-from hapticplayer.study.steps import POST_TEST, SHEET, position_of, trial_step
+from hapticplayer.study.questions import kind_of
+from hapticplayer.study.steps import pages_of, position_of
 
 _Count = Annotated[int, Meta(ge=0, le=10**9)]
 _Number = Annotated[float, Meta(ge=-1e9, le=1e9)]
@@ -73,6 +74,7 @@ class _Trial(_OfTrial):
 
 class _Answers(Struct):
     step: str
+    page: str
     values: dict[str, Any]
     response_s: Amount | None = None
 
@@ -134,11 +136,11 @@ def sound_records(
 
 class _RecordCheck:
     def __init__(self, plan: Plan, definition: Definition) -> None:
-        self._plan = plan
+        self._plan, self._definition = plan, definition
         maker = PageMaker(definition, plan)
         self._questions: dict[str, dict[str, AskedQuestion]] = {
-            step: {one.name: one for one in maker.asked(step)}
-            for step in (SHEET, POST_TEST, trial_step(1))
+            page.key: {one.name: one for one in maker.asked(page)}
+            for page in definition.pages
         }
         self._seen: dict[int, JournalRecord] = {}
 
@@ -187,12 +189,17 @@ class _RecordCheck:
     def _answers(
         self, record: JournalRecord, found: _Answers, notify: Callable[[str], None]
     ) -> JournalRecord:
-        page = found.step
-        if page not in (SHEET, POST_TEST):
+        pages = {page.key for page in pages_of(self._definition, found.step)}
+        if position_of(found.step) or not pages:
             trial = _read(record, _TrialAnswers)
             self._refuse_other_trial(trial.step, trial.condition)
-            page = trial_step(1)
-        questions = self._questions[page]
+        if found.page not in pages:
+            raise StudyError(
+                "there is no page {page!r} in {step}",
+                page=found.page[:40],
+                step=found.step,
+            )
+        questions = self._questions[found.page]
         wrong = dict(_wrong(found.values, questions))
         for name, reason in wrong.items():
             notify(
@@ -215,7 +222,7 @@ def _wrong(
     for name, value in values.items():
         if name not in questions:
             yield name, Message("is not a question of this page")
-        elif value is not None and not is_allowed(questions[name], value):
+        elif value is not None and not kind_of(questions[name].question).allows(value):
             shown = repr(value)[:40]
             yield name, Message("{value} is not allowed", value=shown)
 

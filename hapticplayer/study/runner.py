@@ -12,7 +12,7 @@ from hapticplayer import __version__
 from hapticplayer.clock import Clock
 from hapticplayer.errors import InputError, Message, StudyError, message_of
 from hapticplayer.storage import StorageError
-from hapticplayer.study.definition import Condition
+from hapticplayer.study.definition import Condition, QuestionPage
 from hapticplayer.study.journal import Journal, JournalRecord
 from hapticplayer.study.pages import Page, PageKind, PageMaker, check_answers
 from hapticplayer.study.plan import describe
@@ -23,10 +23,10 @@ from hapticplayer.study.steps import (
     DEMONSTRATION,
     FIRST_FRAME,
     MARKED,
-    POST_TEST,
-    SHEET,
+    answered_pages,
     attempts_of,
     marker_text,
+    pages_of,
     position_of,
     steps_done,
     steps_of,
@@ -50,12 +50,7 @@ class StepMode(enum.Enum):
 
 _NOTE_LENGTH = 100_000
 """Of one record; a longer note has several."""
-_AT_STEP = {
-    CONSENT: PageKind.CONSENT,
-    SHEET: PageKind.QUESTIONS,
-    DEMONSTRATION: PageKind.DEMONSTRATION,
-    POST_TEST: PageKind.QUESTIONS,
-}
+_AT_STEP = {CONSENT: PageKind.CONSENT, DEMONSTRATION: PageKind.DEMONSTRATION}
 _IN_MODE = {
     StepMode.PLAYING: PageKind.PLAYING,
     StepMode.SHOWING: PageKind.PLAYING,
@@ -106,7 +101,8 @@ class SessionRunner:
         self._steps = steps_of(self.definition, len(self._conditions))
         self._journal = Journal(session.folder / ANSWERS, clock)
         records = study.session(code).records  # as they are now that it is locked
-        self._done = steps_done(records)
+        self._done = steps_done(records, self.definition)
+        self._answered = answered_pages(records)
         self._attempts = {s: attempts_of(records, s) for s in self._steps}
         self._again = ""
         self._is_first_frame_told = False
@@ -129,7 +125,10 @@ class SessionRunner:
             self._journal.close()
             raise
         self._tell(record)
-        self._enter()
+        if any(key[:2] == (self.step, self.attempt) for key in self._answered):
+            self._ask()  # the pages that are left, without the clip
+        else:
+            self._enter()
 
     # --- state ----------------------------------------------------------------
 
@@ -152,23 +151,27 @@ class SessionRunner:
         return self._conditions[position - 1] if position else None
 
     @property
-    def trials(self) -> int:
-        return len(self._conditions)
-
-    @property
     def attempt(self) -> int:
         """Number of the current or last attempt at the current trial."""
         return self._attempts.get(self.step, 0)
 
     @property
     def page(self) -> Page:
-        return self.maker.page(self._kind(), self.step, self._number)
+        return self.maker.page(self._kind(), self.step, self._number, self._asking)
+
+    @property
+    def _asking(self) -> QuestionPage | None:
+        """The page of questions of this step that is to be answered next."""
+        of, pages = (self.step, self.attempt), pages_of(self.definition, self.step)
+        left = (page for page in pages if (*of, page.key) not in self._answered)
+        return next(left, None)
 
     def _kind(self) -> PageKind:
         if self._mode is StepMode.AT_PAGE:
             if self._is_complete is not None:
                 return PageKind.THANKS if self._is_complete else PageKind.STOPPED
-            return _AT_STEP.get(self.step, PageKind.READY)
+            other = PageKind.READY if self.condition else PageKind.QUESTIONS
+            return _AT_STEP.get(self.step, other)
         return _IN_MODE[self._mode]
 
     # --- actions of the participant ----------------------------------------------
@@ -200,15 +203,19 @@ class SessionRunner:
                 the page stays.
         """
         page = self._expect(PageKind.QUESTIONS)
-        checked = check_answers(page.questions, values)
-        content: dict[str, Any] = {
-            "step": self.step,
-            "values": checked,
-            "response_s": round(self._clock.now_s() - self._shown_s, 3),
-        }
-        if self.condition is not None:
-            content |= self._trial_name()
-        self._store("answers", self._complete_step, **content)
+
+        def answered() -> None:
+            self._answered.add((self.step, self.attempt, page.key))
+            (self._ask if self._asking else self._complete_step)()
+
+        self._store(
+            "answers",
+            answered,
+            **self._step_name(),
+            page=page.key,
+            values=check_answers(page.questions, values),
+            response_s=round(self._clock.now_s() - self._shown_s, 3),
+        )
 
     def proceed(self) -> None:
         """Start the trial, leave the page or end the pause."""
@@ -222,7 +229,7 @@ class SessionRunner:
             if self._is_held():
                 return
             self._attempts[self.step] += 1
-            self._store("trial-begin", self._play, **self._trial_name())
+            self._store("trial-begin", self._play, **self._step_name())
 
     def demonstrate(self) -> None:
         """Play the demonstration of the device."""
@@ -406,13 +413,12 @@ class SessionRunner:
         self._number += 1
         self._shown_s = self._clock.now_s()
 
-    def _trial_name(self) -> dict[str, Any]:
-        assert self.condition is not None
-        return {
-            "step": self.step,
-            "attempt": self.attempt,
-            "condition": describe(self.condition),
-        }
+    def _step_name(self) -> dict[str, Any]:
+        """What a record belongs to: a step, and a trial's attempt and condition."""
+        if self.condition is None:
+            return {"step": self.step}
+        of = {"attempt": self.attempt, "condition": describe(self.condition)}
+        return {"step": self.step, **of}
 
     def _play(self) -> None:
         self._mode = StepMode.PLAYING
@@ -431,7 +437,7 @@ class SessionRunner:
         self._store(
             "trial",
             then,
-            **self._trial_name(),
+            **self._step_name(),
             is_valid=played.is_valid,
             reasons=list(played.reasons),
             playback=dict(played.playback),

@@ -2,22 +2,17 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from msgspec import Struct
 
 from hapticplayer.errors import InputError, Message
 from hapticplayer.structures import convert
-from hapticplayer.study.definition import Condition, Definition
+from hapticplayer.study.definition import Condition, Definition, QuestionPage, When
 from hapticplayer.study.journal import Records
 
-CONSENT, SHEET, DEMONSTRATION, POST_TEST = (
-    "consent",
-    "sheet",
-    "demonstration",
-    "post-test",
-)
+CONSENT, DEMONSTRATION = "consent", "demonstration"
 Kind = TypeVar("Kind")
 _TRIAL = "trial-"
 _TRIAL_STEP = re.compile(r"trial-([0-9]{1,6})")
@@ -25,7 +20,7 @@ _TRIAL_STEP = re.compile(r"trial-([0-9]{1,6})")
 
 @dataclass(frozen=True, slots=True)
 class AnsweredTrial:
-    """A trial with its answers.
+    """A trial with its answers, or those to some of its pages.
 
     Attributes:
         position: in the participant's order, from 1.
@@ -35,7 +30,8 @@ class AnsweredTrial:
         is_valid: whether the playback was valid.
         reasons: why it was not.
         playback: its figures.
-        response_s: time from page to answer, s; None if not measured.
+        response_s: time from pages to answers, s; None if not measured.
+        pages: number of those that were answered.
     """
 
     position: int
@@ -46,6 +42,7 @@ class AnsweredTrial:
     reasons: tuple[str, ...]
     playback: Mapping[str, Any]
     response_s: float | None = None
+    pages: int = 1
 
 
 def trial_step(position: int) -> str:
@@ -80,24 +77,46 @@ def marker_text(step: str, what: str, order: Sequence[Condition]) -> str:
 
 
 def steps_of(definition: Definition, trials: int) -> list[str]:
-    """Return the names of all steps in order."""
-    steps = [CONSENT]
-    if definition.sheet:
-        steps.append(SHEET)
-    steps.append(DEMONSTRATION)
-    steps += [trial_step(position) for position in range(1, trials + 1)]
-    if definition.post_test:
-        steps.append(POST_TEST)
-    return steps
+    """Return the names of all steps in order; those of pages are their keys."""
+    return [
+        CONSENT,
+        *(page.key for page in definition.pages_at(When.BEFORE)),
+        DEMONSTRATION,
+        *(trial_step(position) for position in range(1, trials + 1)),
+        *(page.key for page in definition.pages_at(When.AFTER)),
+    ]
 
 
-def steps_done(records: Records) -> set[str]:
+def pages_of(definition: Definition, step: str) -> tuple[QuestionPage, ...]:
+    """The pages of questions of a step."""
+    if position_of(step):
+        return definition.pages_at(When.AFTER_CLIP)
+    return tuple(page for page in definition.pages if page.key == step)
+
+
+def answered_pages(records: Records) -> set[tuple[str, int, str]]:
+    """The pages that were answered: step, attempt (0 where there is none), key."""
+    found = set()
+    for record in records.intact:
+        if record.kind == "answers" and (one := _read(record.content, _Page)):
+            found.add((one.step, one.attempt, one.page))
+    return found
+
+
+def steps_done(records: Records, definition: Definition) -> set[str]:
     """Return the steps that were answered, passed or skipped."""
-    kinds = ("answers", "passed", "skip")
-    return {
+    answered: dict[tuple[str, int], set[str]] = {}
+    for step, attempt, page in answered_pages(records):
+        answered.setdefault((step, attempt), set()).add(page)
+    done = {
+        step
+        for (step, _), found in answered.items()
+        if found >= {page.key for page in pages_of(definition, step)}
+    }
+    return done | {
         str(record.content.get("step"))
         for record in records.intact
-        if record.kind in kinds
+        if record.kind in ("passed", "skip")
     }
 
 
@@ -120,15 +139,29 @@ def page_values(records: Records, page: str) -> Mapping[str, Any]:
 
 
 def answered_trials(records: Records) -> Iterator[AnsweredTrial]:
-    """Yield the answered trials, in the order of their answers."""
+    """Yield the answered trials, in the order of their first answers."""
     played: dict[tuple[str, int], _Played] = {}
+    found: dict[tuple[str, int], AnsweredTrial] = {}
     for record in records.intact:
         if record.kind == "trial" and (trial := _read(record.content, _Played)):
             played[trial.step, trial.attempt] = trial
         if record.kind == "answers" and (answered := _read(record.content, _Answered)):
             position = position_of(answered.step)
             if position is not None:
-                yield _trial(position, answered, played)
+                made = _trial(position, answered, played)
+                key = answered.step, answered.attempt
+                found[key] = _joined(found[key], made) if key in found else made
+    yield from found.values()
+
+
+def _joined(first: AnsweredTrial, next_page: AnsweredTrial) -> AnsweredTrial:
+    times_s = first.response_s, next_page.response_s
+    return replace(
+        next_page,
+        values={**first.values, **next_page.values},
+        pages=first.pages + 1,
+        response_s=None if None in times_s else round(sum(filter(None, times_s)), 3),
+    )
 
 
 class _Played(Struct):
@@ -137,6 +170,12 @@ class _Played(Struct):
     is_valid: bool
     reasons: tuple[str, ...]
     playback: dict[str, Any] = {}
+
+
+class _Page(Struct):
+    step: str
+    page: str
+    attempt: int = 0
 
 
 class _Answered(Struct):

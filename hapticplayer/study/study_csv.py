@@ -3,25 +3,28 @@
 import codecs
 import csv
 import io
-import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from hapticplayer import storage
-from hapticplayer.study.answers import Answers
+from hapticplayer.study.answers import Answers, rated
+from hapticplayer.study.definition import Definition, Question, QuestionKind, When
+from hapticplayer.study.questions import AnswerColumn, kind_of, range_of
 from hapticplayer.study.steps import answered_trials
 from hapticplayer.study.study_data import StudyData
 from hapticplayer.study.trial_force import LEAST_FORCE_N, MOST_ERROR, TrialForce
 
 
 class DataColumn(NamedTuple):
-    """A column: name, meaning, and unit or levels."""
+    """A column: name, meaning, unit or levels, and the texts of levels."""
 
     name: str
     meaning: str
     levels: str = ""
+    texts: Mapping[str, str] = MappingProxyType({})
 
 
 class DataTable(NamedTuple):
@@ -109,9 +112,67 @@ _TRIAL_COLUMNS = (
     DataColumn("reasons", "why the playback was not valid, separated by semicolons"),
     *_PLAYED,
     DataColumn("response_s", "from the questions to the answer", "s"),
-    DataColumn("answers", "all answers as JSON"),
     *FELT,
 )
+
+
+class GivenColumn(NamedTuple):
+    """A column of answers: of the question with this name, as this part of it."""
+
+    column: DataColumn
+    name: str
+    part: AnswerColumn
+
+    def cell(self, values: Mapping[str, Any]) -> Any:
+        """The cell for the answers of somebody, by name."""
+        return self.part.cell(values.get(self.name))
+
+
+def answer_columns(
+    definition: Definition, *when: When, taken: Iterable[DataColumn]
+) -> list[GivenColumn]:
+    """The columns of the answers to the questions of some pages.
+
+    Args:
+        definition: of the study.
+        when: the pages are shown.
+        taken: other columns of the table, whose names no question gets.
+    """
+    names = {column.name for column in taken}
+    found = []
+    for asked in definition.questions_at(*when):
+        feedbacks = definition.feedback_keys if asked.for_each_feedback else ("",)
+        for feedback in feedbacks:
+            name = f"{asked.key}@{feedback}" if feedback else asked.key
+            for part in kind_of(asked).columns:
+                column = _answer_column(definition, asked, name, part)
+                if column.name in names:
+                    column = column._replace(name=f"answer_{column.name}")
+                found.append(GivenColumn(column, name, part))
+    return found
+
+
+def _answer_column(
+    definition: Definition, asked: Question, name: str, part: AnswerColumn
+) -> DataColumn:
+    language = definition.languages[0]
+    meaning = definition.wording(asked, language)
+    if part.of:
+        option = next(one for one in asked.choices if one.key == part.of)
+        meaning += f" \u2013 {option.text[language]}"
+    texts = {
+        level: text.get(language) or {"true": "yes", "false": "no"}[level]
+        for level, text in (part.levels or {}).items()
+    }
+    levels = "|".join(texts)
+    if (limits := range_of(asked)) is not None:
+        labelled = ", ".join(f"{level}: {text}" for level, text in texts.items())
+        levels = f"from {limits[0]} to {limits[1]} {part.unit}".strip()
+        levels += f" ({labelled})" * bool(labelled)
+        is_scale = asked.kind is QuestionKind.SCALE
+        points = map(str, range(limits[0], limits[1] + 1)) if is_scale else ()
+        texts = {point: texts.get(point, point) for point in points}
+    return DataColumn(f"{name}{part.suffix}", meaning, levels, texts)
 
 
 def write_csv(data: StudyData, folder: Path) -> None:
@@ -132,10 +193,10 @@ def write_csv_for_excel(data: StudyData, folder: Path) -> None:
 def _files(data: StudyData) -> Iterator[tuple[str, bytes]]:
     answers = data.answers
     made = [
-        participants(answers),
-        _ratings(answers),
+        participants(data),
+        _ratings(data),
         _judgements(answers),
-        DataTable("trials.csv", _TRIAL_COLUMNS, list(_trial_rows(data))),
+        _trials(data),
         _texts(answers),
     ]
     tables = [table for table in made if table.rows]
@@ -144,35 +205,33 @@ def _files(data: StudyData) -> Iterator[tuple[str, bytes]]:
         yield table.name, separated(table._replace(rows=rows))
 
 
-def participants(answers: Answers) -> DataTable:
-    """Return the table of participants."""
-    columns = (
-        _WHO,
-        DataColumn("age", "age of the participant", "years"),
-        DataColumn("gender", "as answered"),
-        DataColumn("handedness", "hand that writes"),
-        DataColumn("used_device_before", "had used such a device before", "true|false"),
+def participants(data: StudyData) -> DataTable:
+    """Return the table of participants, with their answers before and after the clips."""
+    own = (
         DataColumn("complete", "the session was completed", "true|false"),
         DataColumn("simulated", "simulated participant", "true|false"),
     )
+    given = answer_columns(data.definition, When.BEFORE, When.AFTER, taken=(_WHO, *own))
     rows = [
-        (
-            *(p.code, p.age, p.gender, p.handedness, p.used_device_before),
-            *(p.complete, p.simulated),
-        )
-        for p in answers.participants
+        (p.code, *(one.cell(p.values) for one in given), p.complete, p.simulated)
+        for p in data.answers.participants
     ]
+    columns = (_WHO, *(one.column for one in given), *own)
     return DataTable("participants.csv", columns, rows)
 
 
-def _ratings(answers: Answers) -> DataTable:
+def _ratings(data: StudyData) -> DataTable:
+    answers = data.answers
+    scales = "|".join(
+        f"{asked.key}: {_answer_column(data.definition, asked, '', part).levels}"
+        for asked in rated(data.definition)
+        for part in kind_of(asked).columns
+    )
     columns = (
         _WHO,
         *_WHERE,
         DataColumn("factor", "what was rated", "|".join(answers.factors)),
-        DataColumn(
-            "value", "rating; empty where it is missing", "1 not at all to 5 totally"
-        ),
+        DataColumn("value", "rating; empty where it is missing", scales),
         _IS_VALID,
     )
     rows = [
@@ -202,7 +261,9 @@ def _texts(answers: Answers) -> DataTable:
     columns = (
         _WHO,
         DataColumn("question", "key in the definition"),
+        DataColumn("sequence", "key of the sequence that it is about; empty for all"),
         DataColumn("feedback", "subject of the question; empty for all"),
+        DataColumn("position", "of the trial that it is about; empty for all"),
         DataColumn(
             "text",
             "as written, reviewed by a person; an apostrophe is put before = + - @ at "
@@ -211,14 +272,22 @@ def _texts(answers: Answers) -> DataTable:
         ),
     )
     rows = [
-        (a.participant, a.question, a.feedback, a.text)
+        (a.participant, a.question, a.sequence, a.feedback, a.trial, a.text)
         for a in answers.open_answers
         if a.reviewed
     ]
     return DataTable("texts.csv", columns, rows)
 
 
-def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
+def _trials(data: StudyData) -> DataTable:
+    given = answer_columns(data.definition, When.AFTER_CLIP, taken=_TRIAL_COLUMNS)
+    columns = (*_TRIAL_COLUMNS, *(one.column for one in given))
+    return DataTable("trials.csv", columns, list(_trial_rows(data, given)))
+
+
+def _trial_rows(
+    data: StudyData, given: Sequence[GivenColumn]
+) -> Iterator[Sequence[Any]]:
     """Yield a row for each answered attempt, including repeated ones."""
     for session in data.sessions:
         forces = data.trial_forces(session)
@@ -237,8 +306,8 @@ def _trial_rows(data: StudyData) -> Iterator[Sequence[Any]]:
                 ";".join(trial.reasons),
                 *(trial.playback.get(column.name) for column in _PLAYED),
                 trial.response_s,
-                json.dumps(dict(trial.values), sort_keys=True),
                 *trial_force_cells(forces.get((trial.position, trial.attempt))),
+                *(one.cell(trial.values) for one in given),
             )
 
 

@@ -163,7 +163,7 @@ def test_an_age_is_answered_by_finger_alone(make_study, sit, wait_for, qtbot):
     for _ in range(3):
         qtbot.mouseClick(up, Qt.MouseButton.LeftButton)
     qtbot.mouseClick(down, Qt.MouseButton.LeftButton)
-    assert age.value() == age.asked.least + 1
+    assert age.value() == age.asked.question.least + 1
 
 
 def test_the_question_that_is_not_answered_comes_into_sight(make_study, sit, qtbot):

@@ -241,7 +241,7 @@ def test_no_page_of_a_session_tells_a_condition_or_a_file(
     person.wait_page(PageKind.THANKS)
     unseen = {PageKind.PROBLEM, PageKind.STOPPED}
     assert {kind for kind, _ in person.seen} == set(PageKind) - unseen
-    question = session.runner.definition.factors[0].text[language]
+    question = session.runner.definition.pages[1].questions[0].text[language]
     assert question in person.seen[PageKind.QUESTIONS, "trial-01"]
     code = session.runner.plan.code
     assert any(code in text for text in person.seen.pop((PageKind.THANKS, "end")))

@@ -11,10 +11,12 @@ import signal
 import sys
 from pathlib import Path
 
+import numpy as np
+
 from hapticplayer.clock import SystemClock
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.study_folder import open_study
-from tests.unit.study.conftest import SHEET, VALUES
+from tests.every_kind import drawn
 from tests.unit.study.test_runner import RunningSession
 
 
@@ -25,12 +27,7 @@ def say(text: str) -> None:
 def answer(running: RunningSession) -> None:
     """Answer a page with values that tell which it is."""
     page, runner = running.runner.page, running.runner
-    if runner.condition is not None:
-        values = {**VALUES, "comfort": 1 + page.position % 5}
-    else:
-        values = (
-            SHEET if "age" in {q.name for q in page.questions} else {"tiring": "no"}
-        )
+    values = drawn(page, np.random.default_rng([os.getpid(), page.number]))
     answered = f"{runner.step} {json.dumps(values, sort_keys=True)}"
     runner.answer(values)
     say(f"ack {answered}")

@@ -12,8 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from hapticplayer.study.creation import create_study
+from hapticplayer.study.creation import change_definition, create_study
 from hapticplayer.study.session_folder import SessionState
+from tests.every_kind import with_every_kind
 
 ROOT = Path(__file__).resolve().parents[2]
 VICTIM = Path(__file__).with_name("study_victim.py")
@@ -80,6 +81,7 @@ def unfinished(study):
 
 def test_no_answer_that_was_accepted_is_lost(tmp_path):
     study, dice = create_study(tmp_path / "study"), np.random.default_rng(25)
+    study = change_definition(study, with_every_kind(json.loads(study.content)))
     code, accepted, kills = "", set(), 0
     with victim(study.folder) as process:
         while kills < KILLS or code:

@@ -59,7 +59,7 @@ def _study(stage: Stage) -> Study:
 
 def _longer(study: Study, language: str) -> Study:
     content = json.loads(study.content)
-    for factor in content["factors"]:
+    for factor in content["pages"][1]["questions"]:
         factor["text"][language] += LONG
     return change_definition(study, content)
 
@@ -101,9 +101,10 @@ def _editor(stage: Stage, study: Study) -> Pictures:
         for number in range(editor.tabs.count()):
             editor.tabs.setCurrentIndex(number)
             yield f"study-editor-{number + 1}", stage.picture(editor, PREVIEWED_MS)
-        editor.questions.add("sheet", QuestionKind.CHOICE)
+        editor.questions.select(("pages", 0))
+        editor.questions.add(QuestionKind.CHOICE)
         editor.keep()
-        editor.lead_to(("sheet", 4))
+        editor.lead_to(("pages", 0, "questions", 4))
         yield "study-editor-error", stage.picture(editor, PREVIEWED_MS)
         while editor.document.stack.canUndo():
             editor.document.stack.undo()

@@ -30,14 +30,17 @@ def entry_at(content: Any, place: Place) -> Any:
 
 
 def _changed(content: Any, place: Place, change: Callable[[Any], Any]) -> Any:
-    """Return a copy with another entry; the rest is shared. None takes it away."""
+    """Return a copy with another entry; the rest is shared.
+
+    None takes it away, and so does nothing left in an object.
+    """
     if not place:
         return change(content)
     first, rest = place[0], place[1:]
     copied = list(content) if isinstance(content, list) else dict(content or {})
     before = entry_at(copied, (first,))
     after = _changed(before, rest, change)
-    if after is None and isinstance(copied, dict):
+    if after in (None, {}) and isinstance(copied, dict):
         copied.pop(first, None)
     else:
         copied[first] = after  # type: ignore[index]
@@ -90,20 +93,16 @@ class StudyDocument(Steps[Content]):
             place[:-1], lambda before: before[:number] + before[number + 1 :], text
         )
 
-    def move(self, place: Place, by: int, text: str) -> Place:
-        """Move an entry within its list, and return its new place."""
-        number = place[-1]
-        assert isinstance(number, int)
-        count = len(self.at(place[:-1]))
-        to = min(max(0, number + by), count - 1)
+    def move(self, place: Place, to: Place, text: str) -> Place:
+        """Move an entry to the place of another one of its list, and return that."""
 
         def moved(before: list[Any]) -> list[Any]:
             made = list(before)
-            made.insert(to, made.pop(number))
+            made.insert(int(to[-1]), made.pop(int(place[-1])))
             return made
 
         self.change_list(place[:-1], moved, text)
-        return (*place[:-1], to)
+        return to
 
     def change_list(
         self, place: Place, change: Callable[[list[Any]], list[Any]], text: str

@@ -76,8 +76,8 @@ class StudyEditor(QDialog):
         self.general = GeneralFields(self.document)
         self.sequences = SequenceList(self.document, self.draft.study.folder, library)
         self.conditions = ConditionList(self.document, self.draft.study.folder)
-        self.questions = QuestionList(self.document)
-        self.texts = TextList(self.document)
+        self.questions = QuestionList(self.document, self.draft.study.folder)
+        self.texts = TextList(self.document, self.draft.study.folder)
         self.order = OrderPage(self.document, lambda: self.draft.study, self.keep)
         self.pages: list[
             tuple[str, GeneralFields | EntryList | OrderPage, tuple[str, ...]]
@@ -89,11 +89,7 @@ class StudyEditor(QDialog):
                 self.conditions,
                 ("feedbacks", "levels", "repeats"),
             ),
-            (
-                self.tr("Questions"),
-                self.questions,
-                ("sheet", "factors", "consistency", "post_test", "scale"),
-            ),
+            (self.tr("Questions"), self.questions, ("pages",)),
             (self.tr("Texts"), self.texts, ("texts", "words")),
             (self.tr("Order"), self.order, ("order",)),
         ]

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QDoubleSpinBox,
     QFormLayout,
     QFrame,
+    QLabel,
     QLineEdit,
     QPlainTextEdit,
     QScrollArea,
@@ -20,7 +21,8 @@ from PySide6.QtWidgets import (
 
 from app.bridge.languages import NAMES
 from app.experimenter.study.document import Place, StudyDocument
-from app.widgets.layout import indent, keep_width, read_in_order
+from app.widgets import theme
+from app.widgets.layout import STRETCH, indent, keep_width, read_in_order, row_of
 from hapticplayer.model.ranges import Range
 
 translate = QCoreApplication.translate
@@ -98,6 +100,12 @@ class Fields(QScrollArea):
         """Add a row without a label."""
         self.rows.addRow(widget)
 
+    def heading(self, text: str) -> None:
+        """Begin a part of the form."""
+        label = QLabel(text)
+        label.setFont(theme.scaled(self.font(), 1.0, bold=True))
+        self.rows.addRow(label)
+
     def bind(self, place: Place, widget: QWidget, show: Callable[[], None]) -> None:
         """Have `show` called whenever the document has changed."""
         self.by_place[place] = widget
@@ -131,8 +139,15 @@ class Fields(QScrollArea):
         self._bind(label, place, line, show)
         return line
 
-    def area(self, label: str, place: Place, lines: int = _LINES) -> QPlainTextEdit:
-        """Add a text of several lines."""
+    def area(
+        self,
+        label: str,
+        place: Place,
+        lines: int = _LINES,
+        *,
+        is_optional: bool = False,
+    ) -> QPlainTextEdit:
+        """Add a text of several lines; where it is optional, "" is no entry."""
         area = QPlainTextEdit()
         area.setTabChangesFocus(True)
         area.setFixedHeight(round((lines + 1.2) * area.fontMetrics().lineSpacing()))
@@ -144,7 +159,8 @@ class Fields(QScrollArea):
 
         def typed() -> None:
             if _text_of(area) != str(self.document.at(place) or ""):
-                self._set(place, _text_of(area), label)
+                text = _text_of(area)
+                self._set(place, text or (None if is_optional else ""), label)
 
         area.textChanged.connect(typed)
         self._add(label, place, area, show)
@@ -162,8 +178,30 @@ class Fields(QScrollArea):
         self._add("", place, box, show, name=text)
         return box
 
-    def number(self, label: str, place: Place, least: int, most: int) -> QSpinBox:
-        """Add a whole number."""
+    def number(
+        self,
+        label: str,
+        place: Place,
+        least: int,
+        most: int,
+        take: Callable[[int], None] | None = None,
+        usually: int | None = None,
+    ) -> QSpinBox:
+        """Add a whole number; `take` does more than to change the entry."""
+        box = self.lone_number(label, place, least, most, take, usually)
+        self.rows.addRow(label, box)
+        return box
+
+    def lone_number(
+        self,
+        label: str,
+        place: Place,
+        least: int,
+        most: int,
+        take: Callable[[int], None] | None = None,
+        usually: int | None = None,
+    ) -> QSpinBox:
+        """Return a whole number without a row; `usually` where there is no entry."""
         box = QSpinBox()
         box.setRange(least, most)
         indent(box)
@@ -171,14 +209,44 @@ class Fields(QScrollArea):
         def show() -> None:
             value = self.document.at(place)
             box.blockSignals(True)
-            box.setValue(least if value is None else min(most, int(value)))
+            other = least if usually is None else usually
+            box.setValue(other if value is None else min(most, int(value)))
             box.blockSignals(False)
 
-        box.valueChanged.connect(lambda value: self._set(place, value, label))
-        self._add(label, place, box, show)
+        box.valueChanged.connect(take or (lambda value: self._set(place, value, label)))
+        self._bind(label, place, box, show)
         return box
 
-    def decimal(self, label: str, place: Place, limits: Range) -> QDoubleSpinBox:
+    def ticks(
+        self,
+        label: str,
+        place: Place,
+        choices: Iterable[tuple[str, str]],
+        usually: Iterable[str] = (),
+    ) -> QWidget:
+        """Add a list of which at least one entry is ticked."""
+        boxes = {value: QCheckBox(text) for text, value in choices}
+
+        def take() -> None:
+            chosen = [value for value, box in boxes.items() if box.isChecked()]
+            self._set(place, chosen, label)
+
+        def show() -> None:
+            held = list(self.document.at(place) or usually)
+            for value, box in boxes.items():
+                box.setChecked(value in held)
+                box.setEnabled(held != [value])
+
+        row = QWidget()
+        row_of(*boxes.values(), STRETCH, spacing=16, of=row)
+        for box in boxes.values():
+            box.clicked.connect(take)
+        self._add(label, place, row, show)
+        return row
+
+    def decimal(
+        self, label: str, place: Place, limits: Range, *, usually: float = 0.0
+    ) -> QDoubleSpinBox:
         """Add a number with a unit."""
         box = QDoubleSpinBox()
         box.setDecimals(3)
@@ -189,7 +257,8 @@ class Fields(QScrollArea):
 
         def show() -> None:
             box.blockSignals(True)
-            box.setValue(float(self.document.at(place) or 0.0))
+            value = self.document.at(place)
+            box.setValue(usually if value is None else float(value))
             box.blockSignals(False)
 
         box.valueChanged.connect(lambda value: self._set(place, round(value, 3), label))
@@ -225,7 +294,7 @@ class Fields(QScrollArea):
             if lines == 1:
                 self.line(own, entry, is_optional=is_optional)
             else:
-                self.area(own, entry, lines)
+                self.area(own, entry, lines, is_optional=is_optional)
 
     def in_language(self, label: str, language: str) -> str:
         """A label, with the language where there are several."""

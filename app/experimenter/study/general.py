@@ -5,8 +5,11 @@ from PySide6.QtWidgets import QCheckBox, QWidget
 from app.bridge.languages import NAMES
 from app.experimenter.study.document import StudyDocument
 from app.experimenter.study.fields import Fields
-from app.widgets.layout import STRETCH, row_of
+from app.widgets import theme
+from app.widgets.layout import STRETCH, paragraph, row_of
+from hapticplayer.model.ranges import Range
 from hapticplayer.study.creation import with_languages
+from hapticplayer.study.definition import Checks, PlaybackLimits, TrialKind
 
 
 class GeneralFields(Fields):
@@ -30,6 +33,18 @@ class GeneralFields(Fields):
             ("use_published",),
         )
         self.check(
+            self.tr(
+                "Stream markers and force to other programs on this computer (LSL)"
+            ),
+            ("lsl",),
+        )
+        self._fill_checks()
+        self._fill_limits()
+        self.whole(paragraph(self._unchanged(), theme.DIM))
+
+    def _fill_checks(self) -> None:
+        self.heading(self.tr("Before a session"))
+        self.check(
             self.tr("Require a real device before a session starts"),
             ("checks", "device"),
             usually=True,
@@ -39,12 +54,58 @@ class GeneralFields(Fields):
             ("checks", "sound"),
             usually=True,
         )
-        self.check(
-            self.tr(
-                "Stream markers and force to other programs on this computer (LSL)"
-            ),
-            ("lsl",),
+        disk = self.number(
+            self.tr("Free disk space"),
+            ("checks", "disk_free_mb"),
+            0,
+            10**9,
+            usually=Checks().disk_free_mb,
         )
+        disk.setSuffix(" MB")
+        self.ticks(
+            self.tr("Scheduling of the haptic loop"),
+            ("checks", "scheduling"),
+            [
+                (self.tr("real time (FIFO)"), "fifo"),
+                (self.tr("short time slices"), "slice"),
+                (self.tr("normal"), "normal"),
+            ],
+            usually=Checks().scheduling,
+        )
+
+    def _fill_limits(self) -> None:
+        self.heading(self.tr("A trial is marked as invalid above"))
+        for text, name, limits in (
+            (self.tr("Dropped frames (share)"), "dropped_share", Range(0.0, 1.0)),
+            (
+                self.tr("Force to video or sound (median)"),
+                "sync_ms",
+                Range(0.0, 1e6, "ms"),
+            ),
+            (
+                self.tr("Missed periods of the haptic loop (share)"),
+                "missed_share",
+                Range(0.0, 1.0),
+            ),
+            (self.tr("Audio dropouts"), "silence_s", Range(0.0, 1e6, "s")),
+        ):
+            usually = getattr(PlaybackLimits(), name)
+            box = self.decimal(text, ("limits", name), limits, usually=usually)
+            box.setSingleStep(1.0 if limits.unit == "ms" else 0.01)
+
+    def _unchanged(self) -> str:
+        """What the editor keeps as it is."""
+        kinds = {
+            TrialKind.RATING: self.tr("conditions are compared by answers"),
+            TrialKind.CONSISTENCY: self.tr("when force and video feel consistent"),
+        }
+        text = self.tr(
+            "Kept as they are: the template ({template}), what the trials are for "
+            "({trial}), and the identifier by which sessions belong to the study ({id})."
+        )
+        at = self.document.at
+        trial = kinds.get(at(("trial",)), at(("trial",)))
+        return text.format(template=at(("template",)), trial=trial, id=at(("id",)))
 
     def _language_row(self) -> None:
         self.languages = {}

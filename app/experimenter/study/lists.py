@@ -83,6 +83,10 @@ class EntryList(QWidget):
         """All that the fields of an entry depend on."""
         return place, tuple(self.document.languages)
 
+    def siblings(self, place: Place) -> list[Place]:
+        """The entries among which one may be moved, in their order."""
+        return [one.place for one in self._shown if one.place[:-1] == place[:-1]]
+
     @abstractmethod
     def fill(self, place: Place) -> None:
         """Make the fields of an entry."""
@@ -97,10 +101,11 @@ class EntryList(QWidget):
 
     def move_by(self, by: int) -> None:
         """Move the selected entry in its list."""
-        if self.selected:
-            self.selected = self.document.move(
-                self.selected, by, translate("EntryList", "another order")
-            )
+        same = self.siblings(self.selected)
+        to = same.index(self.selected) + by if self.selected in same else -1
+        if 0 <= to < len(same):
+            text = translate("EntryList", "another order")
+            self.selected = self.document.move(self.selected, same[to], text)
             self.refresh()
 
     def select(self, place: Place) -> None:
@@ -153,7 +158,7 @@ class EntryList(QWidget):
     def _show_fields(self) -> None:
         place, rows = self.selected, self._shown
         row = next((one for one in rows if one.place == place), None)
-        same = [one.place for one in rows if one.place[:-1] == place[:-1]]
+        same = self.siblings(place)
         may_go = bool(place) and row is not None and row.may_go
         self.remove_button.setEnabled(may_go)
         self.up_button.setEnabled(may_go and same[:1] != [place])

@@ -10,7 +10,7 @@ from app.bridge.jobs import Jobs, in_child
 from app.bridge.languages import translated
 from app.experimenter.study.document import Content, StudyDocument, filled
 from app.experimenter.study.fields import Fields
-from app.experimenter.study.words import text_in
+from app.experimenter.study.words import condition_words, text_in
 from app.widgets import theme
 from app.widgets.buttons import text_button
 from app.widgets.files import file_dialog
@@ -143,11 +143,16 @@ class OrderPage(QWidget):
             one["key"]: text_in(one["title"], content["languages"])
             for one in content["sequences"]
         }
+        feedbacks = {
+            one if isinstance(one, str) else one.get("key") or one["condition"]: words
+            for one in content["feedbacks"]
+            if (words := condition_words(one))
+        }
         names = {NEXT: self.tr("next participant"), EXAMPLE: self.tr("example")}
         for row, line in enumerate(lines):
             who = ", ".join(names.get(one, one) for one in line.who)
             cells = [str(line.number or ""), who]
-            cells += [_trial_words(trial, titles) for trial in line.order]
+            cells += [_trial_words(trial, titles, feedbacks) for trial in line.order]
             for column, text in enumerate(cells):
                 self.table.setItem(row, column, QTableWidgetItem(text))
 
@@ -186,8 +191,11 @@ class OrderPage(QWidget):
         self.jobs.close()
 
 
-def _trial_words(trial: Condition, titles: Mapping[str, str]) -> str:
-    parts = [titles.get(trial.sequence) or trial.sequence, trial.feedback]
+def _trial_words(
+    trial: Condition, titles: Mapping[str, str], feedbacks: Mapping[str, str]
+) -> str:
+    parts = [titles.get(trial.sequence) or trial.sequence]
+    parts.append(feedbacks.get(trial.feedback, trial.feedback))
     if (trial.delay_s, trial.gain) != (0.0, 1.0):
         parts.append(local(f"{1e3 * trial.delay_s:+.0f} ms \u00d7{trial.gain:g}"))
     return ", ".join(parts)

@@ -1,21 +1,21 @@
 """The texts of a study's pages, worded in each language and looked at."""
 
+from pathlib import Path
+
 from app.experimenter.study.document import Place, StudyDocument
 from app.experimenter.study.lists import EntryList, Row
-from app.experimenter.study.preview import PagePreview
+from app.experimenter.study.preview import PagePreview, ShownPage
 from app.experimenter.study.words import text_names, word_names
 from app.widgets import theme
 from app.widgets.layout import paragraph
 from hapticplayer.study.pages import PageKind
-from hapticplayer.study.steps import CONSENT, DEMONSTRATION, POST_TEST, trial_step
+from hapticplayer.study.steps import CONSENT, DEMONSTRATION, trial_step
 
 _LINES = 6
 _PAGES = {
     "consent": (PageKind.CONSENT, CONSENT),
     "demonstration": (PageKind.DEMONSTRATION, DEMONSTRATION),
     "ready": (PageKind.READY, trial_step(1)),
-    "questions": (PageKind.QUESTIONS, trial_step(1)),
-    "post_test": (PageKind.QUESTIONS, POST_TEST),
     "thanks": (PageKind.THANKS, "end"),
     "agree": (PageKind.CONSENT, CONSENT),
     "decline": (PageKind.CONSENT, CONSENT),
@@ -34,9 +34,9 @@ _PAGES = {
 class TextList(EntryList):
     """Lists the texts of pages and buttons."""
 
-    def __init__(self, document: StudyDocument) -> None:
+    def __init__(self, document: StudyDocument, folder: Path) -> None:
         super().__init__(document, self.tr("Texts"), None)
-        self.preview = PagePreview()
+        self.preview = PagePreview(folder)
         self.right.addWidget(self.preview)
 
     def rows(self) -> list[Row]:
@@ -67,5 +67,5 @@ class TextList(EntryList):
     def refresh(self) -> None:
         super().refresh()
         name = str(self.selected[-1]) if self.selected else ""
-        kind, step = _PAGES.get(name, (None, ""))
-        self.preview.follow(self.document.value, kind, step)
+        page = ShownPage(*_PAGES[name]) if name in _PAGES else None
+        self.preview.follow(self.document.value, page)

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
 
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import (
@@ -25,16 +27,24 @@ from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import InputError
 from hapticplayer.structures import convert
 from hapticplayer.study.definition import Definition
+from hapticplayer.study.drafts import clip_seconds
 from hapticplayer.study.pages import Page, PageKind, PageMaker
 from hapticplayer.study.plan import LENGTH, LETTERS, Plan
 
 _LATER_MS = 150
-_MINUTES = 30
 _LEAST_PX = 80
 
 
+class ShownPage(NamedTuple):
+    """A page of the participant: kind, step, and key of the page of questions."""
+
+    kind: PageKind
+    step: str
+    key: str = ""
+
+
 def sample_page(
-    content: Content, kind: PageKind, step: str, language: str
+    content: Content, folder: Path, shown: ShownPage, language: str
 ) -> tuple[Page, PageMaker] | None:
     """A page of a session that has not begun; None where there is no study yet."""
     try:
@@ -55,8 +65,10 @@ def sample_page(
         labels=made.feedback_keys,
         clips={},
     )
-    maker = PageMaker(made, plan, _MINUTES)
-    return maker.page(kind, step, 1), maker
+    minutes = made.expected_min(clip_seconds(content, folder))
+    maker = PageMaker(made, plan, minutes)
+    asking = next((page for page in made.pages if page.key == shown.key), None)
+    return maker.page(shown.kind, shown.step, 1, asking), maker
 
 
 @contextmanager
@@ -80,10 +92,11 @@ def _held(page: FittedPage, size: QSize) -> Iterator[QWidget]:
 class PagePreview(QWidget):
     """A small picture of a page, made again soon after every change."""
 
-    def __init__(self) -> None:
+    def __init__(self, folder: Path) -> None:
         super().__init__()
+        self._folder = folder
         self._content: Content = {}
-        self._page: tuple[PageKind, str] | None = None
+        self._page: ShownPage | None = None
         self.shown: Page | None = None
         self._later = QTimer(self)
         self._later.setSingleShot(True)
@@ -100,9 +113,8 @@ class PagePreview(QWidget):
         top = row_of(caption, self.language, STRETCH, self.large, spacing=8)
         column_of(top, (self.picture, 1), spacing=6, of=self)
 
-    def follow(self, content: Content, kind: PageKind | None, step: str) -> None:
+    def follow(self, content: Content, page: ShownPage | None) -> None:
         """Show a page of a definition; None for a text that is on no page."""
-        page = None if kind is None else (kind, step)
         self.setVisible(page is not None)
         if page is None or (content is self._content and page == self._page):
             return
@@ -121,7 +133,8 @@ class PagePreview(QWidget):
 
     def _made(self) -> FittedPage | None:
         assert self._page is not None
-        made = sample_page(self._content, *self._page, self.language.currentData())
+        language = self.language.currentData()
+        made = sample_page(self._content, self._folder, self._page, language)
         if made is None:
             return None
         self.shown, maker = made

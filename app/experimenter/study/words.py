@@ -8,20 +8,19 @@ from PySide6.QtCore import QCoreApplication
 from app.bridge.languages import NAMES, spoken
 from app.experimenter.study.document import Content, Place, entry_at
 from app.player.choices import feedback_words
-from app.widgets.texts import quoted
+from app.widgets.texts import quoted, titled
 from hapticplayer.rendering import ChosenFeedback
+from hapticplayer.study.definition import When
 
 translate = QCoreApplication.translate
 
 
 def group_names() -> dict[str, str]:
-    """The pages of questions."""
-    after = translate("StudyWords", "After each clip")
+    """When pages of questions are shown."""
     return {
-        "sheet": translate("StudyWords", "Before the first clip"),
-        "factors": after,
-        "consistency": after,
-        "post_test": translate("StudyWords", "After the last clip"),
+        When.BEFORE: translate("StudyWords", "Before the first clip"),
+        When.AFTER_CLIP: translate("StudyWords", "After each clip"),
+        When.AFTER: translate("StudyWords", "After the last clip"),
     }
 
 
@@ -31,8 +30,6 @@ def text_names() -> dict[str, str]:
         "consent": translate("StudyWords", "Consent"),
         "demonstration": translate("StudyWords", "Information about the device"),
         "ready": translate("StudyWords", "Before each clip"),
-        "questions": translate("StudyWords", "Above the questions after a clip"),
-        "post_test": translate("StudyWords", "Above the last questions"),
         "thanks": translate("StudyWords", "Closing words"),
         "retention": translate("StudyWords", "How long data are kept"),
     }
@@ -82,6 +79,8 @@ def place_words(content: Content, place: Place) -> str:
     if not place:
         return translate("StudyWords", "Study")
     first = str(place[0])
+    if first == "pages" and len(place) > 1:
+        return _question_words(content, place)
     parts = [_room(first)]
     item = content
     if len(place) > 1 and isinstance(place[1], int):
@@ -94,6 +93,28 @@ def place_words(content: Content, place: Place) -> str:
     return " \u203a ".join(parts)
 
 
+def page_words(content: Content, number: int) -> str:
+    """A page of questions by its number and text."""
+    page = entry_at(content, ("pages", number)) or {}
+    text = text_in(page.get("text"), content["languages"])
+    words = translate("StudyWords", "Page {n}").format(n=number + 1)
+    return titled(words, text) if text else words
+
+
+def _question_words(content: Content, place: Place) -> str:
+    number, rest = int(place[1]), place[2:]
+    when = entry_at(content, ("pages", number, "when"))
+    parts = [group_names().get(when, translate("StudyWords", "Questions"))]
+    if sum(page.get("when") == when for page in content["pages"]) > 1:
+        parts.append(page_words(content, number))
+    if len(rest) > 1 and rest[0] == "questions":
+        asked = entry_at(content, place[:4])
+        parts.append(_entry_words(content, "pages", asked, int(rest[1])))
+        rest = rest[2:]
+    parts += [word for one in rest if (word := _part_words("pages", one))]
+    return " \u203a ".join(parts)
+
+
 def _room(first: str) -> str:
     rooms = {
         "sequences": translate("StudyWords", "Sequences"),
@@ -102,12 +123,12 @@ def _room(first: str) -> str:
         "order": translate("StudyWords", "Order"),
         "texts": translate("StudyWords", "Texts"),
         "words": translate("StudyWords", "Buttons and messages"),
-        "scale": translate("StudyWords", "Labels of the scale"),
+        "pages": translate("StudyWords", "Questions"),
+        "limits": translate("StudyWords", "A trial is marked as invalid above"),
         "title": translate("StudyWords", "Title"),
         "languages": translate("StudyWords", "Languages"),
         "use_published": translate("StudyWords", "Published wording"),
         "checks": translate("StudyWords", "Checks"),
-        **group_names(),
     }
     return rooms.get(first, first)
 
@@ -142,7 +163,11 @@ def _part_words(first: str, part: str | int) -> str:
         "most": translate("StudyWords", "Largest number or length"),
         "kind": translate("StudyWords", "Kind"),
         "parameters": translate("StudyWords", "Parameters"),
-        "lowest": translate("StudyWords", "Lower end"),
-        "highest": translate("StudyWords", "Upper end"),
+        "help": translate("StudyWords", "Help line"),
+        "unit": translate("StudyWords", "Unit in the data"),
+        "labels": translate("StudyWords", "Labels of points"),
+        "at": translate("StudyWords", "Point"),
+        "in_qoe": translate("StudyWords", "Part of the sum QoE"),
+        "questions": translate("StudyWords", "Questions"),
     }
     return known.get(part, part)

@@ -38,6 +38,7 @@ from hapticplayer.study.analysis.contents import reproducibility
 from hapticplayer.study.analysis.figures import marked
 from hapticplayer.study.analysis.methods import computed_with, invalid_text, references
 from hapticplayer.study.analysis.parts import ReportParts
+from hapticplayer.study.analysis.question_report import question_summary
 from hapticplayer.study.analysis.references import (
     EFRON_1993,
     SCHNEIDER_2003,
@@ -123,6 +124,7 @@ def summary(analysis: ConsistencyAnalysis) -> dict[str, Any]:
             "answers_missing": analysis.missing,
             "of_these_invalid": analysis.invalid,
         },
+        "questions": question_summary(analysis.answers),
         "felt": trial_force_summary(analysis.answers),
         "warnings": warnings_of(analysis),
         "provenance": analysis.options.provenance(),

@@ -14,14 +14,16 @@ import numpy as np
 from hapticplayer import __version__, storage
 from hapticplayer.haptics.record_reader import RecordReader
 from hapticplayer.storage import json_text
-from hapticplayer.study.answers import Answers, simulated_mark
-from hapticplayer.study.definition import Definition
+from hapticplayer.study.answers import simulated_mark
+from hapticplayer.study.definition import Definition, When
 from hapticplayer.study.session_folder import StoredSession
 from hapticplayer.study.steps import AnsweredTrial, answered_trials
 from hapticplayer.study.study_csv import (
     FELT,
     DataColumn,
     DataTable,
+    GivenColumn,
+    answer_columns,
     participants,
     separated,
     trial_force_cells,
@@ -82,7 +84,7 @@ def write_bids(data: StudyData, folder: Path) -> None:
     """Write a dataset into an empty folder."""
     definition = data.definition
     _json(folder / "dataset_description.json", _dataset(definition))
-    _participants(data.answers, folder)
+    _participants(data, folder)
     _json(folder / f"task-{TASK}_beh.json", _beh_sidecar(definition))
     for session in data.sessions:
         _subject(session, data, folder / f"sub-{session.code}")
@@ -121,9 +123,9 @@ def _readme(data: StudyData, folder: Path) -> bytes:
     return text.encode(errors="replace")
 
 
-def _participants(answers: Answers, folder: Path) -> None:
+def _participants(data: StudyData, folder: Path) -> None:
     """Write the participants, as in the CSV export."""
-    name, columns, rows = participants(answers)
+    name, columns, rows = participants(data)
     first, *others = columns
     table = DataTable(
         name,
@@ -131,14 +133,30 @@ def _participants(answers: Answers, folder: Path) -> None:
         [(f"sub-{code}", *values) for code, *values in rows],
     )
     _table(folder / "participants.tsv", table)
-    sidecar: dict[str, dict[str, Any]] = {
-        column.name: {"Description": column.meaning} for column in others
-    }
-    for column in others:
-        if column.levels == "true|false":
-            sidecar[column.name] |= {"Levels": {"true": "yes", "false": "no"}}
-    sidecar["age"] |= {"Units": "year"}
+    sidecar = {column.name: _described(column) for column in others}
+    definition = data.definition
+    asked = answer_columns(definition, When.BEFORE, When.AFTER, taken=others[-2:])
+    sidecar |= {one.column.name: _asked(one) for one in asked}
     _json(folder / "participants.json", sidecar)
+
+
+def _described(column: DataColumn) -> dict[str, Any]:
+    made: dict[str, Any] = {"Description": column.meaning}
+    if column.levels == "true|false":
+        made["Levels"] = {"true": "yes", "false": "no"}
+    return made
+
+
+def _asked(given: GivenColumn) -> dict[str, Any]:
+    """The description of a column of answers."""
+    made: dict[str, Any] = {"LongName": given.name, "Description": given.column.meaning}
+    if given.column.texts:
+        made["Levels"] = dict(given.column.texts)
+    if given.column.levels != "|".join(given.column.texts):
+        made["Description"] += f" ({given.column.levels})"
+    if given.part.unit:
+        made["Units"] = given.part.unit
+    return made
 
 
 def _task(definition: Definition) -> dict[str, Any]:
@@ -163,7 +181,6 @@ def _events_sidecar() -> dict[str, Any]:
 
 
 def _beh_sidecar(definition: Definition) -> dict[str, Any]:
-    language = definition.languages[0]
     made = _task(definition)
     for column in _BEH:
         made[column.name] = {"Description": column.meaning}
@@ -175,11 +192,8 @@ def _beh_sidecar(definition: Definition) -> dict[str, Any]:
     made["feedback"]["Levels"] = {
         one.name: one.text for one in definition.chosen_feedbacks
     }
-    for question in definition.trial_questions:
-        made[question.key] = {
-            "LongName": question.key,
-            "Description": definition.wording(question, language),
-        }
+    for one in answer_columns(definition, When.AFTER_CLIP, taken=_BEH):
+        made[one.column.name] = _asked(one)
     return made
 
 
@@ -188,11 +202,11 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     behaviour = folder / "beh"
     folder.mkdir(mode=storage.PRIVATE_FOLDER)
     behaviour.mkdir(mode=storage.PRIVATE_FOLDER)
-    keys = [question.key for question in data.definition.trial_questions]
-    columns = [*_BEH, *(DataColumn(key, "") for key in keys)]
+    given = answer_columns(data.definition, When.AFTER_CLIP, taken=_BEH)
+    columns = [*_BEH, *(one.column for one in given)]
     forces = data.trial_forces(session)
     rows = [
-        _beh_row(trial, forces.get((trial.position, trial.attempt)), keys)
+        _beh_row(trial, forces.get((trial.position, trial.attempt)), given)
         for trial in answered_trials(session.records)
     ]
     table = DataTable(f"{name}_task-{TASK}_beh.tsv", columns, rows)
@@ -214,7 +228,7 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
 
 
 def _beh_row(
-    trial: AnsweredTrial, force: TrialForce | None, keys: list[str]
+    trial: AnsweredTrial, force: TrialForce | None, given: list[GivenColumn]
 ) -> tuple[Any, ...]:
     condition = trial.condition
     return (
@@ -227,7 +241,7 @@ def _beh_row(
         trial.is_valid,
         *trial_force_cells(force),
         trial.response_s,
-        *(trial.values.get(key) for key in keys),
+        *(one.cell(trial.values) for one in given),
     )
 
 

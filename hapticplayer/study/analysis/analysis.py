@@ -12,10 +12,10 @@ from hapticplayer.errors import Message, Progress
 from hapticplayer.study.analysis.aligned_ranks import ALIGNED_RANKS
 from hapticplayer.study.analysis.describing import Resampling, Summary, summarize
 from hapticplayer.study.analysis.friedman import CONOVER, FRIEDMAN, NEMENYI
+from hapticplayer.study.analysis.question_report import question_summary
 from hapticplayer.study.analysis.rank_sum import MANN_WHITNEY
 from hapticplayer.study.analysis.rank_tests import SHAPIRO, WILCOXON
 from hapticplayer.study.analysis.scores import (
-    QOE,
     MissingPolicy,
     Sample,
     Scores,
@@ -25,6 +25,7 @@ from hapticplayer.study.analysis.scores import (
 from hapticplayer.study.analysis.statistic import Statistic, counted, listed, plain
 from hapticplayer.study.analysis.trial_force_report import trial_force_summary
 from hapticplayer.study.answers import Answers
+from hapticplayer.study.definition import QOE
 
 STATISTICS: dict[str, Statistic] = {
     one.name: one
@@ -94,7 +95,7 @@ class Analysis:
     Attributes:
         scores: of all participants.
         options: of the analysis.
-        measures: "qoe" first, then the factors.
+        measures: "qoe" first if there is one, then the factors.
         found: results by name of the statistic and measure.
         answers: that were analysed.
     """
@@ -161,7 +162,8 @@ def _described(
 def summary(analysis: Analysis) -> dict[str, Any]:
     """Return the analysis as JSON, in the stable layout for other programs.
 
-    `qoe` and `felt` have the feedbacks, `factors` the same for each factor; each statistic and
+    `qoe` and `felt` have the feedbacks, `factors` the same for each factor, `questions` the
+    answers to other questions; each statistic and
     `conditions` have the measures ("qoe" and the factors) first. A pair is called
     "first-second". What is not defined is None.
     """
@@ -178,7 +180,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         for name, measure in measures.items()
     }
     return {
-        "qoe": described.pop(QOE),
+        "qoe": described.pop(QOE, {}),
         "factors": described,
         **{
             statistic.key or name: analysis.found[name]
@@ -186,6 +188,7 @@ def summary(analysis: Analysis) -> dict[str, Any]:
         },
         "conditions": conditions,
         "missing": missing(analysis),
+        "questions": question_summary(analysis.answers),
         "felt": trial_force_summary(analysis.answers),
         "warnings": warnings_of(analysis),
         "provenance": analysis.options.provenance(),
@@ -257,14 +260,16 @@ def _missing_warnings(analysis: Analysis) -> Iterator[str]:
 
 
 def _participant_warnings(analysis: Analysis) -> Iterator[str]:
-    n = min(len(one.sample.participants) for one in analysis.measures.values())
-    if n < FEW:
+    counts = [len(one.sample.participants) for one in analysis.measures.values()]
+    if not counts:
+        yield "No question after a clip is answered by a number: there is nothing to test."
+    elif (n := min(counts)) < FEW:
         yield (
             f"With {counted(n, 'participant')} no pair of feedbacks can differ significantly in "
             f"the signed-rank test; at least {FEW} are needed."
         )
     unknown = len(analysis.scores.participants) - len(analysis.scores.used_before)
-    if unknown:
+    if unknown and counts:
         yield (
             f"{counted(unknown, 'participant')} did not say whether they had used the "
             "device before, and cannot be part of the Mann-Whitney tests."

@@ -14,6 +14,7 @@ from hapticplayer.study.analysis.blocks import (
     ReportBlock,
     ReportTable,
 )
+from hapticplayer.study.analysis.question_report import question_table
 from hapticplayer.study.analysis.statistic import listed, number
 from hapticplayer.study.answers import Answers, simulated_mark
 from hapticplayer.study.conduct import AnsweredPlayback
@@ -68,6 +69,7 @@ def people(answers: Answers) -> Iterator[ReportBlock]:
     }
     rows.append(("experience", _counted([words[one] for one in used])))
     yield ReportTable("Participants of the study", ("", "value"), tuple(rows))
+    yield from question_table(answers)
 
 
 def _ages(ages: Any, everyone: int) -> str:

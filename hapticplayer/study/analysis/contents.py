@@ -31,7 +31,7 @@ from hapticplayer.study.analysis.methods import (
     references,
     works,
 )
-from hapticplayer.study.analysis.scores import QOE
+from hapticplayer.study.analysis.scores import factors_figure
 from hapticplayer.study.analysis.statistic import (
     ReportColumn,
     Statistic,
@@ -40,6 +40,7 @@ from hapticplayer.study.analysis.statistic import (
     number,
 )
 from hapticplayer.study.analysis.trial_force_report import trial_force_blocks
+from hapticplayer.study.definition import QOE
 
 _NO_INTERVAL = (
     "CI: confidence interval, by bootstrap; -: all values are equal, so that no resample "
@@ -123,19 +124,20 @@ def _answers(analysis: Analysis) -> Iterator[ReportBlock]:
 
 
 def _figures(analysis: Analysis) -> Iterator[ReportBlock]:
-    measures = dict(analysis.measures)
-    qoe = measures.pop(QOE)
+    measures = analysis.measures
     shown = "Bars are means, error bars standard deviations, lines participants."
-    yield ReportFigure(
-        "qoe-by-sequence",
-        f"QoE by sequence and feedback. {shown}",
-        _described({**qoe.conditions, "all sequences": qoe.feedbacks}),
-    )
-    yield ReportFigure(
-        "factors-by-feedback",
-        f"Factors by feedback, means over the sequences. {shown}",
-        _described({name: one.feedbacks for name, one in measures.items()}),
-    )
+    if qoe := measures.get(QOE):
+        yield ReportFigure(
+            "qoe-by-sequence",
+            f"QoE by sequence and feedback. {shown}",
+            _described({**qoe.conditions, "all sequences": qoe.feedbacks}),
+        )
+    for limits, factors in analysis.scores.by_range().items():
+        yield ReportFigure(
+            factors_figure(analysis.scores, limits),
+            f"Factors by feedback, means over the sequences. {shown}",
+            _described({name: measures[name].feedbacks for name in factors}),
+        )
 
 
 def _described(groups: Mapping[str, Mapping[str, Summary]]) -> str:

@@ -14,7 +14,8 @@ import numpy as np
 
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.analysis.analysis import Analysis
-from hapticplayer.study.analysis.scores import QOE, SCALE
+from hapticplayer.study.analysis.scores import factors_figure
+from hapticplayer.study.definition import QOE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,11 +46,13 @@ _SETTINGS: dict[Any, Any] = {
 
 
 def figures(analysis: Analysis) -> dict[str, "Figure"]:
-    """Return the figures by name: `qoe-by-sequence` and `factors-by-feedback`."""
-    return {
-        "qoe-by-sequence": qoe_by_sequence(analysis),
-        "factors-by-feedback": factors_by_feedback(analysis),
-    }
+    """Return the figures by name: `qoe-by-sequence`, and factors for each range."""
+    scores = analysis.scores
+    found = {"qoe-by-sequence": qoe_by_sequence(analysis)} if scores.qoe else {}
+    for limits, factors in scores.by_range().items():
+        made = factors_by_feedback(analysis, factors, limits)
+        found[factors_figure(scores, limits)] = made
+    return found
 
 
 def qoe_by_sequence(analysis: Analysis) -> "Figure":
@@ -58,22 +61,20 @@ def qoe_by_sequence(analysis: Analysis) -> "Figure":
     values = scores.of(QOE)  # (P, S, F)
     groups = dict(zip(scores.sequences, np.moveaxis(values, 1, 0), strict=True))
     groups["all"] = analysis.measures[QOE].sample.values
-    count = len(scores.factors)
-    limits = (SCALE[0] * count, SCALE[1] * count)
+    of = [scores.ranges[scores.factors.index(factor)] for factor in scores.qoe]
+    limits = sum(low for low, _ in of), sum(high for _, high in of)
     return _figure(
         groups, scores.feedbacks, f"QoE ({limits[0]} to {limits[1]})", limits
     )
 
 
-def factors_by_feedback(analysis: Analysis) -> "Figure":
-    """Draw the factors by feedback, as figure 8 of the paper."""
-    groups = {
-        name: one.sample.values
-        for name, one in analysis.measures.items()
-        if name != QOE
-    }
-    label = f"rating ({SCALE[0]} to {SCALE[1]})"
-    return _figure(groups, analysis.scores.feedbacks, label, SCALE)
+def factors_by_feedback(
+    analysis: Analysis, factors: list[str], limits: tuple[int, int]
+) -> "Figure":
+    """Draw factors by feedback, as figure 8 of the paper."""
+    groups = {name: analysis.measures[name].sample.values for name in factors}
+    label = f"rating ({limits[0]} to {limits[1]})"
+    return _figure(groups, analysis.scores.feedbacks, label, limits)
 
 
 def marked(figures: dict[str, "Figure"], mark: str) -> dict[str, "Figure"]:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from hapticplayer.study.analysis.analysis import STATISTICS, Analysis, AnalysisOptions
 from hapticplayer.study.analysis.blocks import Heading, Paragraph, ReportBlock
 from hapticplayer.study.analysis.references import EFRON_1993, HOLM_1979
-from hapticplayer.study.analysis.scores import MissingPolicy
+from hapticplayer.study.analysis.scores import MissingPolicy, Scores
 from hapticplayer.study.analysis.statistic import listed
 
 _MISSING = {
@@ -23,8 +23,7 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
     yield Paragraph(
         f"Each of {len(scores.sequences)} sequences was rated with each of "
         f"{len(scores.feedbacks)} feedbacks ({listed(scores.feedbacks)}) for "
-        f"{listed(scores.factors)}, from 1 to 5. QoE of a condition is the sum of its "
-        "factors. Unless stated otherwise, tests are of the means over the sequences for "
+        f"{_scales(scores)}.{_sum(scores)} Unless stated otherwise, tests are of the means over the sequences for "
         f"each participant and feedback. {_MISSING[options.missing]} {invalid_text(options)}"
     )
     for name, statistic in STATISTICS.items():
@@ -45,6 +44,21 @@ def methods(analysis: Analysis) -> Iterator[ReportBlock]:
         "(none where all values are equal). Corrections for the number of tests follow "
         f"Holm (1979). {computed_with(options)}"
     )
+
+
+def _scales(scores: Scores) -> str:
+    """The factors with their ranges."""
+    return "; ".join(
+        f"{listed(factors)}, from {limits[0]} to {limits[1]}"
+        for limits, factors in scores.by_range().items()
+    )
+
+
+def _sum(scores: Scores) -> str:
+    if not scores.qoe:
+        return ""
+    parts = "its factors" if scores.qoe == scores.factors else listed(scores.qoe)
+    return f" QoE of a condition is the sum of {parts}."
 
 
 def invalid_text(options: AnalysisOptions) -> str:

@@ -1,6 +1,6 @@
 """The ratings as arrays, with missing answers.
 
-QoE of a condition is the sum of its factors. The score of a feedback is the mean over
+QoE of a condition is the sum of those factors that the study says. The score of a feedback is the mean over
 the sequences, per participant (the paper's QoE_All, section 4.3).
 """
 
@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from hapticplayer.errors import InputError
 from hapticplayer.model.arrays import Floats
 from hapticplayer.study.answers import Answers
+from hapticplayer.study.definition import QOE
 
-QOE = "qoe"
 SCALE = (1, 5)
 _SHOWN_FIRST = ("none", "random", "realistic")  # from little to much, as in the paper
 _LEAST_FEEDBACKS = 2
@@ -42,10 +42,12 @@ class Scores:
         sequences: names, second axis.
         feedbacks: names, third axis; none, random, realistic first.
         factors: names, fourth axis.
-        ratings: (P, S, F, K), 1 to 5, NaN without a usable answer.
+        ratings: (P, S, F, K), NaN without a usable answer.
         used_before: by code, whether the device was used before, where known.
         invalid: number of answers dropped because the playback was not valid.
         repeated: number of answers replaced by those of a repeated trial.
+        ranges: least and most of each factor.
+        qoe: factors that are summed.
     """
 
     participants: tuple[str, ...]
@@ -56,11 +58,20 @@ class Scores:
     used_before: dict[str, bool]
     invalid: int
     repeated: int
+    ranges: tuple[tuple[int, int], ...]
+    qoe: tuple[str, ...]
 
     @property
     def measures(self) -> tuple[str, ...]:
-        """QoE and the factors."""
-        return (QOE, *self.factors)
+        """QoE, where factors are summed, and the factors."""
+        return (*((QOE,) if self.qoe else ()), *self.factors)
+
+    def by_range(self) -> dict[tuple[int, int], list[str]]:
+        """The factors that have a range in common."""
+        found: dict[tuple[int, int], list[str]] = {}
+        for factor, limits in zip(self.factors, self.ranges, strict=True):
+            found.setdefault(limits, []).append(factor)
+        return found
 
     @property
     def missing(self) -> int:
@@ -70,7 +81,8 @@ class Scores:
     def of(self, measure: str) -> Floats:
         """Return a measure (P, S, F); QoE is missing where any of its factors is."""
         if measure == QOE:
-            return np.asarray(self.ratings.sum(axis=3), np.float64)
+            summed = [self.factors.index(factor) for factor in self.qoe]
+            return np.asarray(self.ratings[..., summed].sum(axis=3), np.float64)
         return self.ratings[:, :, :, self.factors.index(measure)]
 
 
@@ -118,6 +130,12 @@ class Sample:
         return {name: compute(name, column) for name, column in columns}
 
 
+def factors_figure(scores: Scores, limits: tuple[int, int]) -> str:
+    """The name of the figure of the factors with a range."""
+    is_first = next(iter(scores.by_range())) == limits
+    return "factors-by-feedback" + ("" if is_first else f"-{limits[0]}-to-{limits[1]}")
+
+
 def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:
     """Return the answers as arrays.
 
@@ -143,7 +161,9 @@ def scores_of(answers: Answers, *, include_invalid: bool = False) -> Scores:
         ratings[cell] = one.value
     used = {p.code: p.used_device_before for p in answers.participants}
     known = {code: is_used for code, is_used in used.items() if is_used is not None}
-    return Scores(*axes, ratings, known, invalid, answers.repeated)
+    limits = tuple(answers.ranges.get(one, SCALE) for one in answers.factors)
+    qoe = answers.factors if answers.qoe is None else answers.qoe
+    return Scores(*axes, ratings, known, invalid, answers.repeated, limits, qoe)
 
 
 def sample_of(
@@ -183,11 +203,6 @@ def _check_design(answers: Answers) -> None:
         raise InputError("there are no participants", remedy="run a participant first")
     if len(answers.feedbacks) < _LEAST_FEEDBACKS:
         raise InputError("comparing needs two feedbacks or more")
-    if QOE in answers.factors:
-        raise InputError(
-            "a factor must not be named {name!r}, the name of the sum of all factors",
-            name=QOE,
-        )
 
 
 def _shown_at(feedback: str) -> int:

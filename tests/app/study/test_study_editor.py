@@ -97,22 +97,30 @@ def test_a_study_of_two_rides_and_two_questions_is_made(
     choice.list.selectAll()
     choice.add_button.click()
     questions = show(editor, editor.questions)
-    questions.add("sheet", QuestionKind.NUMBER)
-    typed(field(questions, "sheet", 4, "text", "en"), "Hours of cycling a week?")
-    field(questions, "sheet", 4, "most").setValue(60)
-    questions.add("factors", QuestionKind.LIKERT)
-    typed(field(questions, "factors", 4, "text", "en"), "How safe did you feel?")
+    questions.select(("pages", 0))
+    questions.add(QuestionKind.NUMBER)
+    typed(
+        field(questions, "pages", 0, "questions", 4, "text", "en"),
+        "Hours of cycling a week?",
+    )
+    field(questions, "pages", 0, "questions", 4, "most").setValue(60)
+    questions.select(("pages", 1))
+    questions.add(QuestionKind.SCALE)
+    typed(
+        field(questions, "pages", 1, "questions", 4, "text", "en"),
+        "How safe did you feel?",
+    )
     editor.keep()
     assert (editor.state.text(), words(editor)) == ("Saved", [])
     editor.close()
     study = open_study(made[0]).definition
     assert study.title == "Rides 2026"
     assert [one.key for one in study.sequences] == ["bicycle-old-town", "horse-gallop"]
-    assert (study.sheet[4].text, study.sheet[4].most) == (
+    assert (study.pages[0].questions[4].text, study.pages[0].questions[4].most) == (
         {"en": "Hours of cycling a week?"},
         60,
     )
-    assert study.factors[4].text == {"en": "How safe did you feel?"}
+    assert study.pages[1].questions[4].text == {"en": "How safe did you feel?"}
     assert problems_of(json.loads(open_study(made[0]).content), made[0]) == []
     options = type("Options", (), {"study": made[0], "json": True})
     assert status(options) == 0  # what `study status` reads
@@ -157,9 +165,9 @@ def test_every_page_is_filled_in_and_kept(editor):
     texts.select(("texts", "thanks"))
     field(texts, "texts", "thanks", "de").setPlainText("Vielen Dank!")
     questions = show(editor, editor.questions)
-    questions.select(("factors", 0))
-    typed(field(questions, "factors", 0, "published", "en"), "As printed")
-    field(questions, "factors", 0, "required").click()
+    questions.select(("pages", 1, "questions", 0))
+    typed(field(questions, "pages", 1, "questions", 0, "published", "en"), "As printed")
+    field(questions, "pages", 1, "questions", 0, "required").click()
     editor.general.document.set(("use_published",), True, "")
     editor.keep()
     study = open_study(editor.draft.study.folder).definition
@@ -167,8 +175,8 @@ def test_every_page_is_filled_in_and_kept(editor):
     assert study.operator_is_blind is False
     assert study.order.method is OrderMethod.WILLIAMS
     assert study.texts.thanks["de"] == "Vielen Dank!"
-    assert study.wording(study.factors[0], "en") == "As printed"
-    assert study.factors[0].required is False
+    assert study.wording(study.pages[1].questions[0], "en") == "As printed"
+    assert study.pages[1].questions[0].required is False
 
 
 def test_sequences_are_renamed_put_in_order_and_removed(editor):
@@ -262,17 +270,19 @@ def test_levels_of_a_consistency_study_are_edited(edit, tmp_path):
 
 def test_a_problem_is_told_in_words_and_leads_to_its_field(editor):
     page = show(editor, editor.questions)
-    page.select(("sheet", 1))
-    typed(field(page, "sheet", 1, "choices", 0, "text", "de"), " ")
+    page.select(("pages", 0, "questions", 1))
+    typed(field(page, "pages", 0, "questions", 1, "choices", 0, "text", "de"), " ")
     editor.tabs.setCurrentWidget(editor.general)
     editor.keep()
     (told,) = words(editor)
     assert told.startswith("Before the first clip \u203a \u201cWhat is your gender?")
     assert told.endswith("1 \u203a Wording \u203a Deutsch: is empty")
-    assert "sheet[" not in told
+    assert "pages[" not in told
     editor.problem_list.itemClicked.emit(editor.problem_list.item(0))
     assert editor.tabs.currentWidget() is page
-    assert field(page, "sheet", 1, "choices", 0, "text", "de").hasFocus()
+    assert field(
+        page, "pages", 0, "questions", 1, "choices", 0, "text", "de"
+    ).hasFocus()
 
 
 def test_missing_recordings_are_told_but_the_study_is_kept(editor):
@@ -286,15 +296,16 @@ def test_missing_recordings_are_told_but_the_study_is_kept(editor):
 def test_every_change_is_undone_and_redone(editor):
     before = editor.document.value
     page = show(editor, editor.questions)
-    page.add("post_test", QuestionKind.CHOICE)
-    box = field(page, "post_test", 5, "kind")
+    page.select(("pages", 2))
+    page.add(QuestionKind.CHOICE)
+    box = field(page, "pages", 2, "questions", 5, "kind")
     box.setCurrentIndex(box.findData("number"))
     box.activated.emit(box.currentIndex())
-    line = field(page, "post_test", 5, "key")
+    line = field(page, "pages", 2, "questions", 5, "key")
     typed(line, "mine")
     after = editor.document.value
     QTest.keyClick(line, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    assert editor.document.at(("post_test", 5, "key")) == "question-6"
+    assert editor.document.at(("pages", 2, "questions", 5, "key")) == "question-14"
     while editor.undo_button.isEnabled():
         editor.undo_button.click()
     assert editor.document.value == before
@@ -318,9 +329,9 @@ def test_languages_come_with_the_wording_of_the_template(editor):
 
 def test_the_preview_is_the_participants_page(editor):
     page = show(editor, editor.questions)
-    page.select(("factors", 0))
+    page.select(("pages", 1, "questions", 0))
     typed_in = "Was it as if you were there?"
-    field(page, "factors", 0, "text", "en").setPlainText(typed_in)
+    field(page, "pages", 1, "questions", 0, "text", "en").setPlainText(typed_in)
     page.preview.draw()
     assert page.preview.shown.questions[0].text == typed_in
     assert not page.preview.picture.shown.isNull()
@@ -339,7 +350,7 @@ def test_the_orders_tell_who_gets_which(editor, wait_for):
     assert table.item(0, 1).text() == "next participant"
     cells = {table.item(0, column).text() for column in range(2, 14)}
     assert len(cells) == 12
-    assert "Bike, none" in cells
+    assert "Bike, None" in cells
 
 
 def test_orders_of_a_table_are_taken_into_the_study(editor, tmp_path):
@@ -370,8 +381,8 @@ application = make_application()
 editor = StudyEditor(Path(sys.argv[1]), lambda: Path(sys.argv[1]))
 editor.show()
 editor.tabs.setCurrentWidget(editor.questions)
-editor.questions.add("sheet", "text")
-line = editor.questions.fields.by_place["sheet", 4, "key"]
+editor.questions.add("text")
+line = editor.questions.fields.by_place["pages", 0, "questions", 4, "key"]
 line.selectAll()
 QTest.keyClicks(line, "mine")
 while True:
@@ -389,19 +400,23 @@ def test_changes_survive_when_the_program_is_killed(edit, tmp_path, wait_for):
     finally:
         process.send_signal(signal.SIGKILL)
         process.wait()
-    assert len(open_study(folder).definition.sheet) == 4  # as the command line reads it
+    assert (
+        len(open_study(folder).definition.pages[0].questions) == 4
+    )  # as the command line reads it
     editor = edit(folder)
     assert "restored" in editor.messages.text()
-    assert editor.document.at(("sheet", 4, "key")) == "mine"
+    assert editor.document.at(("pages", 0, "questions", 4, "key")) == "mine"
     page = show(editor, editor.questions)
-    page.select(("sheet", 4))
-    field(page, "sheet", 4, "text", "en").setPlainText("And now?")
+    page.select(("pages", 0, "questions", 4))
+    field(page, "pages", 0, "questions", 4, "text", "en").setPlainText("And now?")
     editor.keep()
-    assert open_study(folder).definition.sheet[4].text == {"en": "And now?"}
+    assert open_study(folder).definition.pages[0].questions[4].text == {
+        "en": "And now?"
+    }
     assert not draft.exists()
     while editor.undo_button.isEnabled():
         editor.undo_button.click()
-    assert len(editor.document.value["sheet"]) == 4
+    assert len(editor.document.value["pages"][0]["questions"]) == 4
 
 
 def test_closing_keeps_what_was_typed_last(editor):
@@ -448,8 +463,8 @@ def test_an_empty_library_says_what_to_do(application, qtbot, tmp_path):
 
 
 def test_fields_are_named_as_their_places_are():
-    assert place_of("sheet[1].choices[0].text.de") == (
-        *("sheet", 1, "choices", 0, "text", "de"),
+    assert place_of("pages[0].questions[1].choices[0].text.de") == (
+        *("pages", 0, "questions", 1, "choices", 0, "text", "de"),
     )
 
 

@@ -39,8 +39,8 @@ def half_session(study):
         playback=played,
         sound="",
     )
-    journal.append("answers", **name, values=VALUES)
-    journal.append("answers", step="post-test", values=WORDS)
+    journal.append("answers", **name, page="rating", values=VALUES)
+    journal.append("answers", step="post-test", page="post-test", values=WORDS)
     journal.close()
     return session.code
 

@@ -130,7 +130,9 @@ def test_status_says_which_sessions_are_simulated(run, folder, code):
 def test_texts_are_reviewed_before_export(run, folder, code, tmp_path):
     path = open_study(folder).session_folder(code) / "answers.jsonl"
     journal = Journal(path, SystemClock())
-    journal.append("answers", step="post-test", values={"tiring": "no"})
+    journal.append(
+        "answers", step="post-test", page="post-test", values={"tiring": "no"}
+    )
     journal.close()
     _, report, _ = run("review", folder, "--json")
     assert report["unreviewed"] == [{"code": code, "question": "tiring", "text": "no"}]

@@ -84,11 +84,11 @@ def test_a_wrong_number_of_participants_makes_no_study(run, tmp_path, count):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_only_the_papers_design_can_be_simulated(run, tmp_path):
+def test_consistency_studies_cannot_be_simulated(run, tmp_path):
     study = create_study(tmp_path / "s", "consistency")
     status, _, said = run("simulate", study.folder)
     assert status == 2
-    assert "paper's factors" in said
+    assert "only rating studies" in said
     assert study.codes() == []
 
 

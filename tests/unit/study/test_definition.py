@@ -6,7 +6,7 @@ import pytest
 
 from hapticplayer.errors import InputError, StudyError, UsageError
 from hapticplayer.study.creation import change_definition, create_study, template_names
-from hapticplayer.study.definition import QuestionKind
+from hapticplayer.study.definition import QuestionKind, When
 from hapticplayer.study.definition_reader import parse_definition
 from hapticplayer.study.study_folder import open_study
 
@@ -28,20 +28,20 @@ def test_the_built_in_study_is_the_protocol_of_the_paper(template):
     assert (faithful.name, faithful.condition) == ("realistic", "realistic")
     assert others == ["none", "random"]
     assert template["feedbacks"][0]["parameters"] == {"preset": "faithful"}
-    assert [q.key for q in study.factors] == [
+    assert [q.key for q in study.pages[1].questions] == [
         "realism",
         "sensory",
         "comfort",
         "satisfaction",
     ]
-    assert all(q.kind is QuestionKind.LIKERT for q in study.factors)
-    assert [q.key for q in study.sheet] == [
+    assert all(q.kind is QuestionKind.SCALE for q in study.pages[1].questions)
+    assert [q.key for q in study.pages[0].questions] == [
         "age",
         "gender",
         "handedness",
         "used_device_before",
     ]
-    assert [q.key for q in study.post_test if q.for_each_feedback] == ["label"]
+    assert [q.key for q in study.pages[2].questions if q.for_each_feedback] == ["label"]
 
 
 def test_feedbacks_may_have_parameters_and_names_of_their_own(template):
@@ -67,10 +67,12 @@ def test_every_template_is_whole_in_every_language(tmp_path, name):
     assert study.languages == ("en", "fr", "de")
     texts = [
         getattr(part, name)
-        for part in (study.texts, study.scale)
+        for part in (study.texts,)
         for name in part.__struct_fields__
     ]
-    texts += [q.text for q in (*study.trial_questions, *study.sheet)]
+    texts += [page.text for page in study.pages if page.text]
+    asked = study.questions_at(*When)
+    texts += [q.text for q in asked] + [la.text for q in asked for la in q.labels]
     assert all(len({text[key] for key in study.languages}) == 3 for text in texts)
 
 
@@ -82,12 +84,15 @@ def test_the_second_kind_of_trial_shifts_the_force(tmp_path):
 
 
 def test_the_published_wording_is_shown_only_on_demand(template):
-    template["factors"][0]["published"] = {"en": "As printed"}
+    template["pages"][1]["questions"][0]["published"] = {"en": "As printed"}
     own = parse(template)
-    assert own.wording(own.factors[0], "en") != "As printed"
+    assert own.wording(own.pages[1].questions[0], "en") != "As printed"
     printed = parse({**template, "use_published": True})
-    assert printed.wording(printed.factors[0], "en") == "As printed"
-    assert printed.wording(printed.factors[0], "fr") == printed.factors[0].text["fr"]
+    assert printed.wording(printed.pages[1].questions[0], "en") == "As printed"
+    assert (
+        printed.wording(printed.pages[1].questions[0], "fr")
+        == printed.pages[1].questions[0].text["fr"]
+    )
 
 
 def chosen(condition, **more):
@@ -95,14 +100,26 @@ def chosen(condition, **more):
     return lambda d: d["feedbacks"].append({"condition": condition, **more})
 
 
+def first(content, page):
+    """The first question of a page."""
+    return content["pages"][page]["questions"][0]
+
+
+LABELS = [{"at": 20, "text": {"en": "a", "fr": "b", "de": "c"}}]
 SPOILT = [
     (lambda d: d.update(version=2), "version 2"),
     (lambda d: d.pop("title"), "'title'"),
     (lambda d: d.update(colour="red"), "'colour'"),
     (lambda d: d["sequences"][1].update(key="bike"), "duplicate key 'bike'"),
     (lambda d: d["sequences"][2].update(key="../etc"), "sequences[2].key"),
-    (lambda d: d["factors"][3]["text"].pop("de"), "factors[3].text"),
-    (lambda d: d["factors"][0].update(kind="text"), "factors[0].kind"),
+    (
+        lambda d: d["pages"][1]["questions"][3]["text"].pop("de"),
+        "pages[1].questions[3].text",
+    ),
+    (
+        lambda d: d["pages"][1]["questions"][0].update(kind="text"),
+        "pages[1].questions[0].least: is not used in text questions",
+    ),
     (lambda d: d["order"].update(seed=1.5), "order.seed"),
     (lambda d: d["order"].update(seed=True), "order.seed"),
     (lambda d: d["order"].update(method="dice"), "williams"),
@@ -123,18 +140,55 @@ SPOILT = [
     (lambda d: d["feedbacks"].append(7), "feedbacks[3]: must be a text / an object"),
     (lambda d: d["feedbacks"].append({}), "feedbacks[3]: missing entry 'condition'"),
     (chosen("delayed", key="edited"), "feedbacks[3].key: 'edited' is the name of"),
-    (lambda d: d.update(factors=[]), "factors"),
+    (lambda d: d.update(pages=[]), "pages: must have at least 1 entries"),
+    (lambda d: d["pages"].pop(1), "pages: has no question after a clip"),
+    (lambda d: d["pages"][1].update(questions=[]), "pages[1].questions: must have"),
+    (lambda d: d["pages"][1].update(key="sheet"), "pages[1].key: duplicate key"),
+    (lambda d: d["pages"][1].update(key="trial-1"), "pages[1].key: 'trial-1' is the"),
+    (lambda d: d["pages"][1].update(when="later"), "one of before, after-clip, after"),
+    (lambda d: d["pages"][1].update(replays=True), "pages[1].replays: is only used"),
+    (lambda d: d["pages"][1].update(text={"en": "x"}), "pages[1].text"),
+    (lambda d: first(d, 1).update(key="age"), "pages[1].questions[0].key: duplicate"),
+    (lambda d: first(d, 1).update(key="qoe"), "'qoe' is the name of the sum"),
+    (lambda d: first(d, 1).update(kind="likert"), "one of scale, visual, number"),
+    (lambda d: first(d, 1).update(help={"en": "x"}), "pages[1].questions[0].help"),
+    (lambda d: first(d, 1).update(most=30), "questions[0].most: must have 2 to 21"),
+    (lambda d: first(d, 1).update(least=5), "questions[0].most: must have 2 to 21"),
+    (lambda d: first(d, 1).update(least=6), "questions[0].most: must be at least 6"),
+    (lambda d: first(d, 1).update(most=4), "labels[1].at: must be between 1 and 4"),
+    (lambda d: first(d, 1)["labels"][1].update(at=1), "labels[1].at: the point 1 has"),
+    (lambda d: first(d, 1)["labels"][1].pop("text"), "labels[1]: missing entry 'text'"),
+    (lambda d: first(d, 1).update(kind="visual"), "least: is not used in visual"),
+    (lambda d: first(d, 0).update(in_qoe=True), "in_qoe: is not used in number"),
+    (lambda d: first(d, 0).update(labels=LABELS), "labels: is not used in number"),
+    (lambda d: first(d, 0).update(least=1.5), "questions[0].least: must be a whole"),
+    (lambda d: first(d, 0).pop("most"), "questions[0].most: missing entry 'most'"),
+    (lambda d: first(d, 2).update(most=0), "questions[0].most: must be between 1 and"),
     (lambda d: d.update(repeats=2), "repeats: is not used in rating trials"),
     (lambda d: d.update(levels=[{}]), "levels: is not used in rating trials"),
-    (lambda d: d["factors"][0].update(most=7), "factors[0].most: is not used"),
-    (lambda d: d["sheet"][3].update(least=1), "sheet[3].least: is not used"),
-    (lambda d: d["post_test"][0].update(least=5), "post_test[0].least: is not used"),
-    (lambda d: d["factors"][1].update(for_each_feedback=True), "for_each_feedback"),
-    (lambda d: d["sheet"][1].update(for_each_feedback=True), "for_each_feedback"),
+    (
+        lambda d: d["pages"][0]["questions"][3].update(least=1),
+        "pages[0].questions[3].least: is not used",
+    ),
+    (
+        lambda d: d["pages"][2]["questions"][0].update(least=5),
+        "pages[2].questions[0].least: is not used",
+    ),
+    (
+        lambda d: d["pages"][1]["questions"][1].update(for_each_feedback=True),
+        "for_each_feedback",
+    ),
+    (
+        lambda d: d["pages"][0]["questions"][1].update(for_each_feedback=True),
+        "for_each_feedback",
+    ),
     (lambda d: d.update(use_published=True), "use_published: no question has"),
     (lambda d: d["texts"].update(consent="yes"), "texts.consent"),
-    (lambda d: d["sheet"][0].pop("least"), "'least'"),
-    (lambda d: d["sheet"][1].update(choices=[]), "sheet[1]: 'choices'"),
+    (lambda d: d["pages"][0]["questions"][0].pop("least"), "'least'"),
+    (
+        lambda d: d["pages"][0]["questions"][1].update(choices=[]),
+        "questions[1].choices: must have at least 2",
+    ),
     (
         lambda d: d["texts"]["consent"].update(fr=3),
         "texts.consent.fr: must be a text",
@@ -160,7 +214,7 @@ def test_a_wrong_field_of_a_study_is_named(template, spoil, place):
 @pytest.mark.parametrize(
     ("change", "place"),
     [
-        ({"factors": 1}, "factors: is not used in consistency trials"),
+        ({"pages": 1}, "pages: has no yes-or-no question after a clip"),
         ({"levels": [{"gain": 1.0}, {"gain": 1.0}]}, "levels: holds a level twice"),
     ],
 )
@@ -168,9 +222,7 @@ def test_entries_that_consistency_trials_ignore_are_named(
     tmp_path, template, change, place
 ):
     made = create_study(tmp_path / "s", "consistency")
-    given = (
-        {**change, "factors": template["factors"]} if "factors" in change else change
-    )
+    given = {**change, "pages": template["pages"]} if "pages" in change else change
     with pytest.raises(StudyError, match=place):
         parse({**json.loads(made.content), **given})
 

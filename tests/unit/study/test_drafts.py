@@ -32,31 +32,37 @@ def fields(content, folder):
 
 
 def test_all_wrong_fields_are_named_at_once(study, content):
-    content["factors"][0]["key"] = "Not a key"
-    content["sheet"][0]["least"] = 200
-    content["sheet"][1]["text"]["de"] = " "
+    content["pages"][1]["questions"][0]["key"] = "Not a key"
+    content["pages"][0]["questions"][1]["text"]["de"] = " "
     content["texts"]["consent"] = []
     assert fields(content, study.folder) == [
-        "factors[0].key",
-        "sheet[0]",
-        "sheet[1].text.de",
+        "pages[0].questions[1].text.de",
+        "pages[1].questions[0].key",
         "texts.consent",
     ]
 
 
 def test_all_contradictions_are_named_at_once(study, content):
     del content["texts"]["consent"]["fr"]
-    content["sheet"][1]["key"] = "age"
+    content["pages"][0]["questions"][1]["key"] = "age"
+    content["pages"][0]["questions"][0]["least"] = 200
     content["order"] |= {"method": "williams", "no_sequence_twice_in_a_row": True}
-    assert fields(content, study.folder) == ["texts.consent", "sheet[1].key", "order"]
+    assert fields(content, study.folder) == [
+        "texts.consent",
+        "pages[0].questions[1].key",
+        "pages[0].questions[0].most",
+        "order",
+    ]
 
 
 def test_an_empty_text_is_called_empty_on_the_command_line_too(study, content):
-    content["factors"][0]["text"]["fr"] = ""
+    content["pages"][1]["questions"][0]["text"]["fr"] = ""
     (problem,) = problems_of(content, study.folder)
     assert problem.what == "is empty"
     (study.folder / "study.json").write_text(json.dumps(content))
-    with pytest.raises(StudyError, match=r"factors\[0\]\.text\.fr: is empty"):
+    with pytest.raises(
+        StudyError, match=r"pages\[1\]\.questions\[0\]\.text\.fr: is empty"
+    ):
         open_study(study.folder)
 
 
@@ -95,14 +101,16 @@ def test_each_template_has_a_row_and_a_file():
 
 def test_an_added_language_is_worded_as_in_the_template(content):
     german = with_languages(content, ["de"])
-    german["factors"].append({"key": "mine", "kind": "likert", "text": {"de": "Na?"}})
-    german["factors"][0]["published"] = {"de": "Wie gedruckt"}
+    german["pages"][1]["questions"].append(
+        {"key": "mine", "kind": "visual", "text": {"de": "Na?"}}
+    )
+    german["pages"][1]["questions"][0]["published"] = {"de": "Wie gedruckt"}
     both = with_languages(german, ["fr", "de"])
     assert both["texts"]["consent"] == {
         name: content["texts"]["consent"][name] for name in ("fr", "de")
     }
-    assert both["factors"][-1]["text"] == {"fr": "", "de": "Na?"}
-    assert both["factors"][0]["published"] == {"de": "Wie gedruckt"}
+    assert both["pages"][1]["questions"][-1]["text"] == {"fr": "", "de": "Na?"}
+    assert both["pages"][1]["questions"][0]["published"] == {"de": "Wie gedruckt"}
     assert both["languages"] == ["fr", "de"]
 
 

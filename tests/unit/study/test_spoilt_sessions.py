@@ -53,10 +53,12 @@ def session(study, manual_clock):
     journal.append("checks", checks=[{"check": "volume"}], overridden=False)
     journal.append("trial-begin", **trial)
     journal.append("trial", **trial, is_valid=True, reasons=[], playback=PLAYED)
-    journal.append("answers", **trial, values=VALUES, response_s=3.0)
+    journal.append("answers", **trial, page="rating", values=VALUES, response_s=3.0)
     journal.append("pause", step="trial-02", reason="paused")
     journal.append("go-on", by="operator")
-    journal.append("answers", step="post-test", values={"tiring": "no"})
+    journal.append(
+        "answers", step="post-test", page="post-test", values={"tiring": "no"}
+    )
     journal.append("end", complete=True, reason="", by="")
     journal.close()
     return study, path

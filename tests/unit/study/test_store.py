@@ -211,10 +211,15 @@ def test_texts_are_unreviewed_until_a_person_lets_them_pass(study, manual_clock)
     journal = Journal(session.folder / "answers.jsonl", manual_clock)
     condition = describe(session.plan.order[0])
     journal.append(
-        "answers", step="trial-01", attempt=1, condition=condition, values=VALUES
+        "answers",
+        step="trial-01",
+        page="rating",
+        attempt=1,
+        condition=condition,
+        values=VALUES,
     )
     words = {"label@random": "wobbly", "tiring": "no, Anna", "applications": " "}
-    journal.append("answers", step="post-test", values=words)
+    journal.append("answers", step="post-test", page="post-test", values=words)
     journal.close()
     found = read_answers(study.folder).open_answers
     assert {(a.question, a.feedback, a.text, a.reviewed) for a in found} == {
@@ -233,7 +238,7 @@ def test_incomplete_and_simulated_sessions_are_reported(study, scripted, manual_
     journal = Journal(left.folder / "answers.jsonl", manual_clock)
     condition = describe(left.plan.order[0])
     name = {"step": "trial-01", "attempt": 1, "condition": condition}
-    journal.append("answers", **name, values=VALUES)
+    journal.append("answers", **name, page="rating", values=VALUES)
     journal.close()
     found = collect_answers(study)
     assert found.notices == (

@@ -29,6 +29,7 @@ from hapticplayer.study.plan import describe
 from hapticplayer.study.study_export import Exporter, export_study
 from hapticplayer.study.study_folder import begin_session, open_study
 from tests.bids import errors_in, validated
+from tests.every_kind import with_every_kind
 from tests.recorded_session import recorded_session
 
 VALUES = {"realism": 3, "sensory": 2, "comfort": 5, "satisfaction": 1}
@@ -47,7 +48,7 @@ def study(tmp_path, manual_clock):
     folder = made.session_folder(made.codes()[0])
     journal = Journal(folder / "answers.jsonl", manual_clock)
     words = {"tiring": "it was Anna", "comfortable": 'yes; "very"\nso'}
-    journal.append("answers", step="post-test", values=words)
+    journal.append("answers", step="post-test", page="post-test", values=words)
     journal.close()
     digest = text_digest(folder.name, "comfortable", words["comfortable"])
     save_reviewed(folder, [digest])
@@ -127,7 +128,9 @@ def said(study, clock, words: str) -> None:
     )
     folder = study.session_folder(code)
     journal = Journal(folder / "answers.jsonl", clock)
-    journal.append("answers", step="post-test", values={"tiring": words})
+    journal.append(
+        "answers", step="post-test", page="post-test", values={"tiring": words}
+    )
     journal.close()
     save_reviewed(folder, [text_digest(code, "tiring", words)])
 
@@ -423,6 +426,22 @@ def test_the_official_validator_finds_no_error(study, tmp_path):
     assert others <= {"TOO_FEW_AUTHORS", "NO_AUTHORS"}
 
 
+def test_every_kind_of_answer_is_valid_bids(tmp_path, capsys):
+    made = create_study(tmp_path / "study")
+    made = change_definition(made, with_every_kind(json.loads(made.content)))
+    assert cli.main(["study", "simulate", str(made.folder), "--participants=2"]) == 0
+    export_study(open_study(made.folder), tmp_path / "out", "bids")
+    assert errors_in(tmp_path / "out") == []
+    sidecar = json.loads((tmp_path / "out" / "participants.json").read_text())
+    assert sidecar["number_before"]["Units"] == "kg"
+    assert sidecar["scale_after"]["Levels"]["-3"] == "bad en"
+    assert sidecar["scale_after"]["Levels"]["1"] == "1"
+    assert "from 0 to 100" in sidecar["visual_before"]["Description"]
+    assert sidecar["choices_before.air"]["Levels"] == {"true": "yes", "false": "no"}
+    trials = json.loads((tmp_path / "out" / "task-qoe_beh.json").read_text())
+    assert trials["choice_after-clip"]["Levels"] == {"car": "car en", "bike": "bike en"}
+
+
 def test_the_official_validator_finds_no_error_without_device(study, tmp_path):
     next(study.folder.rglob("*.hprec")).unlink()
     export_study(study, tmp_path / "out", "bids")
@@ -438,7 +457,7 @@ def test_simulated_participants_and_answer_times_are_exported(
     trial = {"step": "trial-01", "attempt": 1, "condition": condition}
     journal.append("begin", program="hapticplayer", step="consent")
     journal.append("trial", **trial, is_valid=True, reasons=[], playback={})
-    journal.append("answers", **trial, values=VALUES, response_s=4.25)
+    journal.append("answers", **trial, page="rating", values=VALUES, response_s=4.25)
     journal.close()
     export_study(study, tmp_path / "csv", "csv")
     people = table(tmp_path / "csv" / "participants.csv")

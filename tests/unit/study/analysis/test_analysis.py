@@ -115,7 +115,6 @@ def test_unsound_trials_do_not_count_unless_wanted(answers):
     [
         (lambda _: {"participants": ()}, "no participant"),
         (lambda _: {"feedbacks": ("none",)}, "two feedbacks"),
-        (lambda _: {"factors": ("qoe",)}, "'qoe'"),
     ],
 )
 def test_answers_that_do_not_fit_their_design_are_refused(answers, change, said):

@@ -21,6 +21,7 @@ from hapticplayer.study.analysis import AnalysisOptions, analyse
 from hapticplayer.study.analysis.analysis import STATISTICS, summary
 from hapticplayer.study.analysis.figures import factors_by_feedback
 from hapticplayer.study.analysis.report import parts_of, write_report
+from hapticplayer.study.analysis.scores import SCALE
 from hapticplayer.study.analysis.statistic import Statistic, rounded
 from hapticplayer.study.creation import create_study
 
@@ -57,7 +58,7 @@ def test_a_spread_beyond_the_scale_is_drawn_whole(make_answers, quick):
     found = analyse(
         replace(lowest, ratings=tuple(ratings)), AnalysisOptions(resampling=quick)
     )
-    (panel,) = factors_by_feedback(found).axes
+    (panel,) = factors_by_feedback(found, list(found.scores.factors), SCALE).axes
     ends = np.concatenate([line.get_ydata() for line in panel.lines])
     assert ends.min() == pytest.approx(1.125 - np.sqrt(1 / 8))
     assert panel.get_ylim()[0] < ends.min()
