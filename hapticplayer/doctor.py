@@ -323,7 +323,7 @@ def _check_display() -> MachineCheck:
         detail=joined(", ", words)
         or Message("neither DISPLAY nor WAYLAND_DISPLAY is set"),
         remedy=Message(
-            "start from a desktop session; --headless plays without a window"
+            "start from a desktop session (--headless plays without a window)"
         ),
     )
 

@@ -144,7 +144,7 @@ def value_of(one: Finding) -> str:
         longest = f"{more.get('longest_gap_s') or 0.0:.2f}"
         return text.format(share=percent, count=int(more["gaps"]), s=longest)
     if one.name == "force":
-        text = translate("Quality", "{share} of the samples; the peak is {n} N")
+        text = translate("Quality", "{share} of the time; the peak is {n} N")
         return text.format(share=percent, n=f"{more.get('peak_n') or 0.0:.2f}")
     units = {
         "drift": f"{value:+.1f} ppm",
@@ -176,7 +176,7 @@ def _advice(one: Finding) -> str:
     return {
         "estimate": translate("Quality", "Record the motion with the next video"),
         "sync": translate("Quality", "Check the synchronisation")
-        if one.more.get("method") == "pats"
+        if one.more.get("method") in ("pats", "embedded")
         else translate(
             "Quality",
             "Check the synchronisation; next time tap the recorder three times",

@@ -91,8 +91,9 @@ class DevicePage(QDialog):
         except HapticPlayerError as problem:
             self._show_end(translated(message_of(problem)))
             return
-        self.start_button.setEnabled(False)
         self.stop_button.setEnabled(True)
+        self.stop_button.setFocus()  # else it goes to what comes next: Close
+        self.start_button.setEnabled(False)
         self._timer.start()
 
     def stop_or_rearm(self) -> None:
@@ -137,9 +138,7 @@ class DevicePage(QDialog):
             self._end(test)
             return
         self.progress.setValue(round(1000 * test.done_s / test.end_s))
-        is_pause = test.step is None and test.done_s > 0.0
-        text = self.tr("Pause") if is_pause else state_text(test, self._record)
-        self.text.setText(text)
+        self.text.setText(state_text(test, self._record))
         if test.cause is Cause.NOT_HOMED:
             self._wait_for_homing()
 
@@ -162,4 +161,6 @@ class DevicePage(QDialog):
         is_held = self._latch.is_set
         self.start_button.setEnabled(not is_held)
         offer_stop(self.stop_button, is_stopped=is_held)
+        if self.stop_button.hasFocus() and not is_held:
+            self.start_button.setFocus()
         self.stop_button.setEnabled(is_held)

@@ -182,6 +182,7 @@ class DeviceTestPanel(QWidget):
         self.state.setStyleSheet(f"color: {colour or theme.DIM};")
         self.picture.set_record(find_device(self._name).capabilities)
         self.state.setText(text)
+        self.progress.setValue(0)
         self._show_buttons()
         if self._had_focus:
             self.test_button.setFocus()

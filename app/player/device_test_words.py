@@ -70,6 +70,8 @@ def state_text(test: DeviceTest, record: DeviceCapabilities) -> str:
     if step is None:
         if test.cause is Cause.NOT_HOMED and record.has_newtons:
             return homing_text()
+        if test.done_s > test.part.steps[0].begin_s:
+            return translate("DeviceTestWords", "Pause")
         return translate("DeviceTestWords", "Starting")
     text = _step_text(step, record)
     if test.part.label:

@@ -93,6 +93,7 @@ class TrackEntry(Struct, frozen=True, omit_defaults=True):
     file: str | None = None
     peak_n: _Amount | None = None
     rms_n: tuple[_Amount, ...] | None = None
+    saturated_share: _Amount | None = None
     excursion: ExcursionEntry | None = None
     provenance: dict[str, Any] = {}
 

@@ -32,6 +32,7 @@ from hapticplayer.sequence.description import (
     written,
 )
 from hapticplayer.sequence.excursion import predict
+from hapticplayer.sequence.figures import describe_track
 from hapticplayer.sequence.presets import Rendering, preset_of
 
 MAX_TITLE = 300
@@ -321,14 +322,14 @@ def _replace_tracks(
     effects: EffectList | None = None,
 ) -> None:
     duration_s, feedbacks = description.clip.duration_s, dict(description.feedbacks)
+    limit_n = description.mapping.force_limit_n
     made: dict[str, ForceTrack] = {}
     for number, (name, track) in enumerate(tracks.items()):
         report = _reporter(progress, number, len(tracks))
         file = f"force_{secrets.token_hex(4)}.npz"
         made[file] = track
-        feedbacks[name] = store.describe_track(
-            track, file, predict(track, duration_s, report)
-        )
+        excursion = predict(track, duration_s, report)
+        feedbacks[name] = describe_track(track, file, duration_s, limit_n, excursion)
     _put(folder, structs.replace(description, feedbacks=feedbacks), made, effects)
 
 

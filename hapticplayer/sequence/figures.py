@@ -8,7 +8,7 @@ import numpy as np
 from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.model.limits import AT_LIMIT
 from hapticplayer.model.mapping import DEFAULT_FORCE_LIMIT_N
-from hapticplayer.sequence.description import ExcursionEntry
+from hapticplayer.sequence.description import ExcursionEntry, TrackEntry
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.store import Sequence
 
@@ -23,6 +23,7 @@ class ForceFigures:
     Attributes:
         peak_n: largest magnitude.
         rms_n: of the magnitude over the clip.
+        rms_axes_n: of each axis over the clip.
         saturated_share: of the clip's time, at the force limit.
         reaches: furthest share of the workspace for each hand.
         trips: hands that would cause a trip.
@@ -30,6 +31,7 @@ class ForceFigures:
 
     peak_n: float
     rms_n: float
+    rms_axes_n: tuple[float, ...]
     saturated_share: float
     reaches: Mapping[str, float]
     trips: tuple[str, ...]
@@ -53,22 +55,43 @@ def force_figures(
         progress: called with the done share of a prediction; may raise to stop it.
     """
     count = max(1, round(duration_s * RATE_HZ))
-    square = saturated = 0.0
+    square, saturated = np.zeros(3), 0
     for first in range(0, count, _ROWS):
         time_s = np.arange(first, min(first + _ROWS, count)) / RATE_HZ
-        each = np.square(track.at(time_s)).sum(axis=1)
-        square += float(each.sum())
-        saturated += int(np.count_nonzero(each >= (AT_LIMIT * force_limit_n) ** 2))
+        each = np.square(track.at(time_s), dtype=np.float64)
+        square += each.sum(axis=0)
+        at_limit = each.sum(axis=1) >= (AT_LIMIT * force_limit_n) ** 2
+        saturated += int(np.count_nonzero(at_limit))
     inside = (track.time_s >= 0.0) & (track.time_s <= duration_s)
     peaks = np.linalg.norm(track.force_n[inside].astype(np.float64), axis=1)
     found = prediction or predict(track, duration_s, progress)
     hands = found.hands
     return ForceFigures(
         peak_n=float(peaks.max(initial=0.0)),
-        rms_n=float(np.sqrt(square / count)),
+        rms_n=float(np.sqrt(square.sum() / count)),
+        rms_axes_n=tuple(np.sqrt(square / count).tolist()),
         saturated_share=saturated / count,
         reaches={name: one.reach for name, one in hands.items()},
         trips=tuple(name for name, one in hands.items() if one.trip is not None),
+    )
+
+
+def describe_track(
+    track: ForceTrack,
+    file: str,
+    duration_s: float,
+    force_limit_n: float,
+    excursion: ExcursionEntry,
+) -> TrackEntry:
+    """The entry of a track: its figures are those of every page that shows some."""
+    found = force_figures(track, duration_s, force_limit_n, prediction=excursion)
+    return TrackEntry(
+        file,
+        found.peak_n,
+        found.rms_axes_n,
+        found.saturated_share,
+        excursion,
+        dict(track.provenance),
     )
 
 

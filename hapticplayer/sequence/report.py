@@ -19,7 +19,6 @@ from hapticplayer.errors import Message, from_json, to_json
 from hapticplayer.media.clip_info import ClipInfo
 from hapticplayer.model import (
     ClockMap,
-    ForceTrack,
     ImuLog,
     MotionTrack,
     rendered_feedback,
@@ -100,7 +99,7 @@ def quality_report(description: Description) -> list[Finding]:
         _plain(
             "force",
             "force_share",
-            _number(rendered.provenance, "saturated_share"),
+            rendered.saturated_share,
             peak_n=rendered.peak_n,
         ),
         *_workspace(rendered.excursion),
@@ -291,18 +290,13 @@ def notes_on_sequence(
     return notes
 
 
-def notes_on_force(tracks: Mapping[str, ForceTrack]) -> list[str]:
+def notes_on_force(rendered: TrackEntry) -> list[str]:
     """Return the notes on the rendered force."""
-    notes: list[str] = []
-    saturated = tracks[rendered_feedback(tracks)].provenance["saturated_share"]
-    if saturated > 0.0:
-        notes.append(
-            Message(
-                "{percent:.2g} % of the force samples reach the force limit",
-                percent=100.0 * saturated,
-            )
-        )
-    return notes
+    if not rendered.saturated_share:
+        return []
+    percent = 100.0 * rendered.saturated_share
+    text = "{percent:.2g} % of the time the force is at its limit"
+    return [Message(text, percent=percent)]
 
 
 def describe_notes(notes: Sequence[str]) -> dict[str, Any]:

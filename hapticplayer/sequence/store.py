@@ -42,7 +42,6 @@ from hapticplayer.sequence.arrays import read_arrays
 from hapticplayer.sequence.description import (
     IMPORT_AGAIN,
     Description,
-    ExcursionEntry,
     FileEntry,
     MappingEntry,
     TrackEntry,
@@ -322,13 +321,6 @@ def track_arrays(track: ForceTrack) -> dict[str, Any]:
         "force_n": track.force_n,
         "reconstruction": track.reconstruction.value,
     }
-
-
-def describe_track(
-    track: ForceTrack, file: str, excursion: ExcursionEntry
-) -> TrackEntry:
-    rms_n = tuple(float(value) for value in track.rms_n())
-    return TrackEntry(file, track.peak_n(), rms_n, excursion, dict(track.provenance))
 
 
 def describe_mapping(mapping: Mapping) -> MappingEntry:

@@ -33,6 +33,7 @@ from hapticplayer.sequence.description import (
     written,
 )
 from hapticplayer.sequence.excursion import excursion_texts, predict
+from hapticplayer.sequence.figures import describe_track
 from hapticplayer.sequence.presets import DEFAULT_PRESET, render_preset
 from hapticplayer.sequence.report import describe_notes, notes_on_force
 from hapticplayer.untrusted import HeldFile
@@ -105,16 +106,19 @@ def write_folder(
         _write_arrays(folder, content, tracks)
         listed = _checksums(folder, {clip_name: clip_hash})
         progress(0.95, Message("writing"))
+        described = _describe_tracks(
+            tracks, excursions, clip.duration_s, mapping.force_limit_n
+        )
         notes = [
             *content.notes,
-            *notes_on_force(tracks),
+            *notes_on_force(described[rendered_feedback(tracks)]),
             *excursion_texts(excursions[rendered_feedback(tracks)]),
         ]
         description = Description(
             title=choices.title or clip.path.stem,
             clip=_describe_clip(clip, clip_name),
             mapping=store.describe_mapping(mapping),
-            feedbacks=_describe_tracks(tracks, excursions),
+            feedbacks=described,
             files=listed,
             clock_map=content.clock_map,
             provenance={
@@ -237,10 +241,16 @@ def _describe_clip(clip: ClipInfo, name: str) -> ClipEntry:
 
 
 def _describe_tracks(
-    tracks: dict[str, ForceTrack], excursions: dict[str, ExcursionEntry]
+    tracks: dict[str, ForceTrack],
+    excursions: dict[str, ExcursionEntry],
+    duration_s: float,
+    force_limit_n: float,
 ) -> dict[str, TrackEntry]:
     described = {
-        name: store.describe_track(track, f"force_{name}.npz", excursions[name])
+        name: describe_track(
+            *(track, f"force_{name}.npz", duration_s, force_limit_n),
+            excursions[name],
+        )
         for name, track in tracks.items()
     }
     for condition in rendering.FEEDBACKS:

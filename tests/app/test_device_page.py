@@ -1,14 +1,17 @@
 """The demonstration of forces: announced step by step, and stopped at once."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.player.device_page import DevicePage
+from app.player.device_test_words import state_text
 from app.player.force_words import homing_text, step_text
 from hapticplayer.clock import SystemClock
-from hapticplayer.devices import installed_devices
+from hapticplayer.devices import find_device, installed_devices
 from hapticplayer.haptics.contract import Cause
 from hapticplayer.haptics.processes import Health
 from hapticplayer.rendering.demonstration import LEAD_S, DemonstrationStep
@@ -33,7 +36,9 @@ def test_a_demonstration_waits_for_a_person_and_says_how_to_stop(page):
 
 
 def test_each_force_is_announced_while_it_is_made(page, wait_for, monkeypatch):
+    page.start_button.setFocus()
     page.start_button.click()
+    assert page.focusWidget() is page.stop_button  # not Close
     wait_for(lambda: "right" in page.text.text())
     assert "1.1\u00a0N" in page.text.text()
     player, poll, ticks = page.test.player, page.test.player.poll, []
@@ -62,7 +67,7 @@ def test_a_demonstration_stops_at_once_and_releases_the_device(page, wait_for, w
         assert page.text.text() == "Stopped."
         assert not page.start_button.isEnabled()
         page.stop_button.click()  # it re-arms by now
-        assert page.start_button.isEnabled()
+        assert page.focusWidget() is page.start_button
     elif way == "escape":
         QTest.keyClick(page, Qt.Key.Key_Escape)
         assert not page.isVisible()
@@ -98,6 +103,16 @@ def test_a_falcon_that_is_not_homed_leads_to_the_homing_page(
 
 
 @needs("wheels")
+def test_between_two_pushes_it_is_a_pause_and_no_start():
+    first = SimpleNamespace(begin_s=1.0, end_s=2.0)
+    part = SimpleNamespace(steps=(first,), label="")
+    test = SimpleNamespace(step=None, cause=Cause.NONE, part=part, done_s=0.5)
+    record = find_device("simulated").capabilities
+    assert state_text(test, record) == "Starting"
+    test.done_s = 2.5
+    assert state_text(test, record) == "Pause"
+
+
 def test_every_step_has_words():
     names = ["right", "left", "up", "down", "towards you", "away from you", "vibration"]
     steps = [DemonstrationStep(0.0, 1.0, name, 2.25) for name in names]

@@ -87,6 +87,13 @@ _DEAD = (Health.FAILED, Health.GONE)
 _COLUMNS, _WIDTH_PX, _HEIGHT_PX = 3, 620, 560
 
 
+def _is_felt(now: Snapshot) -> bool:
+    """Whether there is a force that a fault could end."""
+    one = now.leading
+    is_active = one.mode in (Mode.ENTERING, Mode.FOLLOWING)
+    return one.takes_faults and one.health not in _DEAD and is_active
+
+
 class FaultPanel(QDialog):
     """Stays beside the window; while it is open the simulated device takes faults."""
 
@@ -186,7 +193,7 @@ class FaultPanel(QDialog):
         self.state.setText(health.device(now).text)
         self.hint.setText(self._hint(now))
         for button in self.buttons.values():
-            button.setEnabled(now.leading.takes_faults)
+            button.setEnabled(_is_felt(now))
         self.rearm.setEnabled(now.is_stopped)
         set_role(self.rearm, "rearm" if now.is_stopped else "")
         self._show_outcome()
@@ -200,7 +207,7 @@ class FaultPanel(QDialog):
             )
         if now.leading.health in _DEAD:
             return self.tr("The device has failed: press Restart device.")
-        if now.leading.mode not in (Mode.ENTERING, Mode.FOLLOWING):
+        if not _is_felt(now):
             return self.tr("Play a clip with force first.")
         return self.tr(
             "The force is active. Press a fault to see how the safety "
@@ -222,3 +229,6 @@ class FaultPanel(QDialog):
                 self.table.setItem(row, column, QTableWidgetItem(text))
         if self._clock.now_s() > at_s + FOLLOWED_S:
             self._followed = None
+            if found is None:  # the device has gone, or nothing had to answer
+                row = self.table.rowCount() - rows
+                self.table.setItem(row, 1, QTableWidgetItem("\u2013"))

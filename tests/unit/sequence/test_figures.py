@@ -1,6 +1,7 @@
 """RMS, peak, saturation and reach of a track, before and after a change."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,9 +9,12 @@ import pytest
 from hapticplayer import cli
 from hapticplayer.model import ForceTrack
 from hapticplayer.sequence import open_sequence
+from hapticplayer.sequence.comparison import stored_rendering
 from hapticplayer.sequence.description import ExcursionEntry, HandEntry
+from hapticplayer.sequence.editing import set_mapping
 from hapticplayer.sequence.excursion import predict
 from hapticplayer.sequence.figures import force_figures, sequence_figures
+from hapticplayer.sequence.library import read_entry
 
 
 def steps(level_n, extra_s=()):
@@ -46,6 +50,21 @@ def test_a_given_prediction_is_taken():
     given = ExcursionEntry({"firm": hand}, far=0.6, rms_10s_n=0.0, thermal_share=0.0)
     found = force_figures(steps(1.0), 4.0, prediction=given)
     assert (found.reaches, found.trips) == ({"firm": 0.5}, ("firm",))
+
+
+def test_library_rendering_page_and_notes_have_one_figure(sequence_folder):
+    strong = replace(
+        open_sequence(sequence_folder).mapping, gain_n_per_mps2=5.0, force_limit_n=0.2
+    )
+    set_mapping(sequence_folder, strong, preset="faithful")
+    page = stored_rendering(sequence_folder).figures
+    assert page.saturated_share > 0.01
+    listed = read_entry(sequence_folder)
+    (force,) = (one for one in listed.findings if one.name == "force")
+    assert force.value == page.saturated_share
+    assert force.more["peak_n"] == page.peak_n
+    (track,) = (one for one in listed.tracks if one.name == "realistic")
+    assert (track.peak_n, track.rms_n) == pytest.approx((page.peak_n, page.rms_n))
 
 
 def test_commands_say_them_before_and_after(sequence_folder, capsys):

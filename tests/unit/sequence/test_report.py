@@ -8,7 +8,7 @@ import pytest
 from hapticplayer.capture.sync.result import Synchronisation
 from hapticplayer.model import ClockMap, ForceTrack
 from hapticplayer.rendering.washout import washed_out
-from hapticplayer.sequence.description import Description
+from hapticplayer.sequence.description import Description, TrackEntry
 from hapticplayer.sequence.presets import preset_named, washout_of
 from hapticplayer.sequence.processing import Processing, process_motion
 from hapticplayer.sequence.report import (
@@ -68,7 +68,7 @@ def described(**changed):
         "feedbacks": {
             "realistic": {
                 "peak_n": 3.0,
-                "provenance": {"saturated_share": 0.0},
+                "saturated_share": 0.0,
                 "excursion": {**STILL, "hands": hands, "thermal_share": 0.3},
             }
         },
@@ -110,7 +110,7 @@ def test_a_good_recording_has_nothing_marked():
         ("provenance__motion_summary__saturated_share", 0.001, "sensor", Mark.DOUBTFUL),
         ("provenance__longest_gap_s", 0.5, "gaps", Mark.DOUBTFUL),
         ("provenance__uncovered_share", 0.5, "cover", Mark.BAD),
-        ("feedbacks__realistic__provenance__saturated_share", 0.1, "force", Mark.BAD),
+        ("feedbacks__realistic__saturated_share", 0.1, "force", Mark.BAD),
         ("feedbacks__realistic__excursion__thermal_share", 0.9, "heat", Mark.DOUBTFUL),
     ],
 )
@@ -130,7 +130,7 @@ def test_a_result_that_a_person_checked_is_not_doubted():
 
 
 def test_a_bad_rendering_asks_for_no_other_recording():
-    share = {"feedbacks__realistic__provenance__saturated_share": 0.1}
+    share = {"feedbacks__realistic__saturated_share": 0.1}
     assert not needs_recording(quality_report(described(**share)))
     missing = {"provenance__uncovered_share": 0.5}
     assert needs_recording(quality_report(described(**missing)))
@@ -199,7 +199,5 @@ def test_a_method_that_compares_no_taps_says_nothing_of_taps():
 
 @pytest.mark.parametrize(("share", "said"), [(0.0002, "0.02 %"), (0.25, "25 %")])
 def test_a_force_limit_that_is_reached_is_never_zero_percent(share, said):
-    force_n = np.zeros((2, 3), np.float32)
-    track = ForceTrack([0.0, 1.0], force_n, provenance={"saturated_share": share})
-    (note,) = notes_on_force({"realistic": track})
-    assert str(note).startswith(f"{said} of the force samples")
+    (note,) = notes_on_force(TrackEntry(saturated_share=share))
+    assert str(note).startswith(f"{said} of the time")

@@ -49,8 +49,9 @@ def press_until_met(panel, window, wait_for, fault, rule):
             panel.buttons[fault].click()
         return met == rule
 
+    wait_for(panel.buttons[fault].isEnabled)
     panel.buttons[fault].click()
-    wait_for(is_met)
+    wait_for(lambda: panel.table.rowCount() and is_met())
 
 
 @pytest.mark.parametrize(
@@ -86,8 +87,11 @@ def test_the_force_comes_back_after_re_arming(panel, window, wait_for):
 
 
 def test_an_unplugged_device_is_restarted(panel, window, wait_for):
+    wait_for(panel.buttons["unplug"].isEnabled)
     panel.buttons["unplug"].click()
     wait_for(lambda: window.player.snapshot().leading.health is Health.FAILED)
+    wait_for(lambda: not any(one.isEnabled() for one in panel.buttons.values()))
+    assert "Restart device" in panel.hint.text()
     panel.again.click()
     wait_for(lambda: window.player.snapshot().leading.health is Health.READY)
     assert window.session.is_stopped  # it is re-armed as after any other trip
@@ -108,6 +112,12 @@ def test_without_a_simulated_device_no_fault_can_be_pressed(make_window, wait_fo
     assert not any(button.isEnabled() for button in panel.buttons.values())
     assert "a simulated device" in panel.hint.text()
     panel.reject()
+
+
+def test_no_fault_can_be_pressed_while_nothing_is_felt(panel, window, wait_for):
+    window.player.pause()
+    wait_for(lambda: not any(one.isEnabled() for one in panel.buttons.values()))
+    assert "Play a clip with force first" in panel.hint.text()
 
 
 def test_every_fault_has_words_and_a_rule():
