@@ -1,14 +1,14 @@
 """The bars of the editor: what plays, what part of the clip is in view, what is changed."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QScrollBar, QWidget
+from PySide6.QtWidgets import QScrollBar, QWidget
 
 from app.editor.document import Document
 from app.editor.playing import Playing
 from app.editor.view import TimeView
 from app.player.transport import fix_stop_width, offer_play, offer_stop
 from app.widgets import theme
-from app.widgets.buttons import text_button, tool_button
+from app.widgets.buttons import TickBox, text_button, tool_button
 from app.widgets.layout import STRETCH, ElidedLabel, paragraph, row_of
 from app.widgets.texts import position_text, titled
 
@@ -38,16 +38,14 @@ class PlayBar(QWidget):
         self.wider.setAccessibleName(self.tr("Zoom out"))
         for button in (self.closer, self.wider):
             button.setMinimumWidth(36)
-        self.loop = QCheckBox(self.tr("&Loop"))
+        self.loop = TickBox(self.tr("&Loop"))
         self.loop.setToolTip(
             self.tr("Repeat the selected effect, or what is in view without one")
         )
-        self.compare = QCheckBox(self.tr("&Before"))
+        self.compare = TickBox(self.tr("&Before"))
         self.compare.setToolTip(self.tr("Show the force without effects behind it"))
         self.compare.setChecked(True)
-        self.snap = QCheckBox(self.tr("S&nap"))
-        for box in (self.loop, self.compare, self.snap):  # clicked, Space still plays
-            box.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.snap = TickBox(self.tr("S&nap"))
         self.snap.setToolTip(self.tr("Snap to frames, events and other effects"))
         self.snap.setChecked(True)
         row_of(
@@ -69,7 +67,10 @@ class PlayBar(QWidget):
 
     def show_time(self, media_s: float) -> None:
         """Show where the clip is."""
+        speed = self._playing.shuttle.speed
         text = position_text(media_s, self._view.duration_s)
+        if speed != 1.0:
+            text += f"  {speed:g}\u00d7".replace("-", "\u2212")
         if len(text) != len(self.time.text()):
             widest = "".join("8" if c.isdigit() else c for c in text)
             self.time.fix_width(self.time.fontMetrics().horizontalAdvance(widest) + 4)

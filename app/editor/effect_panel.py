@@ -4,9 +4,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import (
-    QCheckBox,
     QComboBox,
     QLabel,
     QLineEdit,
@@ -17,13 +16,13 @@ from PySide6.QtWidgets import (
 
 from app.bridge.languages import translated
 from app.editor.editing import Editing
-from app.editor.edits import with_curve, with_fade, with_parameter
+from app.editor.edits import with_curve, with_parameter
 from app.editor.lanes import effect_title, span_text
-from app.editor.parameter_fields import NumberField
+from app.editor.parameter_fields import NumberField, leaves_to_page
 from app.editor.spans import Part
 from app.experimenter.numbers import ThreeNumbers
 from app.widgets import theme
-from app.widgets.buttons import text_button
+from app.widgets.buttons import TickBox, text_button
 from app.widgets.layout import (
     STRETCH,
     captioned,
@@ -72,7 +71,7 @@ class EffectPanel(QWidget):
         )
         self.problem = paragraph("", theme.BAD)
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
-        self.enabled = QCheckBox(self.tr("Switched &on"))
+        self.enabled = TickBox(self.tr("Switched &on"))
         self.duplicate = text_button(
             self.tr("Dupl&icate"), self.tr("Add a copy after it (Ctrl+D)")
         )
@@ -111,12 +110,11 @@ class EffectPanel(QWidget):
     def refresh(self) -> None:
         """Show what is selected now."""
         document = self.editing.document
-        effect = document.effect
-        for widget in (
-            *(self.enabled, self.duplicate, self.delete, self.span),
-            *(self.order, self.earlier, self.later),
-        ):
+        effect, chosen = document.effect, document.chosen
+        for widget in (self.enabled, self.duplicate, self.delete, self.span):
             widget.setVisible(effect is not None)
+        for widget in (self.order, self.earlier, self.later):
+            widget.setVisible(len(chosen) == 1)
         self.hint.setVisible(effect is None)
         self._show_problem("")
         self.title.setText(self.tr("No effect is selected"))
@@ -124,10 +122,18 @@ class EffectPanel(QWidget):
             self._shown = None
             self._put_into_area(QWidget())
             return
-        self.title.setText(effect_title(effect))
-        self.span.setText(span_text(effect.start_s, effect.end_s))
+        first_s = min(one.start_s for one in chosen.values())
+        last_s = max(one.end_s for one in chosen.values())
+        self.span.setText(span_text(first_s, last_s))
         self.enabled.setChecked(effect.enabled)
         self.duplicate.setEnabled(self.editing.can_add)
+        if len(chosen) > 1:
+            text = self.tr("{count} effects are selected")
+            self.title.setText(text.format(count=len(chosen)))
+            self._shown = None
+            self._put_into_area(QWidget())
+            return
+        self.title.setText(effect_title(effect))
         place, count = (document.selected or 0) + 1, len(document.effects)
         self.order.setText(f"{place}/{count}")
         self.order.setToolTip(self.tr("Place in the order in which they are applied"))
@@ -242,10 +248,16 @@ class EffectPanel(QWidget):
         )
         self.direction = ThreeNumbers(self.tr("Direction"), names, _DIRECTION, 2, 0.1)
         self.direction.changed.connect(self._on_direction)
+        for box in self.direction.boxes:
+            box.installEventFilter(self)
         self.direction.setVisible(kind_of(effect.kind).wave is not None)
         column.addWidget(self.direction)
 
     # --- what a person does --------------------------------------------------
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
+        """Leave Space to the page."""
+        return leaves_to_page(event) or super().eventFilter(watched, event)
 
     def _on_number(self, name: str, value: float, goes_on: bool) -> None:
         effect = self.editing.document.effect
@@ -257,7 +269,8 @@ class EffectPanel(QWidget):
         if name in parts:
             self.editing.stretch(effect, parts[name], value, self._gesture)
         elif name.startswith("fade_"):
-            self._put(lambda: with_fade(effect, name, value), self.tr("Fade"))
+            part = Part.FADE_IN if name == "fade_in_s" else Part.FADE_OUT
+            self.editing.fade(effect, part, value, self._gesture)
         else:
             text = self.tr("Change the numbers")
             self._put(lambda: with_parameter(effect, name, value), text)

@@ -33,7 +33,7 @@ class KindList(QListWidget):
             item.setData(_KIND, kind.name)
             self.addItem(item)
         self.setCurrentRow(0)
-        self.setFixedWidth(self.sizeHintForColumn(0) + _BESIDE_PX)
+        self.setMinimumWidth(self.sizeHintForColumn(0) + _BESIDE_PX)
         self.itemDoubleClicked.connect(lambda item: self.wanted.emit(item.data(_KIND)))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -13,37 +13,59 @@ from app.widgets import theme
 from app.widgets.texts import local
 from hapticplayer.model import ForceTrack
 from hapticplayer.model.arrays import Floats
+from hapticplayer.rendering.effects import TimeMarker
 
 translate = QCoreApplication.translate
 
 RULER_PX, EVENTS_PX, MARGIN_PX = 20, 22, 5
+MARKERS_PX, CURVE_PX = 18, 84
+_CURVE_SHARE = 0.24  # of a low window
 LEAST_FORCE_N = 1.0
 _TICK_PX, _APART_PX = 90, 0.4
 _SOUND_SHARE = 0.8  # of the height of a curve
-_ROW_PX, _LEAST_ROW_PX = 24, 7
+_ROW_PX, _LEAST_ROW_PX = 24, 4
 
 
 class Boxes(NamedTuple):
     """Where the lanes are."""
 
     ruler: QRectF
+    markers: QRectF
     axes: tuple[QRectF, QRectF, QRectF]
     sound: QRectF
+    curve: QRectF
     events: QRectF
     effects: QRectF
 
 
-def boxes(width: int, height: int, rows: int) -> Boxes:
-    """Return the lanes of a widget; `rows` effects lie below each other."""
+def boxes(
+    width: int,
+    height: int,
+    rows: int,
+    *,
+    has_markers: bool = False,
+    has_curve: bool = False,
+) -> Boxes:
+    """Return the lanes of a widget; `rows` effects lie below each other.
+
+    Those of markers and curve are there when they are needed; events and effects stay
+    where they are meanwhile, as one of these may be held by the pointer.
+    """
     effects_px = min(_ROW_PX * (max(2, rows) + 0.25), 0.35 * height)
-    curves_px = height - RULER_PX - EVENTS_PX - effects_px
-    axis_px = curves_px / (3.0 + _SOUND_SHARE)
-    heights = (RULER_PX, *(axis_px,) * 3, _SOUND_SHARE * axis_px, EVENTS_PX, effects_px)
+    markers_px = MARKERS_PX if has_markers else 0.0
+    curve_px = min(CURVE_PX, _CURVE_SHARE * height) if has_curve else 0.0
+    taken_px = RULER_PX + markers_px + curve_px + EVENTS_PX + effects_px
+    axis_px = (height - taken_px) / (3.0 + _SOUND_SHARE)
+    sound_px = _SOUND_SHARE * axis_px
+    heights = (
+        *(RULER_PX, markers_px, *(axis_px,) * 3, sound_px),
+        *(curve_px, EVENTS_PX, effects_px),
+    )
     tops = np.concatenate(([0.0], np.cumsum(heights)))
     made = [
         QRectF(0, top, width, high) for top, high in zip(tops, heights, strict=False)
     ]
-    return Boxes(made[0], (made[1], made[2], made[3]), *made[4:])
+    return Boxes(made[0], made[1], (made[2], made[3], made[4]), *made[5:])
 
 
 def row_box(lane: QRectF, row: int, rows: int) -> QRectF:
@@ -56,6 +78,7 @@ def paint_frame(painter: QPainter, lanes: Boxes, view: TimeView) -> None:
     width = lanes.ruler.width()
     painter.fillRect(lanes.ruler, QColor(theme.RAISED))
     painter.setPen(QColor(theme.BORDER))
+    painter.fillRect(lanes.markers, QColor(theme.RAISED))
     for lane in (*lanes.axes, lanes.sound, lanes.events, lanes.effects):
         painter.drawLine(lane.topLeft(), lane.topRight())
     step_s = tick_step_s(view.span_s * _TICK_PX / max(1.0, width))
@@ -151,6 +174,30 @@ def paint_loop(
     ground.setAlpha(40)
     painter.fillRect(QRectF(first, 0, last - first, lanes.effects.bottom()), ground)
     painter.fillRect(QRectF(first, RULER_PX - 3, last - first, 3), QColor(theme.ACCENT))
+
+
+def paint_markers(
+    painter: QPainter, lanes: Boxes, view: TimeView, markers: tuple[TimeMarker, ...]
+) -> None:
+    """Draw each as a line through all lanes, with its name as far as the next one."""
+    width = lanes.ruler.width()
+    places = [view.x_of(one.time_s, width) for one in markers]
+    ends = [*places[1:], width]
+    for marker, x, end in zip(markers, places, ends, strict=False):
+        if not 0.0 <= x <= width:
+            continue
+        painter.setPen(QPen(QColor(theme.ACCENT), 1, Qt.PenStyle.DashLine))
+        bottom = lanes.effects.bottom()
+        painter.drawLine(QPointF(x, lanes.markers.top()), QPointF(x, bottom))
+        painter.fillRect(
+            QRectF(x, lanes.markers.top() + 1, 4, MARKERS_PX - 2), QColor(theme.ACCENT)
+        )
+        room = QRectF(x + 8, lanes.markers.top(), max(0.0, end - x - 12), MARKERS_PX)
+        shown = painter.fontMetrics().elidedText(
+            marker.name, Qt.TextElideMode.ElideRight, int(room.width())
+        )
+        painter.setPen(QColor(theme.TEXT))
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, shown)
 
 
 def paint_sound(

@@ -15,6 +15,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.bridge.languages import translated
 from app.editor import lane_painter
+from app.editor.curve_lane import CurveScale, Grips, curve_parameter, scale_of
+from app.editor.document import Handle
 from app.editor.lane_painter import Boxes, boxes, row_box
 from app.editor.spans import rows_of
 from app.editor.view import TimeView
@@ -54,7 +56,7 @@ class Lanes(QWidget):
 
     def __init__(self, view: TimeView, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setAccessibleName(self.tr("Time line"))
+        self.setAccessibleName(self.tr("Timeline"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(LEAST_PX)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -67,7 +69,9 @@ class Lanes(QWidget):
         self.effects, self.events = NO_EFFECTS, tuple[Event, ...]()
         self._loudness: Curve | None = None
         self._rows: list[int] = []
-        self.selected: int | None = None  # of the effects
+        self.selection: tuple[int, ...] = ()  # of the effects; the last one leads
+        self.handle: Handle | None = None  # of that one
+        self.fixed_scale: CurveScale | None = None  # while a point is dragged
         self._still: QPixmap | None = None  # what editing does not change
         self._front: QPixmap | None = None  # the same with events and effects
         view.changed.connect(self._redraw)
@@ -98,12 +102,17 @@ class Lanes(QWidget):
             self._front = None
             self.update()
 
-    def show_effects(self, effects: EffectList, selected: int | None = None) -> None:
-        """Show other effects, one of them as selected."""
-        self.effects, self.selected = effects, selected
-        before = self._count_rows()
+    def show_effects(
+        self,
+        effects: EffectList,
+        selection: tuple[int, ...] = (),
+        handle: Handle | None = None,
+    ) -> None:
+        """Show other effects, some of them as selected, and a part of the last one."""
+        before = self.lanes
+        self.effects, self.selection, self.handle = effects, selection, handle
         self._rows = rows_of([(one.start_s, one.end_s) for one in effects.effects])
-        if self._count_rows() != before:
+        if self.lanes != before:
             self._still = None
         self._front = None
         self.update()
@@ -124,7 +133,34 @@ class Lanes(QWidget):
 
     @property
     def lanes(self) -> Boxes:
-        return boxes(self.width(), self.height(), self._count_rows())
+        effect = self.leading
+        return boxes(
+            self.width(),
+            self.height(),
+            self._count_rows(),
+            has_markers=bool(self.effects.markers),
+            has_curve=effect is not None and curve_parameter(effect) is not None,
+        )
+
+    @property
+    def leading(self) -> Effect | None:
+        """The effect whose handles are shown: one that is selected alone."""
+        if len(self.selection) != 1:
+            return None
+        return self.effects.effects[self.selection[0]]
+
+    @property
+    def grips(self) -> Grips | None:
+        """The handles of that effect."""
+        if (effect := self.leading) is None:
+            return None
+        scale = self.fixed_scale or scale_of(effect, self.lanes.curve)
+        box = self.effect_box(self.selection[0])
+        return Grips(effect, box, scale, self.view, self.width())
+
+    def time_of(self, x_px: float) -> float:
+        """The media time at a place, also beyond what is shown."""
+        return self.view.begin_s + x_px / max(1, self.width()) * self.view.span_s
 
     def effect_box(self, number: int) -> QRectF:
         effect = self.effects.effects[number]
@@ -210,6 +246,11 @@ class Lanes(QWidget):
                 lane_painter.paint_loop(painter, lanes, self.view, self.loop_s)
             self._paint_events(painter, lanes.events)
             self._paint_effects(painter, lanes.effects)
+            if (grips := self.grips) is not None:
+                grips.paint_curve(painter)
+            lane_painter.paint_markers(painter, lanes, self.view, self.effects.markers)
+            if grips is not None:
+                grips.paint_handles(painter, self.handle)
         return made
 
     def _draw_still(self) -> QPixmap:
@@ -252,7 +293,7 @@ class Lanes(QWidget):
         if box.right() < 0 or box.left() > self.width():
             return
         colour = QColor(theme.PRIMARY if effect.enabled else theme.RAISED)
-        is_selected = number == self.selected
+        is_selected = number in self.selection
         edge = QColor(theme.TEXT if is_selected else theme.BORDER)
         painter.setPen(QPen(edge, 3 if is_selected else 1))
         painter.setBrush(colour)

@@ -37,7 +37,8 @@ class LiveForce(QObject):
     def want(self, effects: EffectList) -> None:
         """Render these as soon as possible."""
         latest = self._made if self._job is None else self._doing
-        if self._wanted is None and effects == latest and self.plain is not None:
+        is_alike = effects.effects == latest.effects  # markers are not felt
+        if self._wanted is None and is_alike and self.plain is not None:
             return
         self._wanted = effects
 

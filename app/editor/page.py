@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QMessageBox,
     QSplitter,
+    QTabWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -25,7 +26,9 @@ from app.editor.editing_lanes import EditingLanes
 from app.editor.effect_panel import EffectPanel
 from app.editor.kind_list import KindList
 from app.editor.live_force import LiveForce
+from app.editor.markers import MarkerList
 from app.editor.playing import PlayerSetup, Playing
+from app.editor.selection_keys import SelectionKeys
 from app.editor.unsaved import Unsaved
 from app.editor.view import TimeView
 from app.player.command import KEYS
@@ -38,10 +41,15 @@ from app.widgets.layout import (
 )
 from app.widgets.messages import JobBar, MessageBar
 from app.widgets.texts import titled
-from hapticplayer.errors import HapticPlayerError, Progress, message_of
+from hapticplayer.errors import (
+    HapticPlayerError,
+    Progress,
+    UsageError,
+    message_of,
+)
 from hapticplayer.model import ForceTrack, rendered_feedback
 from hapticplayer.playback.source import Source, open_source
-from hapticplayer.rendering.effects import EffectList
+from hapticplayer.rendering.effects import EffectList, TimeMarker
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.editing import rendering_of, set_effects
 from hapticplayer.sequence.events import TimeLine, time_line_of
@@ -51,6 +59,7 @@ WIDTH_PX, HEIGHT_PX = 1180, 860
 POLL_MS = 20  # an edit is felt within 200 ms
 _AROUND_S = 0.3  # of an effect, that is repeated with it
 _VIDEO_PX = 130  # high, at least
+_JOB_MARGINS_PX = 12
 _STAGE_PX, _LANES_PX = 330, 420  # only the proportion counts
 
 
@@ -93,7 +102,9 @@ class EditorPage(QDialog):
         self.document = Document()
         self.editing = Editing(self.document)
         self.lanes = EditingLanes(self.view, self.editing)
+        self.keys = SelectionKeys(self.lanes)
         self.kinds, self.panel = KindList(), EffectPanel(self.editing)
+        self.markers, self.left = MarkerList(), QTabWidget()
         self.messages, self.job_bar = MessageBar(), JobBar()
         self._attempts = Attempts()
         self.unsaved = Unsaved(folder, self.document, self.messages.show_text)
@@ -121,6 +132,9 @@ class EditorPage(QDialog):
         play.zoomed.connect(self._zoom)
         play.snap.toggled.connect(self._on_snap)
         self.kinds.wanted.connect(self._add_at_cursor)
+        self.markers.wanted.connect(self.lanes.point_at)
+        self.markers.renamed.connect(self._rename_marker)
+        self.markers.removed.connect(self.editing.remove_marker)
         change.undo_button.clicked.connect(self.undo)
         change.redo_button.clicked.connect(self.redo)
         change.save_button.clicked.connect(self.save)
@@ -138,9 +152,12 @@ class EditorPage(QDialog):
         self.setWindowTitle(self.tr("Edit effects") + "[*]")
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
         self.playing.surface.setMinimumHeight(_VIDEO_PX)
+        self.left.addTab(self.kinds, self.tr("Effects"))
+        self.left.addTab(self.markers, self.tr("Markers"))
+        self.left.setFixedWidth(self.left.minimumSizeHint().width())
         stage, below, split = QWidget(), QWidget(), QSplitter(Qt.Orientation.Vertical)
         row_of(
-            self.kinds,
+            self.left,
             (framed(self.playing.surface), 1),
             self.panel,
             spacing=8,
@@ -152,15 +169,19 @@ class EditorPage(QDialog):
             split.addWidget(part)
         split.setSizes([_STAGE_PX, _LANES_PX])
         split.setChildrenCollapsible(False)
-        bars = (self.messages, self.job_bar, self.unsaved.bar)
-        above = (*bars, (split, 1), self.comparison)
-        whole: QVBoxLayout = fill_page(self, *above, self.change_bar, spacing=8)
+        bars = (self.messages, self.unsaved.bar)
+        # what runs takes the place of the buttons that are off meanwhile
+        for bar in (self.change_bar, self.job_bar):
+            high_px = self.job_bar.cancel_button.sizeHint().height()
+            bar.setFixedHeight(high_px + _JOB_MARGINS_PX)
+        ends = (self.comparison, self.change_bar, self.job_bar)
+        whole: QVBoxLayout = fill_page(self, *bars, (split, 1), *ends, spacing=8)
         whole.setContentsMargins(12, 10, 12, 10)
 
     def _set_usable(self, *, is_usable: bool) -> None:
         self.play_bar.set_usable(is_usable=is_usable)
         can_edit = is_usable and not self.unsaved.is_asking
-        for widget in (self.lanes, self.kinds, self.panel):
+        for widget in (self.lanes, self.kinds, self.markers, self.panel):
             widget.setEnabled(can_edit)
         self._show_document()
 
@@ -304,6 +325,23 @@ class EditorPage(QDialog):
     def _add_at_cursor(self, kind: str) -> None:
         self.editing.add_kind(kind, self.lanes.cursor_s)
 
+    def mark(self) -> None:
+        """Set a marker at the cursor, and show it in the list."""
+        if self.lanes.isEnabled():
+            at_s = self.lanes.cursor_s
+            self.editing.mark(at_s)
+            self.left.setCurrentWidget(self.markers)
+            markers = self.document.effects.markers
+            times_s = [abs(one.time_s - at_s) for one in markers]
+            self.markers.choose(times_s.index(min(times_s)))
+
+    def _rename_marker(self, marker: TimeMarker, name: str) -> None:
+        try:
+            self.editing.rename_marker(marker, name)
+        except UsageError as problem:
+            self.messages.show_text(message_of(problem), self._attempts.begin())
+            self.markers.show_markers(self.document.effects.markers)
+
     def _on_snap(self, is_on: bool) -> None:
         self.lanes.snaps = is_on
 
@@ -328,6 +366,8 @@ class EditorPage(QDialog):
         self.jobs.poll()
         if not self.jobs.is_busy:
             self.job_bar.hide()
+        self.change_bar.setVisible(self.job_bar.isHidden())
+        if not self.jobs.is_busy:
             is_idle = self.loaded is None or self.unsaved.is_asking
             if not is_idle and not self.lanes.isEnabled():
                 self._set_usable(is_usable=True)  # saving was cancelled
@@ -338,6 +378,7 @@ class EditorPage(QDialog):
 
     def _on_document(self) -> None:
         self._show_document()
+        self.markers.show_markers(self.document.effects.markers)
         if self.live is not None:
             self.live.want(self.document.effects)
         if self.play_bar.loop.isChecked():
@@ -347,7 +388,7 @@ class EditorPage(QDialog):
         """Show and play what has been rendered; what was saved stays as it is stored."""
         assert self.loaded is not None  # else nothing is rendered
         self._attempts.begin()
-        if effects == self._saved_effects:
+        if effects.effects == self._saved_effects.effects:
             tracks = self.loaded.source.tracks
             track = tracks[rendered_feedback(tracks)]
         elif not len(effects) and len(self.document.effects):

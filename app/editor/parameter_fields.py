@@ -4,6 +4,7 @@ import math
 from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLabel, QSlider, QWidget
 
 from app.experimenter.numbers import NumberBox
@@ -59,6 +60,18 @@ def scale_of(allowed: Range) -> Scale:
     return Scale(allowed.least, allowed.largest, is_log)
 
 
+def step_of(allowed: Range) -> float:
+    """By how much a key changes a parameter."""
+    return 1.0 if allowed.is_whole or allowed.unit == "Hz" else 0.1
+
+
+def leaves_to_page(event: QEvent) -> bool:
+    """Whether a key press is Space, which plays also where a number has the keyboard."""
+    if event.type() != QEvent.Type.ShortcutOverride:
+        return False
+    return isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Space
+
+
 def tidy(value: float) -> float:
     """Return a value of a slider with three digits that count."""
     return float(f"{value:.3g}")
@@ -77,8 +90,7 @@ class NumberField(QWidget):
         super().__init__()
         self.allowed, self._scale = allowed, scale_of(allowed)
         digits = 0 if allowed.is_whole else 3
-        step = 1.0 if allowed.is_whole or allowed.unit == "Hz" else 0.1
-        self.box = NumberBox(text, allowed, digits, step, suffix)
+        self.box = NumberBox(text, allowed, digits, step_of(allowed), suffix)
         self.box.setKeyboardTracking(False)
         self.box.setMinimumWidth(_BOX_PX)
         self.slider = QSlider(Qt.Orientation.Horizontal)
@@ -125,9 +137,10 @@ class NumberField(QWidget):
             part.blockSignals(False)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
-        """Leave the wheel to the panel, unless the field has the focus."""
+        """Leave Space to the page, and the wheel to the panel without the focus."""
         is_wheel = event.type() == QEvent.Type.Wheel
-        if is_wheel and isinstance(watched, QWidget) and not watched.hasFocus():
+        is_idle = is_wheel and isinstance(watched, QWidget) and not watched.hasFocus()
+        if is_idle or leaves_to_page(event):
             event.ignore()
             return True
         return super().eventFilter(watched, event)

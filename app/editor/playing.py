@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from app.bridge.errors import Show
 from app.bridge.pump import Cadence, Pump
 from app.bridge.settings import Settings, latencies_of
+from app.editor.shuttle import Shuttle
 from app.player.controls import kept_volume
 from app.player.fullscreen import EscapeFilter
 from app.player.session import Session
@@ -52,6 +53,9 @@ class Playing(QObject):
         self._pump: Pump | None = None
         self._draw_cadence, self._watch_cadence = Cadence(DRAW_HZ), Cadence(WATCH_HZ)
         self._has_just_stopped = False
+        self.shuttle = Shuttle(setup.clock, self._player)
+        self.shuttle.moved.connect(self.moved)
+        self.shuttle.changed.connect(self.changed)
         self._escape = EscapeFilter(self._on_escape, self)
         self._escape.install()
 
@@ -85,9 +89,13 @@ class Playing(QObject):
                 self._show(message_of(problem), None)
         return None
 
+    def _player(self) -> Player | None:
+        return self.session.player if self.session else None
+
     def end(self) -> None:
         """Stop the force, and let go of everything."""
         self._escape.remove()
+        self.shuttle.stop()
         session, self.session = self.session, None
         if session is not None:
             session.player.pause()
@@ -99,7 +107,10 @@ class Playing(QObject):
 
     @property
     def is_playing(self) -> bool:
-        return self.session is not None and self.session.player.snapshot().is_playing
+        """Whether it plays, or goes back."""
+        if self.session is None:
+            return False
+        return self.shuttle.is_back or self.session.player.snapshot().is_playing
 
     @property
     def is_stopped(self) -> bool:
@@ -107,22 +118,27 @@ class Playing(QObject):
         return self.session is not None and self.session.is_stopped
 
     def toggle(self) -> None:
-        if self.session is not None:
-            self.session.player.toggle()
+        """Pause in either direction, or play."""
+        if self.is_playing:
+            self.pause()
+        else:
+            self.shuttle.forward()
 
     def pause(self) -> None:
-        if self.session is not None:
-            self.session.player.pause()
+        self.shuttle.stop()
 
     def stop(self) -> None:
         """Take the force away at once."""
         if self.session is not None:
             self.session.stop()
+            self.shuttle.stop()
 
     def stop_or_rearm(self) -> None:
         """Take the force away at once, or let it come back."""
-        if self.session is not None:
-            self.session.stop_or_rearm()
+        if self.is_stopped:
+            self.rearm()
+        else:
+            self.stop()
 
     def rearm(self) -> None:
         """Let the force come back."""
@@ -130,7 +146,9 @@ class Playing(QObject):
             self.session.rearm()
 
     def seek(self, media_s: float) -> None:
-        """Go to a time."""
+        """Go to a time, where a clip that went back stays."""
+        if self.shuttle.is_back:
+            self.shuttle.stop()
         if self.session is not None:
             self.session.player.seek(media_s)
 

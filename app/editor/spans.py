@@ -28,6 +28,9 @@ class Part(enum.Enum):
     START = enum.auto()
     BODY = enum.auto()
     END = enum.auto()
+    FADE_IN = enum.auto()
+    FADE_OUT = enum.auto()
+    POINT = enum.auto()
 
 
 class Hit(NamedTuple):

@@ -110,6 +110,8 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         return 0
     for number, effect in enumerate(effects.effects, 1):
         say(f"{number:3d}  {effect.described()}{'' if effect.enabled else ' (off)'}")
+    for marker in effects.markers:
+        say(f"     at {marker.time_s:g} s: {marker.name}")
     say(f"{len(effects)} effects")
     if is_changed:
         after = sequence_figures(open_sequence(folder))
@@ -122,7 +124,8 @@ def _changed(
 ) -> EffectList:
     every = list(effects.effects)
     if options.action == "add":
-        return EffectList((*every, _within(_new(options), duration_s)))
+        new = _within(_new(options), duration_s)
+        return replace(effects, effects=(*every, new))
     row = options.number - 1
     if not 0 <= row < len(every):
         raise UsageError(
@@ -136,7 +139,7 @@ def _changed(
         every[row] = _within(every[row].moved(options.by), duration_s)
     else:
         every[row] = replace(every[row], enabled=options.action == "enable")
-    return EffectList(tuple(every))
+    return replace(effects, effects=tuple(every))
 
 
 def _within(effect: Effect, duration_s: float) -> Effect:

@@ -1,7 +1,9 @@
 """Effects as the JSON that a sequence keeps, `effects.json`; untrusted when it is read."""
 
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 from msgspec import Meta, Struct, structs, to_builtins
 
@@ -12,7 +14,13 @@ from hapticplayer.errors import (
     UsageError,
     message_of,
 )
-from hapticplayer.rendering.effects.values import UP, Effect, EffectList, Target
+from hapticplayer.rendering.effects.values import (
+    UP,
+    Effect,
+    EffectList,
+    Target,
+    TimeMarker,
+)
 from hapticplayer.structures import check_schema, convert, read_json
 
 SCHEMA, VERSION = "hapticplayer.effects", 1
@@ -20,6 +28,7 @@ MAX_BYTES = 1 << 20
 _GIVE = Message("give an effects.json")
 
 _ALWAYS = ("kind", "start_s", "end_s", "target")
+Value = TypeVar("Value")
 _Number = Annotated[float, Meta(ge=-1e12, le=1e12)]
 
 
@@ -36,8 +45,14 @@ class _Entry(Struct, forbid_unknown_fields=True):
     enabled: bool = True
 
 
+class _Marker(Struct, forbid_unknown_fields=True):
+    time_s: float
+    name: str
+
+
 class _List(Struct):
     effects: list[_Entry]
+    markers: list[_Marker] = []
 
 
 def read_effects(path: Path) -> EffectList:
@@ -49,7 +64,8 @@ def read_effects(path: Path) -> EffectList:
 def written(effects: EffectList) -> dict[str, Any]:
     """Return the list as JSON keeps it; what is as usual is left out."""
     entries = [described_effect(effect) for effect in effects.effects]
-    return {"schema": SCHEMA, "version": VERSION, "effects": entries}
+    markers = {"markers": to_builtins(effects.markers)} if effects.markers else {}
+    return {"schema": SCHEMA, "version": VERSION, "effects": entries, **markers}
 
 
 def described_effect(effect: Effect) -> dict[str, Any]:
@@ -71,14 +87,26 @@ def effects_in(content: Any, where: str) -> EffectList:
     """
     other = Message("is not a list of effects"), _GIVE
     check_schema(content, (SCHEMA, VERSION), where, other)
-    effects = []
-    for number, entry in enumerate(convert(content, _List, where).effects):
-        try:
-            effects.append(Effect(**structs.asdict(entry)))
-        except UsageError as problem:
-            place = f"{where}, effects[{number}]"
-            raise InputError(message_of(problem), where=place) from None
+    found = convert(content, _List, where)
+    with _placed(where):
+        return EffectList(
+            tuple(_checked(found.effects, Effect, f"{where}, effects")),
+            tuple(_checked(found.markers, TimeMarker, f"{where}, markers")),
+        )
+
+
+def _checked(
+    entries: Iterable[Struct], make: Callable[..., Value], where: str
+) -> Iterator[Value]:
+    for number, entry in enumerate(entries):
+        with _placed(f"{where}[{number}]"):
+            yield make(**structs.asdict(entry))
+
+
+@contextmanager
+def _placed(where: str) -> Iterator[None]:
+    """Say in which file and entry a value is not allowed."""
     try:
-        return EffectList(tuple(effects))
+        yield
     except UsageError as problem:
         raise InputError(message_of(problem), where=where) from None

@@ -83,7 +83,7 @@ def test_a_key_that_is_taken_is_refused_with_its_owner(dialog, settings):
 @pytest.mark.parametrize(
     ("name", "key", "is_free"),
     [
-        ("effect_toggle", "M", True),  # the window mutes by it
+        ("effect_toggle", "G", True),  # the window shows the grip by it
         ("effect_toggle", "Space", False),  # plays in the editor, too
         ("play", "E", False),
         ("effect_delete", "E", False),

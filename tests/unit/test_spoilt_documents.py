@@ -16,7 +16,7 @@ from hapticplayer.media.remux import write_attachments
 from hapticplayer.model.calibration import SensorCalibration
 from hapticplayer.playback.latency import latencies_in, read_settings
 from hapticplayer.playback.replay import read_force_log
-from hapticplayer.rendering.effects import NO_EFFECTS, Effect, EffectList
+from hapticplayer.rendering.effects import NO_EFFECTS, Effect, EffectList, TimeMarker
 from hapticplayer.sequence import effects_file, open_sequence, store
 from hapticplayer.sequence.calibration import (
     StoredCalibration,
@@ -157,7 +157,9 @@ def test_a_spoilt_list_of_effects_is_refused(tmp_path):
     curve = ((0.0, 1.0), (1.0, 0.5))
     knock = Effect("knock", 1.0, 2.0, parameters={"amplitude": 2.0})
     document = effects_file.written(
-        EffectList((knock, Effect("gain", 2.0, 4.0, curve=curve)))
+        EffectList(
+            (knock, Effect("gain", 2.0, 4.0, curve=curve)), (TimeMarker(1.0, "a"),)
+        )
     )
     path = tmp_path / "effects.json"
     check(

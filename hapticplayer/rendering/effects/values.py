@@ -19,6 +19,7 @@ from hapticplayer.rendering.effects.kinds import AMPLITUDE, EffectKind, kind_of
 from hapticplayer.rendering.effects.signals import RATE_HZ, Points, Span
 
 MAX_EFFECTS, MAX_POINTS = 500, 500
+MAX_MARKERS, MAX_MARKER_NAME = 500, 100
 MAX_EFFECT_S = 3600.0
 """Of one effect: it has a value each millisecond."""
 
@@ -105,16 +106,39 @@ class Effect:
 
 
 @dataclass(frozen=True, slots=True)
+class TimeMarker:
+    """A media time with a name, for people: nothing is changed there.
+
+    Raises:
+        UsageError: when a value is not allowed; names it.
+    """
+
+    time_s: float
+    name: str
+
+    def __post_init__(self) -> None:
+        MEDIA_TIME_S.parse("time_s", str(self.time_s))
+        if not (0 < len(self.name) <= MAX_MARKER_NAME and self.name.isprintable()):
+            raise UsageError(
+                "name: must have 1 to {most} characters in one line",
+                most=MAX_MARKER_NAME,
+            )
+
+
+@dataclass(frozen=True, slots=True)
 class EffectList:
-    """Effects in the order in which they are applied.
+    """Effects in the order in which they are applied, and markers beside them.
 
     Raises:
         UsageError: for too many.
     """
 
     effects: tuple[Effect, ...] = ()
+    markers: tuple[TimeMarker, ...] = ()
 
     def __post_init__(self) -> None:
+        if len(self.markers) > MAX_MARKERS:
+            raise UsageError("at most {most} markers in a list", most=MAX_MARKERS)
         if len(self.effects) > MAX_EFFECTS:
             raise UsageError("at most {most} effects in a list", most=MAX_EFFECTS)
 

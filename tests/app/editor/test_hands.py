@@ -98,7 +98,7 @@ def test_tab_goes_through_effects_and_arrows_move_by_frames(page):
 
 
 def test_the_timeline_takes_the_keys_that_a_person_chose(make_page, folder, settings):
-    settings.keep(KEYS, {"effect_delete": ["X"], "play": ["K"]})
+    settings.keep(KEYS, {"effect_delete": ["X"], "play": ["Y"]})
     page = make_page(folder)
     page.document.select(0)
     page.lanes.setFocus()
@@ -108,11 +108,29 @@ def test_the_timeline_takes_the_keys_that_a_person_chose(make_page, folder, sett
     assert len(page.document.effects) == len(EFFECTS) - 1
     QTest.keyClick(page.lanes, Qt.Key.Key_Space)
     assert not page.playing.is_playing
-    QTest.keyClick(page.lanes, Qt.Key.Key_K)
+    QTest.keyClick(page.lanes, Qt.Key.Key_Y)
     assert page.playing.is_playing
 
 
-def test_space_checks_a_box_that_has_the_keyboard(page):
+def test_space_plays_from_lists_and_numbers_but_not_in_a_text(page):
+    page.document.select(0)  # a gain, which has control points
+    panel = page.panel
+    numbers = [panel.fields["gain"].box, panel.fields["gain"].slider]
+    lists = [page.kinds, page.left.tabBar(), panel.target, page.view_bar]
+    for part in (page.lanes, *numbers, *lists):
+        part.setFocus()
+        before = page.document.effects
+        for is_on in (True, False):
+            QTest.keyClick(part, Qt.Key.Key_Space)
+            assert page.playing.is_playing is is_on, part
+        assert page.document.effects == before
+    panel.curve.setFocus()
+    QTest.keyClick(panel.curve, Qt.Key.Key_Space)
+    assert panel.curve.text() == " "
+    assert not page.playing.is_playing
+
+
+def test_space_checks_a_box_that_tab_has_gone_to(page):
     page.play_bar.snap.setFocus()
     QTest.keyClick(page.play_bar.snap, Qt.Key.Key_Space)
     assert not page.play_bar.snap.isChecked()
@@ -121,7 +139,9 @@ def test_space_checks_a_box_that_has_the_keyboard(page):
 
 def test_space_plays_after_a_click_on_a_box(page):
     page.lanes.setFocus()
-    for box in (page.play_bar.loop, page.play_bar.compare, page.play_bar.snap):
+    page.document.select(0)
+    bar = page.play_bar
+    for box in (bar.loop, bar.compare, bar.snap, page.panel.enabled):
         was_checked = box.isChecked()
         QTest.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, 8))
         assert box.isChecked() != was_checked
@@ -182,7 +202,7 @@ def test_an_event_offers_its_effect_and_applies_nothing(page):
     menu.close()
     page.lanes.point_at(0.0)
     page.lanes.setFocus()
-    page.document.select(None)
+    page.document.select()
     QTest.keyClick(page.lanes, Qt.Key.Key_PageDown)
     assert page.lanes.cursor_s == pytest.approx(event.start_s)
 
@@ -261,9 +281,17 @@ def test_saving_can_be_cancelled_and_nothing_is_written(
             QTest.qSleep(1)
 
     monkeypatch.setattr("app.editor.page.in_child", never_ends)
+
+    def place():
+        return page.lanes.mapTo(page, QPoint()), page.lanes.size()
+
+    before = place()
     page.change_bar.save_button.click()
     page.reject()
     assert page.isVisible()  # it is being saved
+    wait_for(page.job_bar.isVisible)
+    QTest.qWait(20)
+    assert place() == before  # nothing moves below the pointer
     page.job_bar.cancelled.emit()
     wait_for(page.lanes.isEnabled)
     assert not page.document.stack.isClean()

@@ -9,11 +9,12 @@ import pytest
 
 from hapticplayer import cli
 from hapticplayer.capture.recording import Recording
-from hapticplayer.errors import SequenceError
+from hapticplayer.errors import InputError, SequenceError
 from hapticplayer.model import ClockMap
-from hapticplayer.rendering.effects import Effect, EffectList
+from hapticplayer.rendering.effects import Effect, EffectList, TimeMarker
 from hapticplayer.sequence import effects_file, open_sequence, store, verify_sequence
 from hapticplayer.sequence.build import Choices, write_sequence
+from hapticplayer.sequence.editing import set_effects
 from hapticplayer.sequence.pack import pack
 from hapticplayer.sequence.packed import read_packed
 
@@ -150,3 +151,35 @@ def test_four_programs_that_add_at_once_leave_four_effects(folder):
     verify_sequence(folder)
     found = store.effects_of(open_sequence(folder)).effects
     assert sorted(one.start_s for one in found) == [0.1, 0.2, 0.3, 0.4]
+
+
+def test_markers_stay_while_effects_are_changed(folder, capsys):
+    marked = EffectList((Effect("gain", 0.1, 0.4),), (TimeMarker(0.25, "The gate"),))
+    set_effects(folder, marked)
+    for words in (MUTE, ("disable", "1"), ("remove", "2"), ("list",)):
+        assert do(folder, *words) == 0
+    assert store.effects_of(open_sequence(folder)).markers == marked.markers
+    assert "at 0.25 s: The gate" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("entry", "message"),
+    [
+        ({"time_s": -1.0, "name": "a"}, r"markers\[0\]: time_s"),
+        ({"time_s": 1.0, "name": ""}, r"markers\[0\]: name"),
+        ({"time_s": 1.0, "name": "a\nb"}, r"markers\[0\]: name"),
+        ({"time_s": 1.0, "name": "a", "x": 1}, "x"),
+        ({"time_s": 1.0}, "name"),
+    ],
+)
+def test_markers_that_are_not_allowed_are_refused(tmp_path, entry, message):
+    path = tmp_path / "effects.json"
+    content = {**effects_file.written(EffectList()), "markers": [entry]}
+    path.write_text(json.dumps(content))
+    with pytest.raises(InputError, match=message):
+        effects_file.read_effects(path)
+    path.write_text(
+        json.dumps({**content, "markers": [{"time_s": 1.0, "name": "a"}] * 501})
+    )
+    with pytest.raises(InputError, match="at most 500 markers"):
+        effects_file.read_effects(path)
