@@ -31,6 +31,9 @@ HANDLER, MARK = "GoPro MET", "gpmd"
 RAW_MAGIC = b"DEVC"
 """With which GPMF begins."""
 
+_ANY_METADATA = frozenset({"", "mebx", "mett", "metx"})
+"""Marks that leave open whose it is (ISO/IEC 14496-12, 12.3.3; QuickTime)."""
+
 
 @dataclass(frozen=True, slots=True)
 class TelemetryPacket:
@@ -47,7 +50,8 @@ class TelemetryPacket:
 def is_gopro(track: ClipTrack) -> bool:
     """Whether a track is GPMF; other programs change its name, and its mark."""
     is_named = track.mark == MARK or HANDLER in track.name
-    return is_named or track.begins.startswith(RAW_MAGIC)
+    is_open = track.mark in _ANY_METADATA
+    return is_named or (is_open and track.begins.startswith(RAW_MAGIC))
 
 
 def find_telemetry(container: InputContainer, clip: AnyClip) -> DataStream | None:
