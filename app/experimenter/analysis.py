@@ -173,7 +173,8 @@ class AnalysisPage(QWidget):
         text = self.tr("The report is in English, ready for publication.")
         buttons = (self.save_button, self.analyse_button)
         top = row_of((self._heading, 1), *buttons, spacing=8)
-        parts = (top, paragraph(text, theme.DIM), self.job_bar, (self.text, 1))
+        self.job_bar.lie_over(self.text)
+        parts = (top, paragraph(text, theme.DIM), (self.text, 1))
         column_of(*parts, spacing=8, margins=(12, 10, 12, 12), of=self)
 
     def _work(self, progress: Progress) -> Report:

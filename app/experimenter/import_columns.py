@@ -121,6 +121,7 @@ class ColumnMap(QScrollArea):
             combo = self._names_for(kind, titled(number, title) if title else number)
             caption = _cell(shown, theme.TEXT)
             caption.setBuddy(combo)
+            caption.setAccessibleName(combo.accessibleName())  # titles may be alike
             grid.addWidget(caption, 0, at)
             grid.addWidget(combo, 1, at)
             for line, row in enumerate(table.rows, start=2):

@@ -158,7 +158,8 @@ class PlayerWindow(QMainWindow):
         splitter.setHandleWidth(_HANDLE_PX)
         splitter.setSizes([_STAGE_PX, PLOTS_PX])
         middle = QWidget()
-        above = (self.messages, self.job_bar, self.recovery, self.offer)
+        self.job_bar.lie_over(self.stage)
+        above = (self.messages, self.recovery, self.offer)
         below = (self.sync_plot, self.health)
         self._middle = column_of(
             *(*above, (splitter, 1), self.transport, *below), spacing=0, of=middle

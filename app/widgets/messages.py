@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAccessible, QAccessibleEvent, QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QSizePolicy, QWidget
 
@@ -131,7 +131,10 @@ class JobRow(QFrame):
 
 
 class JobBar(QFrame):
-    """The same across a window, for work that takes longer than a moment."""
+    """The same over the lower edge of a widget, for work longer than a moment.
+
+    Nothing makes room for it: what a person looks at or is about to click stays.
+    """
 
     cancelled = Signal()
 
@@ -139,9 +142,10 @@ class JobBar(QFrame):
         super().__init__()
         self.setStyleSheet(
             f"JobBar {{ background: {theme.PANEL}; "
-            f"border: 0; border-bottom: 1px solid {theme.BORDER}; }}"
+            f"border: 0; border-top: 1px solid {theme.BORDER}; }}"
         )
         self._since_s: float | None = None
+        self._below: QWidget | None = None
         self.cancel_button = text_button(
             self.tr("Cancel"), self.tr("Cancel; nothing is kept")
         )
@@ -150,6 +154,23 @@ class JobBar(QFrame):
         self.text_label = self._row.text_label
         row_of(self._row, margins=(12, 6, 8, 6), of=self)
         self.hide()
+
+    def lie_over(self, below: QWidget) -> None:
+        """Be shown on this widget from now on."""
+        self._below = below
+        self.setParent(below)
+        below.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
+        """Follow the size of what it lies on."""
+        if event.type() == QEvent.Type.Resize:
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def _place(self) -> None:
+        if (below := self._below) is not None:
+            high_px = self.sizeHint().height()
+            self.setGeometry(0, below.height() - high_px, below.width(), high_px)
 
     def show_state(self, state: JobState | None, now_s: float) -> None:
         """Show how far the work is; what is done at once is not worth a line."""
@@ -162,7 +183,9 @@ class JobBar(QFrame):
         if self._since_s is None:
             self._since_s = now_s
         if self.isHidden() and now_s - self._since_s >= _AT_ONCE_S:
+            self._place()
             self.show()
+            self.raise_()
 
     def _on_cancel(self) -> None:
         self.cancel_button.setEnabled(False)

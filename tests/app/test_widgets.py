@@ -122,6 +122,23 @@ def test_a_long_job_shows_its_step_and_can_be_cancelled(qtbot):
     assert bar.cancel_button.isEnabled()
 
 
+def test_a_long_job_moves_nothing(window, wait_for):
+    before, bar, is_enough = window.stage.geometry(), window.job_bar, []
+
+    def work(progress):
+        while not is_enough:
+            progress(0.5, "copying the clip")
+
+    window.session.jobs.run("Import", work, lambda _: None)
+    wait_for(bar.isVisible)
+    assert window.stage.geometry() == before
+    assert window.stage.rect().contains(bar.geometry())
+    window.resize(window.width() + 40, window.height())
+    wait_for(lambda: bar.width() == window.stage.width() > before.width())
+    is_enough.append(True)
+    wait_for(bar.isHidden)
+
+
 def test_enter_presses_a_focused_button(qtbot):
     button = text_button("Go", "")
     qtbot.addWidget(button)
