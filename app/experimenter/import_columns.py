@@ -29,7 +29,7 @@ from hapticplayer.capture.log_tables import (
 
 translate = QCoreApplication.translate
 
-_TABLE_PX = 210
+_LEAST_PX, _MOST_PX = 110, 210
 _LONGEST_CELL = 26
 
 
@@ -108,7 +108,9 @@ class ColumnMap(QScrollArea):
         self.setWidget(inside)
         self.setWidgetResizable(True)
         bar_px = self.horizontalScrollBar().sizeHint().height()
-        self.setFixedHeight(min(_TABLE_PX, inside.sizeHint().height() + bar_px + 2))
+        wanted_px = min(_MOST_PX, inside.sizeHint().height() + bar_px + 2)
+        self.setMaximumHeight(wanted_px)
+        self.setMinimumHeight(min(_LEAST_PX, wanted_px))
 
     def _grid(self, table: LogTable) -> QGridLayout:
         grid, names = QGridLayout(), []

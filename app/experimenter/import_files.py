@@ -33,8 +33,10 @@ from hapticplayer.capture.choices import (
     write_template,
 )
 from hapticplayer.capture.mounting import AS_RECORDED
+from hapticplayer.capture.source import name_of
 from hapticplayer.errors import HapticPlayerError, TelemetryError, message_of
-from hapticplayer.sequence.import_preview import ImportPreview, pair
+from hapticplayer.sequence.import_batch import items_of
+from hapticplayer.sequence.import_preview import ImportPreview
 
 translate = QCoreApplication.translate
 _MOST_NOTES = 6
@@ -47,6 +49,7 @@ class FilesPage(QWidget):
     """Takes a video and perhaps a log, shows what they are, and puts questions."""
 
     changed = Signal()
+    several_wanted = Signal(list)
 
     def __init__(self, folder: str) -> None:
         super().__init__()
@@ -123,14 +126,19 @@ class FilesPage(QWidget):
             browse.clicked.connect(slot)
             for place, widget in enumerate((*captioned(text, field), browse)):
                 grid.addWidget(widget, line, place)
-        for place, widget in enumerate(captioned(self.tr("&Format"), self.format)):
+        several = text_button(
+            self.tr("Se&veral clips\u2026"), self.tr("Import clips one after the other")
+        )
+        several.clicked.connect(lambda: self.several_wanted.emit([]))
+        parts = (*captioned(self.tr("&Format"), self.format), several)
+        for place, widget in enumerate(parts):
             grid.addWidget(widget, len(rows), place)
         keep = row_of(self.how, self.keep, STRETCH)
         texts = column_of(self.facts, self.notes, keep, STRETCH)
         found = row_of((texts, 1), column_of(self.triad, STRETCH))
         asked = (self.problem, self.question, self.suggestion)
-        parts = (intro, grid, *asked, (found, 1))
-        column_of(*parts, (self.place, _ALL_THE_ROOM), spacing=10, of=self)
+        shown = (intro, grid, *asked, (found, 1))
+        column_of(*shown, (self.place, _ALL_THE_ROOM), spacing=10, of=self)
 
     # --- what is chosen ------------------------------------------------------
 
@@ -143,12 +151,17 @@ class FilesPage(QWidget):
         return parse_choices(self._words) if self._words else None
 
     def take(self, paths: list[Path]) -> None:
-        """Take over files that were dropped; a log may follow its video."""
-        video, log = pair(paths)
+        """Take over files that were dropped; a log may follow its video, or precede it."""
+        items = items_of(paths)
+        if len(items) > 1:
+            self.several_wanted.emit(paths)
+            return
+        video, logs = items[0] if items else (None, ())
+        is_another = bool(video and self.video.text().strip())
         if video is not None:
             self.video.setText(str(video))
-        if video is not None or log:
-            self.log.setText(_BETWEEN_FILES.join(map(str, log)))
+        if logs or is_another:
+            self.log.setText(_BETWEEN_FILES.join(map(str, logs)))
         self._on_edited()
 
     def _on_edited(self) -> None:
@@ -159,6 +172,17 @@ class FilesPage(QWidget):
             self.format.setCurrentIndex(0)
             self._asked = None
             self.changed.emit()
+            self._ask_for_video()
+
+    def _ask_for_video(self) -> None:
+        """Say what is missing where there is only a log."""
+        video, log = self._seen
+        if log and not video:
+            text = self.tr(
+                "{log} is a motion log. Choose or drop the video of the ride."
+            )
+            self.facts.setText(text.format(log=name_of(_paths(log))))
+            self.video.setFocus()
 
     def open_form(self, words: Mapping[str, str]) -> ReadingPage | None:
         """Let people say how the log is read."""
@@ -281,10 +305,12 @@ class FilesPage(QWidget):
         text = field.text().strip() or self.video.text().strip()
         start = str(_paths(text)[0].parent) if text else self._folder
         dialog = file_dialog(self, title, start, kinds)
-        if field is self.log:
-            dialog.setFileMode(dialog.FileMode.ExistingFiles)
+        dialog.setFileMode(dialog.FileMode.ExistingFiles)
 
         def take(paths: list[str]) -> None:
+            if field is self.video and len(paths) > 1:
+                self._on_dropped([Path(path) for path in paths])
+                return
             field.setText(_BETWEEN_FILES.join(paths))
             self._on_edited()
 

@@ -93,6 +93,7 @@ class ReadingPage(JobDialog):
         self._is_stale = False
         self.problem = paragraph("", theme.BAD)
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
+        self.problem.hide()
         none: tuple[LogTable, ...] = ()
         self.tables = self._try(lambda: tables_of(log, _choices(answers)), none)
         kept = self._kept()
@@ -214,7 +215,7 @@ class ReadingPage(JobDialog):
             self,
             paragraph(self._intro(), theme.DIM),
             from_kept,
-            self.columns,
+            (self.columns, 12),
             (row_of((scrolling(forms), 3), (beside, 1), spacing=18), 3),
             self.problem,
             row_of(*keep, cancel, self.take, spacing=8),
@@ -254,8 +255,12 @@ class ReadingPage(JobDialog):
         try:
             return work()
         except HapticPlayerError as problem:
-            self.problem.setText(translated(message_of(problem)))
+            self._tell(translated(message_of(problem)))
             return otherwise
+
+    def _tell(self, text: str) -> None:
+        self.problem.setText(text)
+        self.problem.setVisible(bool(text))
 
     def _put(self, answers: Mapping[str, str]) -> None:
         for key, field in self.fields.items():
@@ -301,7 +306,7 @@ class ReadingPage(JobDialog):
 
     def load(self, path: str) -> None:
         """Fill in the answers of a template."""
-        self.problem.clear()
+        self._tell("")
         self._put(
             self._try(lambda: _choices({"template": path}).given(), self.answers())
         )
@@ -314,7 +319,7 @@ class ReadingPage(JobDialog):
                 keep_answers(name, header_of(self.tables), answers)
             return True
 
-        self.problem.clear()
+        self._tell("")
         if not self._try(keep, False):
             return
         self.accept()

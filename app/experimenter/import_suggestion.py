@@ -20,6 +20,7 @@ class SuggestionBox(QFrame):
 
     def __init__(self) -> None:
         super().__init__()
+        self.is_wanted = False
         self.setObjectName("suggestion")
         self.setStyleSheet(
             f"QFrame#suggestion {{ border: 1px solid {theme.BORDER}; "
@@ -56,7 +57,8 @@ class SuggestionBox(QFrame):
         way = self.tr("Choose its motion log above, if there is one.")
         reason = titled(video.name, translated(problem.what))
         self.reason.setText(f"{reason}. {way}")
-        self.choice.setChecked(False)
+        self.choice.setChecked(self.is_wanted and is_exact())
         self.choice.setEnabled(is_exact())
+        self.is_wanted = False  # of this video alone
         self.missing.setVisible(not is_exact())
         self.show()

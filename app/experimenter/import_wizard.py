@@ -45,6 +45,7 @@ class ImportWizard(JobDialog):
 
     play_wanted = Signal(object)
     library_chosen = Signal(object)
+    several_wanted = Signal(list)
 
     def __init__(
         self, folder: str, library: Path, parent: QWidget | None = None
@@ -58,6 +59,7 @@ class ImportWizard(JobDialog):
         self.mounting, self.report = MountingPage(library), QualityView()
         self._lay_out()
         self.files.changed.connect(self._look_anew)
+        self.files.several_wanted.connect(self._leave_for_several)
         self.files.suggestion.changed.connect(self._show_buttons)
         self.sync.decided.connect(self._show_buttons)
         self.sync.method_chosen.connect(self._look)
@@ -103,12 +105,20 @@ class ImportWizard(JobDialog):
 
     # --- going through the steps ---------------------------------------------
 
-    def take(self, paths: list[Path]) -> None:
-        """Begin with files that were dropped or chosen elsewhere."""
+    def take(self, paths: list[Path], *, suggests: bool = False) -> None:
+        """Begin with files that were dropped or chosen elsewhere.
+
+        A video without motion gets an estimate from its frames if that is wanted.
+        """
+        self.files.suggestion.is_wanted = suggests
         try:
             self.files.take(paths)
         except HapticPlayerError as problem:
             self.files.show_problem(problem)
+
+    def _leave_for_several(self, paths: list[Path]) -> None:
+        self.reject()
+        self.several_wanted.emit(paths)
 
     def go_to(self, step: int) -> None:
         """Show a page."""

@@ -20,6 +20,7 @@ from hapticplayer.playback.sound_process import SoundProcess
 
 if TYPE_CHECKING:
     from app.editor.page import EditorPage
+    from app.experimenter.import_queue import QueuePage
     from app.experimenter.import_wizard import ImportWizard
     from app.experimenter.library_page import LibraryPage
     from app.experimenter.rendering_page import RenderingPage
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
         EditorPage
         | ImportWizard
         | LibraryPage
+        | QueuePage
         | OutputsPage
         | RenderingPage
         | SetupPage

@@ -5,7 +5,7 @@ import threading
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt, Signal
 from PySide6.QtWidgets import QDialog, QFileDialog, QLabel, QMessageBox, QWidget
@@ -27,6 +27,10 @@ from hapticplayer.clock import Clock
 from hapticplayer.errors import HapticPlayerError
 from hapticplayer.playback.source import Source, open_source
 from hapticplayer.rendering import FEEDBACKS
+
+if TYPE_CHECKING:
+    from app.experimenter.import_queue import QueuePage
+    from app.experimenter.import_wizard import ImportWizard
 
 translate = QCoreApplication.translate
 
@@ -64,6 +68,7 @@ def about_dialog(parent: QWidget) -> QDialog:
 _FOLDER = "folder"
 LATER = (
     "app.editor.page",
+    "app.experimenter.import_queue",
     "app.experimenter.import_wizard",
     "app.experimenter.library_page",
     "app.experimenter.rendering_page",
@@ -119,7 +124,9 @@ class Dialogs(DeviceDialogs):
         dialog.fileSelected.connect(lambda path: self._session.open_log(Path(path)))
         dialog.open()
 
-    def import_recording(self, paths: list[Path] | bool = False) -> None:
+    def import_recording(
+        self, paths: list[Path] | bool = False, *, suggests: bool = False
+    ) -> "ImportWizard":
         """Lead through an import, of files that were dropped perhaps."""
         from app.experimenter.import_wizard import ImportWizard
 
@@ -127,9 +134,35 @@ class Dialogs(DeviceDialogs):
         wizard = ImportWizard(self._folder(), library, self._window)
         wizard.play_wanted.connect(self._session.open_path)
         wizard.library_chosen.connect(self._keep_library)
+        wizard.several_wanted.connect(self.import_several)
         self._open_working(wizard)
         if isinstance(paths, list):
-            wizard.take(paths)
+            wizard.take(paths, suggests=suggests)
+        return wizard
+
+    def import_files(self, paths: list[Path]) -> None:
+        """Import what was dropped: a clip step by step, several in a queue."""
+        from hapticplayer.sequence.import_batch import items_of
+
+        if len(items_of(paths)) > 1:
+            self.import_several(paths)
+        else:
+            self.import_recording(paths)
+
+    def import_several(self, paths: list[Path]) -> None:
+        """Import clips one after the other."""
+        from app.experimenter.import_queue import QueuePage
+
+        queue = QueuePage(paths, library_folder(self._settings), self._window)
+        queue.play_wanted.connect(self._session.open_path)
+        queue.wizard_wanted.connect(lambda chosen: self._answer_in(queue, chosen))
+        self._open_working(queue)
+
+    def _answer_in(self, queue: "QueuePage", paths: list[Path]) -> None:
+        """Lead through the import of a clip of a queue, which stays behind it."""
+        wizard = self.import_recording(paths)
+        wizard.play_wanted.connect(queue.accept)
+        wizard.finished.connect(lambda _result: queue.note(paths, wizard.made))
 
     def library(self, clock: Clock) -> None:
         """Show the sequences that there are."""

@@ -7,13 +7,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from hapticplayer.sequence.packed import is_video_name
 from hapticplayer.sequence.store import DESCRIPTION
 
-VIDEOS = frozenset(
-    f".{ending}"
-    for ending in ["mp4", "mov", "mkv", "avi", "webm", "m4v", "360", "lrv", "ts", "mpg"]
-)
-_SIDE_CAR = ".haptics.mkv"
 _MOST = 2000
 _DIGITS = re.compile(r"(\d+)")
 
@@ -30,8 +26,7 @@ def is_playable(path: Path) -> bool:
     """Whether it looks like a sequence or a video; nothing is opened."""
     if path.is_dir():
         return (path / DESCRIPTION).is_file()
-    is_video = path.suffix.lower() in VIDEOS and not path.name.endswith(_SIDE_CAR)
-    return is_video and path.is_file()
+    return is_video_name(path) and path.is_file()
 
 
 def beside(path: Path) -> list[Path]:

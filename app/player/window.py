@@ -23,6 +23,7 @@ from app.player.commands import Actions
 from app.player.controls import Controls
 from app.player.dialogs import Dialogs
 from app.player.display import Display, PlotArea
+from app.player.dropping import Dropping
 from app.player.empty_page import EmptyPage
 from app.player.extras import Extras
 from app.player.fullscreen import (
@@ -33,7 +34,7 @@ from app.player.fullscreen import (
 )
 from app.player.health_line import HealthLine
 from app.player.menus import ThemeMenus
-from app.player.playlist import Playlist, Repeat, is_playable
+from app.player.playlist import Playlist, Repeat
 from app.player.session import Session
 from app.player.sync_plot import SyncPlot
 from app.player.transport import Transport
@@ -44,7 +45,6 @@ from app.widgets.layout import column_of
 from app.widgets.messages import JobBar, MessageBar, OfferBar, RecoveryBar
 from app.widgets.theme import icon
 from hapticplayer.clock import Clock
-from hapticplayer.model import Feedback
 from hapticplayer.playback.player import Player
 from hapticplayer.playback.source import Source
 
@@ -105,7 +105,6 @@ class PlayerWindow(QMainWindow):
             self.fullscreen,
         )
         self.viewing = Viewing(self.session, surface, self.commands, settings)
-        self.playlist = Playlist(self.session.open_path)
         self.desktop = Desktop(player, self)
         self.study_menu.running.connect(
             lambda is_on: self.desktop.set_study_mode(is_on=is_on)
@@ -137,7 +136,6 @@ class PlayerWindow(QMainWindow):
 
     def _lay_out(self) -> None:
         self.setWindowIcon(icon("hapticplayer"))
-        self.drops = FileDrops(self, self._take_files)
         self.commands.fill(self.menuBar())
         self.study_menu = StudyMenu(
             self,
@@ -146,6 +144,12 @@ class PlayerWindow(QMainWindow):
             (self.release_devices, self.take_back_devices),
             self.settings,
         )
+        self.playlist = Playlist(self.session.open_path)
+        self.dropping = Dropping(
+            *(self, self.session, self.dialogs, self.playlist, self.offer),
+            self.study_menu.open_folder,
+        )
+        self.drops = FileDrops(self, self.dropping.take)
         self.stage = QStackedWidget()
         self.surface.setMinimumHeight(LEAST_VIDEO_PX)
         self.stage.addWidget(self.empty_page)
@@ -173,8 +177,6 @@ class PlayerWindow(QMainWindow):
         session.changed.connect(self._on_changed)
         session.another_video.connect(self._on_another_video)
         session.ended.connect(self._on_ended)
-        session.chosen.connect(self._offer_import)
-        self.offer.accepted.connect(self._import_shown)
         self.recovery.wanted.connect(
             lambda kept: self.dialogs.edit_effects(self.clock, kept.path, recovers=True)
         )
@@ -254,28 +256,6 @@ class PlayerWindow(QMainWindow):
     def show_statistics(self, *, is_wanted: bool) -> None:
         """Show or hide the figures over the video."""
         self.extras.show_statistics(is_wanted=is_wanted)
-
-    def _offer_import(self, source: Source) -> None:
-        """Say how a clip that a person has opened comes to be felt, where it is not."""
-        is_felt = set(source.tracks) != {Feedback.NONE}
-        if is_felt or source.clip.remote or source.notice or self.fullscreen.is_on:
-            return
-        if source.clip.has_telemetry:
-            text = self.tr(
-                "{name} contains motion data, which plays once it is imported."
-            )
-            button = self.tr("Import and feel it\u2026")
-        else:
-            text = self.tr(
-                "{name} has no motion data; a log, or its frames, can give it."
-            )
-            button = self.tr("Import or suggest motion\u2026")
-        self.offer.show_offer(text.format(name=source.path.name), button)
-
-    def _import_shown(self) -> None:
-        source = self.player.snapshot().source
-        if source is not None:
-            self.dialogs.import_recording([source.path])
 
     def _on_wheel(self, notches: int, is_seek: bool) -> None:
         if is_seek:
@@ -357,15 +337,6 @@ class PlayerWindow(QMainWindow):
     def _on_settings_taken(self) -> None:
         self.commands.apply_keys()
         self.extras.apply_settings()
-
-    def _take_files(self, paths: list[Path]) -> None:
-        """Open a file; several clips are a playlist, a clip with logs is imported."""
-        if len(paths) == 1:
-            self.open_path(paths[0])
-        elif all(map(is_playable, paths)):
-            self.playlist.take(paths)
-        else:
-            self.dialogs.import_recording(paths)
 
     def open_path(self, path: Path) -> None:
         """Play a clip, or edit a study."""

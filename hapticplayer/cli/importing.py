@@ -41,11 +41,11 @@ from hapticplayer.errors import (
     UsageError,
     shell_line,
 )
-from hapticplayer.media.telemetry import read_telemetry_packets
 from hapticplayer.model import ranges
 from hapticplayer.sequence import Sequence, open_sequence
 from hapticplayer.sequence.build import Choices, build_sequence
 from hapticplayer.sequence.description import written
+from hapticplayer.sequence.import_batch import log_beside
 from hapticplayer.sequence.mounting_by_frames import SHOWN
 from hapticplayer.sequence.presets import DEFAULT_PRESET, preset_of
 from hapticplayer.sequence.writing import ESTIMATE
@@ -207,9 +207,6 @@ def _say_estimated(folder: Path, sequence: Sequence) -> None:
     say(f"play it with: {shell_line('hapticplayer', 'play', folder)}")
 
 
-LOG_ENDINGS = (".csv", ".txt", ".zip", ".gcsv")
-
-
 @dataclass(frozen=True, slots=True)
 class Row:
     """What became of one video.
@@ -254,14 +251,6 @@ def import_batch(options: argparse.Namespace) -> int:
         _say(rows)
     statuses = {row.status for row in rows}
     return 1 if 1 in statuses else max(statuses)
-
-
-def log_beside(video: Path) -> Path | None:
-    """Return the log that has a video's name, where the video has no motion itself."""
-    if read_telemetry_packets(video):
-        return None
-    found = (video.with_suffix(ending) for ending in LOG_ENDINGS)
-    return next((path for path in found if path.is_file()), None)
 
 
 def _import(video: Path, target: Path, choices: Choices, progress: Progress) -> Row:

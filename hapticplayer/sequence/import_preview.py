@@ -288,29 +288,3 @@ def _motion(recording: Recording) -> Curve:
         np.ascontiguousarray(imu.time_s[:whole:few]),
         far[:whole].reshape(-1, few).max(axis=1),
     )
-
-
-def is_clip(path: Path) -> bool:
-    """Whether a file is a video, by its content."""
-    try:
-        probe(path)
-    except InputError:
-        return False
-    return True
-
-
-def pair(paths: list[Path]) -> tuple[Path | None, tuple[Path, ...]]:
-    """Return the video among dropped files, None if missing, and the files of its log.
-
-    Raises:
-        InputError: for two videos.
-    """
-    clips = [path for path in paths if path.is_file() and is_clip(path)]
-    if len(clips) > 1:
-        raise InputError(
-            "these are two videos: {names}",
-            remedy="drop one video with its log; import further ones after it",
-            names=", ".join(path.name for path in clips),
-        )
-    logs = tuple(path for path in paths if path not in clips)
-    return (clips[0] if clips else None), logs

@@ -33,6 +33,10 @@ from hapticplayer.untrusted import MAX_ATTACHED_BYTES
 MANIFEST = "hapticplayer.json"
 SCHEMA, VERSION = "hapticplayer.pack", 1
 SIDE_CAR = ".haptics.mkv"
+VIDEOS = frozenset(
+    f".{ending}"
+    for ending in ["mp4", "mov", "mkv", "avi", "webm", "m4v", "360", "lrv", "ts", "mpg"]
+)
 CLIP = "clip."
 """Begins the name of the video that is unpacked."""
 
@@ -96,6 +100,11 @@ class _AttachedFiles:
                 remedy=_ASK_AGAIN,
             )
         return one.content
+
+
+def is_video_name(path: Path) -> bool:
+    """Whether a file has the name of a video, and not that of force beside one."""
+    return path.suffix.lower() in VIDEOS and not path.name.endswith(SIDE_CAR)
 
 
 def side_car_of(video: Path) -> Path:

@@ -35,6 +35,7 @@ from app.editor.lanes import Lanes
 from app.editor.page import EditorPage
 from app.editor.playing import PlayerSetup
 from app.experimenter.analysis import AnalysisPage
+from app.experimenter.import_queue import QueuePage, State
 from app.experimenter.import_reading import ReadingPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC, ImportWizard
 from app.experimenter.library_page import LibraryPage
@@ -63,7 +64,7 @@ from app.plots.playhead_plot import PlayheadPlot
 from hapticplayer.devices.falcon.firmware import find_image
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
-from hapticplayer.errors import DeviceError
+from hapticplayer.errors import DeviceError, UsageError
 from hapticplayer.playback.player import Player
 from hapticplayer.rendering.effects import Effect, EffectList
 from hapticplayer.study.creation import create_study
@@ -93,6 +94,7 @@ WORKING = (
     EditorPage,
     ImportWizard,
     LibraryPage,
+    QueuePage,
     ReadingPage,
     RenderingPage,
     SetupPage,
@@ -113,6 +115,7 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
         "import-sync": lambda: _import_at(SYNC, window, folder),
         "import-mounting": lambda: _import_at(MOUNTING, window, folder),
         "import-report": lambda: _import_at(REPORT, window, folder),
+        "import-queue": lambda: _queue(window, folder),
         "import-reading": lambda: ReadingPage(_table(folder), {}, window),
         "library-empty": lambda: LibraryPage(folder, window),
         "library": lambda: LibraryPage(_library(window), window),
@@ -199,6 +202,17 @@ def _import_at(step: int, window: PlayerWindow, folder) -> ImportWizard:
     else:
         wizard.go_to(step)
     return wizard
+
+
+def _queue(window: PlayerWindow, folder: Path) -> QueuePage:
+    """Return a queue with a clip that needs an answer."""
+    clips = [folder / f"ride {number}.mp4" for number in range(3)]
+    for clip in clips:
+        clip.write_bytes(b"")
+    page = QueuePage(clips, folder, window)
+    page.rows[0].state = State.RUNNING
+    page.on_failed(UsageError("the taps are uncertain; enter the offset"))
+    return page
 
 
 def _table(folder: Path) -> Path:

@@ -112,7 +112,7 @@ def test_a_clip_that_is_repeated_plays_again(window, source, wait_for):
 
 
 def test_dropped_clips_become_the_list_that_a_page_shows(window, rides, wait_for):
-    window._take_files([rides / "ride 9.mp4", rides / "ride 11"])
+    window.dropping.take([rides / "ride 9.mp4", rides / "ride 11"])
     wait_for(lambda: window.player.snapshot().source is not None)
     window.commands.playlist.trigger()
     page = window.findChild(PlaylistPage)

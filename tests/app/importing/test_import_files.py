@@ -82,8 +82,6 @@ def test_problems_are_told_on_the_page(wizard, ride, wait_for, tmp_path):
     wait_for(wizard.files.suggestion.isVisible)
     assert "no motion" in wizard.files.suggestion.reason.text()
     assert not wizard.next.isEnabled()
-    wizard.take([ride[0] / "ride.mp4", ride[0] / "gopro.mp4"])
-    assert "two videos" in wizard.files.problem.text()
     wizard.files.log.setText(str(tmp_path / "missing.csv"))
     wizard.files.log.editingFinished.emit()
     wait_for(lambda: "missing.csv" in wizard.files.problem.text())
