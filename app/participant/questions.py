@@ -221,13 +221,14 @@ class VisualRow(QuestionRow):
     def __init__(self, asked: AskedQuestion) -> None:
         super().__init__(asked)
         limits = range_of(asked.question) or (0, 0)
-        inner = {at: text for at, text in asked.labels.items() if at not in limits}
-        self.scale = VisualScale(limits, inner)
+        # beside the line, or all below it
+        below = {} if asked.labels.keys() <= set(limits) else asked.labels
+        self.scale = VisualScale(limits, below)
         self.scale.setAccessibleName(asked.text)
         self.scale.marked.connect(self._on_marked)
         self.scale.installEventFilter(self)
-        ends = {at: text for at, text in asked.labels.items() if at in limits}
-        self.column.addLayout(labelled([self.scale], ends, limits))
+        beside = {} if below else asked.labels
+        self.column.addLayout(labelled([self.scale], beside, limits))
 
     def _on_marked(self) -> None:
         self.show_missing("")

@@ -22,7 +22,7 @@ class VisualScale(QSlider):
 
     Args:
         limits: values of the ends.
-        labels: of points between them.
+        labels: of points, drawn below them.
     """
 
     marked = Signal()

@@ -40,7 +40,7 @@ class GeneralFields(Fields):
         )
         self._fill_checks()
         self._fill_limits()
-        self.whole(paragraph(self._unchanged(), theme.DIM))
+        self.whole(paragraph(self.unchanged(), theme.DIM))
 
     def _fill_checks(self) -> None:
         self.heading(self.tr("Before a session"))
@@ -91,9 +91,11 @@ class GeneralFields(Fields):
         ):
             usually = getattr(PlaybackLimits(), name)
             box = self.decimal(text, ("limits", name), limits, usually=usually)
+            if limits.unit == "ms":
+                box.setDecimals(1)
             box.setSingleStep(1.0 if limits.unit == "ms" else 0.01)
 
-    def _unchanged(self) -> str:
+    def unchanged(self) -> str:
         """What the editor keeps as it is."""
         kinds = {
             TrialKind.RATING: self.tr("conditions are compared by answers"),

@@ -30,6 +30,7 @@ from hapticplayer.study.steps import trial_step
 
 _KEY_PX = 130
 _MOST = 1_000_000
+_PAGE_LETTERS = 30
 _NEW: dict[QuestionKind, dict[str, Any]] = {
     QuestionKind.SCALE: {"least": 1, "most": 5},
     QuestionKind.NUMBER: {"least": 0, "most": 100},
@@ -152,6 +153,9 @@ class QuestionList(EntryList):
     def _page_row(self, place: Place) -> None:
         """On which page the question is."""
         box = QComboBox()
+        short = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        box.setSizeAdjustPolicy(short)  # the text above a page may be a long one
+        box.setMinimumContentsLength(_PAGE_LETTERS)
         for number, page in enumerate(self._pages):
             words = page_words(self.document.value, number)
             box.addItem(f"{group_names()[page['when']]} \u203a {words}", number)

@@ -94,10 +94,12 @@ def place_words(content: Content, place: Place) -> str:
 
 
 def page_words(content: Content, number: int) -> str:
-    """A page of questions by its number and text."""
+    """A page of questions by its text, and its number among those at the same time."""
     page = entry_at(content, ("pages", number)) or {}
     text = text_in(page.get("text"), content["languages"])
-    words = translate("StudyWords", "Page {n}").format(n=number + 1)
+    before = content["pages"][:number]
+    place = 1 + sum(one.get("when") == page.get("when") for one in before)
+    words = translate("StudyWords", "Page {n}").format(n=place)
     return titled(words, text) if text else words
 
 

@@ -1,0 +1,152 @@
+"""Every kind of question on a participant's page: by keys, by mouse, at every size."""
+
+import json
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from app.participant.questions import ROWS
+from hapticplayer.study.creation import change_definition
+from hapticplayer.study.definition import QuestionKind
+from hapticplayer.study.pages import PageKind
+from tests.every_kind import with_every_kind
+
+ROOMS = ((1920, 1080), (1280, 720), (800, 500))
+
+
+@pytest.fixture
+def page(make_study, sit, qtbot):
+    """The page that has a question of each kind."""
+    study = make_study()
+    study = change_definition(study, with_every_kind(json.loads(study.content)))
+    session = sit(study)
+    definition, maker = study.definition, session.runner.maker
+    asking = next(one for one in definition.pages if one.key == "more-before")
+    session.participant.show_page(
+        maker.page(PageKind.QUESTIONS, "more-before", 99, asking)
+    )
+    qtbot.wait(50)
+    return session.participant.content
+
+
+def row_of(page, kind):
+    (row,) = [one for one in page.rows if one.asked.kind is kind]
+    row.focus()
+    return row
+
+
+def press(page, *keys):
+    for key in keys:
+        QTest.keyClick(page.focusWidget() or page, key)
+
+
+def test_every_kind_of_question_has_a_row(page):
+    assert set(ROWS) == set(QuestionKind)
+    assert [type(row) for row in page.rows] == [ROWS[kind] for kind in QuestionKind]
+    assert {row.value() or None for row in page.rows} == {None}  # nothing is preset
+
+
+def test_a_mark_is_set_and_moved_by_keys(page):
+    row = row_of(page, QuestionKind.VISUAL)
+    assert row.value() is None
+    press(page, Qt.Key.Key_Right)
+    assert row.value() == 51
+    press(page, Qt.Key.Key_PageUp, Qt.Key.Key_Left)
+    assert row.value() == 60
+    press(page, Qt.Key.Key_End)
+    assert row.value() == 100
+    press(page, Qt.Key.Key_Home)
+    assert row.value() == 0
+
+
+def test_a_mark_is_set_and_dragged_by_the_mouse(page):
+    row = row_of(page, QuestionKind.VISUAL)
+    scale = row.scale
+    middle = scale.height() // 2
+    QTest.mouseClick(
+        scale, Qt.MouseButton.LeftButton, pos=QPoint(scale.width() // 2, middle)
+    )
+    assert row.value() == pytest.approx(50, abs=1)
+    QTest.mousePress(scale, Qt.MouseButton.LeftButton, pos=QPoint(30, middle))
+    assert row.value() < 10
+    QTest.mouseMove(scale, QPoint(scale.width() - 1, middle))
+    assert row.value() == 100
+    QTest.mouseRelease(scale, Qt.MouseButton.LeftButton, pos=QPoint(1, middle))
+    assert row.value() == 100
+
+
+def test_up_and_down_lead_from_a_mark_to_its_neighbours(page):
+    row = row_of(page, QuestionKind.VISUAL)
+    press(page, Qt.Key.Key_Down)
+    assert page.rows[2].property("role") == "current"
+    assert row.value() is None
+
+
+def test_digits_turn_several_answers_on_and_off(page):
+    row = row_of(page, QuestionKind.CHOICES)
+    press(page, Qt.Key.Key_1, Qt.Key.Key_3)
+    assert row.value() == ["sea", "land"]
+    press(page, Qt.Key.Key_1)
+    assert row.value() == ["land"]
+    assert row.property("role") == "current"  # a digit does not go on from here
+
+
+def test_digits_are_places_on_a_scale_with_negative_points(page):
+    row = row_of(page, QuestionKind.SCALE)
+    press(page, Qt.Key.Key_2)
+    assert row.value() == -2
+    assert page.rows[1].property("role") == "current"
+
+
+@pytest.mark.parametrize(("least", "key", "value"), [(0, 0, 0), (0, 7, 7), (1, 5, 5)])
+def test_digits_are_the_numbers_of_a_scale(make_study, sit, least, key, value):
+    study = make_study()
+    content = json.loads(study.content)
+    asked = content["pages"][1]["questions"][0]
+    asked |= {"least": least, "most": 10, "labels": []}
+    session = sit(change_definition(study, content))
+    maker = session.runner.maker
+    session.participant.show_page(maker.page(PageKind.QUESTIONS, "trial-01", 99))
+    page = session.participant.content
+    page.focus()
+    press(page, Qt.Key(Qt.Key.Key_0 + key))
+    assert page.rows[0].value() == value
+
+
+def test_answers_come_back_after_a_pause(page):
+    given = {
+        QuestionKind.SCALE: 3,
+        QuestionKind.VISUAL: 12,
+        QuestionKind.NUMBER: -5,
+        QuestionKind.YES_NO: False,
+        QuestionKind.CHOICE: "bike",
+        QuestionKind.CHOICES: ["air"],
+        QuestionKind.TEXT: "so",
+    }
+    for row in page.rows:
+        row.set_value(given[row.asked.kind])
+    assert {row.asked.kind: row.value() for row in page.rows} == given
+
+
+def test_every_kind_is_read_aloud_with_its_question(page):
+    for row in page.rows:
+        for control in row.findChildren(type(row_control(row))):
+            assert row.asked.text in control.accessibleName()
+
+
+def row_control(row):
+    for name in ("box", "scale"):
+        if hasattr(row, name):
+            return getattr(row, name)
+    return row.group.buttons()[0]
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_every_kind_fits_the_width_of_a_screen(page, room, qtbot):
+    page.window().resize(*room)
+    qtbot.wait(100)
+    page.settle()
+    assert page.column.totalMinimumSize().width() <= page.viewport().width()
+    for row in page.rows:
+        assert row.height() >= row.heightForWidth(row.width())
