@@ -32,7 +32,9 @@ def output_text(name: str) -> str:
     kind, _, chosen = name.partition(":")
     if not takes_motion(kind):
         return device_name(name).replace(",", ", ")
-    return titled(translated(entry_of(kind).label), chosen.replace(",", ", "))
+    variant, *settings = chosen.split(",")
+    title, _ = guide_of(entry_of(kind)).variants.get(variant, (variant, ""))
+    return titled(translated(entry_of(kind).label), ", ".join([title, *settings]))
 
 
 def takes_settings(name: str) -> bool:
@@ -86,7 +88,7 @@ def example_of(choice: str) -> str:
     """The hint for the field beside a choice, "" for no field."""
     kind, _, variant = choice.partition(":")
     guide = guide_of(entry_of(kind))
-    return guide.variants.get(variant, guide.example)
+    return guide.variants.get(variant, ("", guide.example))[1]
 
 
 def problem_of(name: str) -> DeviceError | None:

@@ -118,7 +118,8 @@ class SetupPage(QDialog):
     def is_ready(self) -> bool:
         """Whether the device can be used as it is."""
         if not _is_falcon(self.chosen):
-            return problem_of(self.chosen) is None
+            is_missing = self.checks.is_met is False
+            return problem_of(self.chosen) is None and not is_missing
         return self._progress is not None and self._progress.step is Step.READY
 
     @property

@@ -32,7 +32,8 @@ class Guide:
         hold: what a person does before it moves; "" for what suits its capabilities.
         checks: called with `options`, in a thread, returns what it needs.
         example: of what follows the name and a colon.
-        variants: kinds of it that lists offer, each with an example of what follows it.
+        variants: kinds of it that lists offer, each with its title for people and an
+            example of what follows it.
         parts: called with `options`, returns label and device name of each part that is
             tested by itself; for devices with several channels.
         tells_latency: whether it answers each command when it acts on it: half the age
@@ -44,7 +45,7 @@ class Guide:
     hold: Message | str = ""
     checks: Checks = _nothing
     example: str = ""
-    variants: Mapping[str, str] = field(default_factory=dict)
+    variants: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     parts: Callable[[Any], Sequence[tuple[str, str]]] | None = None
     tells_latency: bool = False
 

@@ -24,5 +24,7 @@ RIG = Guide(
         "enter another address."
     ),
     checks=_rig,
-    variants={name: f"{LOOPBACK}:{kind.port}" for name, kind in FORMATS.items()},
+    variants={
+        name: (kind.title, f"{LOOPBACK}:{kind.port}") for name, kind in FORMATS.items()
+    },
 )

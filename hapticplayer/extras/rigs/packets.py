@@ -51,12 +51,14 @@ class RigFormat(NamedTuple):
 
     Attributes:
         name: for command lines.
+        title: for people.
         port: where its receivers listen, unless a person says otherwise.
         encode: returns the packet of a motion at a time of the packets, s.
         signs: which way its numbers are positive.
     """
 
     name: str
+    title: str
     port: int
     encode: Callable[[RigMotion, float, PacketChoices], bytes]
     signs: tuple[Sign, ...]
@@ -206,8 +208,14 @@ _CODEMASTERS_SIGNS = _signs(
 FORMATS: dict[str, RigFormat] = {
     one.name: one
     for one in (
-        RigFormat("outsim", 4123, outsim, _OUTSIM_SIGNS),
-        RigFormat("codemasters", 20777, codemasters, _CODEMASTERS_SIGNS),
-        RigFormat("beamng", 4444, beamng, _BEAMNG_SIGNS),
+        RigFormat("outsim", "OutSim (Live for Speed)", 4123, outsim, _OUTSIM_SIGNS),
+        RigFormat(
+            "codemasters",
+            "Codemasters (DiRT, F1)",
+            20777,
+            codemasters,
+            _CODEMASTERS_SIGNS,
+        ),
+        RigFormat("beamng", "BeamNG.drive", 4444, beamng, _BEAMNG_SIGNS),
     )
 }

@@ -79,6 +79,8 @@ def test_a_missing_requirement_is_named_until_it_is_met(
     wait_for(lambda: page.title.text() == "Not ready yet")
     assert f"Program that listens at {where}: missing" in page.checks.label.text()
     assert "Start the rig's software" in page.checks.label.text()
+    assert not page.use.isEnabled()
+    assert not page.panel.test_button.isEnabled()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as end:
         end.bind(("127.0.0.1", int(where.rpartition(":")[2])))
         wait_for(lambda: page.title.text() == "Ready to be tested")
