@@ -88,7 +88,18 @@ def device(snapshot: Snapshot) -> Reading:
         return Reading(Level.WATCH, _with(name, translated(waits)))
     if snapshot.leading.cause is Cause.NOT_HOMED:
         return Reading(Level.WATCH, _not_homed(name, snapshot.leading.name))
-    return Reading(Level.GOOD, f"{name}, {mode_text(snapshot.leading.mode)}")
+    mode, held = mode_text(snapshot.leading.mode), _held_by(snapshot)
+    level = Level.WATCH if held else Level.GOOD
+    return Reading(level, _with(name, titled(mode, held) if held else mode))
+
+
+def _held_by(snapshot: Snapshot) -> str:
+    """Why a clip plays without its force, "" where nothing is wrong with that."""
+    is_at_rest = snapshot.leading.mode in (Mode.IDLE, Mode.RAMPING)
+    cause = snapshot.leading.cause
+    if snapshot.phase is not Phase.PLAYING or not is_at_rest or cause is Cause.NO_TRACK:
+        return ""
+    return cause_text(cause)
 
 
 def _not_homed(name: str, device: str) -> str:

@@ -96,6 +96,13 @@ def test_all_is_well():
             Level.WATCH,
             "starting",
         ),
+        (
+            {"mode": Mode.IDLE, "cause": Cause.HEARTBEAT_LATE},
+            0,
+            Level.WATCH,
+            "at rest: window not responding",
+        ),
+        ({"mode": Mode.RAMPING, "cause": Cause.SEEK}, 0, Level.GOOD, "fading out"),
         ({"health": Health.STARTING}, 0, Level.WATCH, "starting"),
         ({"name": "none", "health": Health.NONE}, 0, Level.NEUTRAL, "none"),
         ({"scheduling": "normal"}, 1, Level.WATCH, "normal"),
