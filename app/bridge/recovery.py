@@ -69,7 +69,7 @@ class Recovery(QObject):
     """
 
     failed = Signal(object)
-    """It cannot be kept; said once."""
+    """It cannot be kept."""
 
     def __init__(self, kind: str, path: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -120,11 +120,10 @@ class Recovery(QObject):
 
     def close(self) -> None:
         """Write what waits, and let others have the document."""
-        self._timer.stop()
         self._join()
-        if self._next is not None:
-            self._write()
-            self._join()
+        self._write()
+        self._join()
+        self._timer.stop()
         if self._lock is not None:
             with contextlib.suppress(OSError):  # it is not empty
                 self.file.parent.rmdir()
@@ -141,11 +140,11 @@ class Recovery(QObject):
         problem = job.problem if job else None
         if isinstance(problem, HapticPlayerError):
             self.failed.emit(problem)
-            self._next = None
         elif problem is not None:
             raise problem
 
     def _write(self) -> None:
+        """Begin, or look whether it went well; of what waits only the last counts."""
         if self._job is not None:
             if not self._job.is_done:
                 self._timer.start()
@@ -161,6 +160,7 @@ class Recovery(QObject):
 
         self._job = Job("", work)
         self._job.start()
+        self._timer.start()
 
 
 def left_behind(kind: str) -> Iterator[Kept]:

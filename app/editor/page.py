@@ -59,7 +59,6 @@ WIDTH_PX, HEIGHT_PX = 1180, 860
 POLL_MS = 20  # an edit is felt within 200 ms
 _AROUND_S = 0.3  # of an effect, that is repeated with it
 _VIDEO_PX = 130  # high, at least
-_JOB_MARGINS_PX = 12
 _STAGE_PX, _LANES_PX = 330, 420  # only the proportion counts
 
 
@@ -170,11 +169,8 @@ class EditorPage(QDialog):
         split.setSizes([_STAGE_PX, _LANES_PX])
         split.setChildrenCollapsible(False)
         bars = (self.messages, self.unsaved.bar)
-        # what runs takes the place of the buttons that are off meanwhile
-        for bar in (self.change_bar, self.job_bar):
-            high_px = self.job_bar.cancel_button.sizeHint().height()
-            bar.setFixedHeight(high_px + _JOB_MARGINS_PX)
-        ends = (self.comparison, self.change_bar, self.job_bar)
+        self.job_bar.lie_over(below)
+        ends = (self.comparison, self.change_bar)
         whole: QVBoxLayout = fill_page(self, *bars, (split, 1), *ends, spacing=8)
         whole.setContentsMargins(12, 10, 12, 10)
 
@@ -366,8 +362,6 @@ class EditorPage(QDialog):
         self.jobs.poll()
         if not self.jobs.is_busy:
             self.job_bar.hide()
-        self.change_bar.setVisible(self.job_bar.isHidden())
-        if not self.jobs.is_busy:
             is_idle = self.loaded is None or self.unsaved.is_asking
             if not is_idle and not self.lanes.isEnabled():
                 self._set_usable(is_usable=True)  # saving was cancelled

@@ -91,6 +91,8 @@ class Dialogs(DeviceDialogs):
     """Asks what to open, and remembers the folder."""
 
     keys_changed = Signal()
+    effects_left = Signal()
+    """The editor of effects is closed."""
 
     def __init__(self, window: QWidget, session: Session, settings: Settings) -> None:
         super().__init__(window, session, settings)
@@ -200,6 +202,7 @@ class Dialogs(DeviceDialogs):
         page = EditorPage(folder, setup, self._window, recovers=recovers)
         page.saved.connect(self._show_again)
         page.finished.connect(lambda _: self._take_back())
+        page.finished.connect(lambda _: self.effects_left.emit())
         self._open_working(page)
 
     def _show_again(self, folder: Path) -> None:

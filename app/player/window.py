@@ -130,7 +130,7 @@ class PlayerWindow(QMainWindow):
     def begin(self) -> None:
         self._escape.install()
         self.pump.start()
-        self.recovery.offer(left_behind("effects"))
+        self._offer_left()
 
     # --- building ------------------------------------------------------------
 
@@ -204,6 +204,7 @@ class PlayerWindow(QMainWindow):
         commands.bind(self)
         for menu in commands.menus.values():
             menu.aboutToShow.connect(self.dialogs.prepare)
+        self.dialogs.effects_left.connect(self._offer_left)
         self.dialogs.keys_changed.connect(commands.apply_keys)
         self.dialogs.settings_taken.connect(self._on_settings_taken)
         self.dialogs.plugged.changed.connect(self._offer_devices)
@@ -256,6 +257,9 @@ class PlayerWindow(QMainWindow):
     def show_statistics(self, *, is_wanted: bool) -> None:
         """Show or hide the figures over the video."""
         self.extras.show_statistics(is_wanted=is_wanted)
+
+    def _offer_left(self) -> None:
+        self.recovery.offer(left_behind("effects"))
 
     def _on_wheel(self, notches: int, is_seek: bool) -> None:
         if is_seek:

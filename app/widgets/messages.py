@@ -1,5 +1,6 @@
 """What the window says for a while: errors, progress, what a key has changed."""
 
+import math
 from collections.abc import Iterable
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
@@ -103,6 +104,8 @@ def breakable(text: str) -> str:
 
 _PARTS = 1000
 _AT_ONCE_S = 0.3
+_PACE_S, _PACE_SHARE = 3.0, 0.05  # from when on the pace says how long it takes
+_LONG_S, _REST_STEP_S = 90.0, 5
 
 
 class JobRow(QFrame):
@@ -119,11 +122,11 @@ class JobRow(QFrame):
         row_of((self.text_label, 1), self.bar, stop, spacing=12, of=self)
         self.hide()
 
-    def show_state(self, state: JobState | None) -> None:
-        """Show how far the work is; None hides all."""
+    def show_state(self, state: JobState | None, rest: str = "") -> None:
+        """Show how far the work is, and how long it takes; None hides all."""
         self.setVisible(state is not None)
         if state is not None:
-            text = job_text(state)
+            text = " \u2013 ".join(filter(None, (job_text(state), rest)))
             self.text_label.set_text(text)
             self.text_label.setToolTip(text)
             self.bar.setValue(round(_PARTS * min(1.0, max(0.0, state.fraction))))
@@ -174,18 +177,31 @@ class JobBar(QFrame):
 
     def show_state(self, state: JobState | None, now_s: float) -> None:
         """Show how far the work is; what is done at once is not worth a line."""
-        self._row.show_state(state)
         if state is None:
             self._since_s = None
             self.cancel_button.setEnabled(True)
+            self._row.show_state(None)
             self.hide()
             return
         if self._since_s is None:
             self._since_s = now_s
+        self._row.show_state(state, self._rest(state.fraction, now_s - self._since_s))
         if self.isHidden() and now_s - self._since_s >= _AT_ONCE_S:
             self._place()
             self.show()
             self.raise_()
+
+    def _rest(self, fraction: float, gone_s: float) -> str:
+        """How long it still takes at this pace, once that can be told."""
+        if gone_s < _PACE_S or fraction < _PACE_SHARE:
+            return ""
+        rest_s = gone_s * (1.0 - fraction) / fraction
+        if rest_s > _LONG_S:
+            return self.tr("about {minutes} min left").format(
+                minutes=math.ceil(rest_s / 60.0)
+            )
+        steps = max(1, math.ceil(rest_s / _REST_STEP_S))
+        return self.tr("about {seconds} s left").format(seconds=_REST_STEP_S * steps)
 
     def _on_cancel(self) -> None:
         self.cancel_button.setEnabled(False)
@@ -240,6 +256,7 @@ class RecoveryBar(OfferBar):
     def offer(self, left: Iterable[Kept], text: str = "") -> None:
         """Offer these, one after the other; `text` in place of the usual sentence."""
         self._left = list(left)
+        self.setVisible(bool(self._left))
         if self._left:
             text = text or self.tr("Changes to {name} from {moment} were not saved.")
             first = self._left[0]

@@ -1,5 +1,6 @@
 """Edits that were not saved come back after a kill, once, and over nothing newer."""
 
+import errno
 import json
 import os
 import shutil
@@ -118,6 +119,7 @@ def test_a_window_offers_what_was_left_at_its_start(
     assert page.document.effects.effects == (*EFFECTS.effects, PULSE)
     page.document.stack.setClean()
     page.reject()
+    assert not window.recovery.isVisible()  # discarded with the page
 
 
 @pytest.mark.parametrize("place", ["window", "editor"])
@@ -218,3 +220,29 @@ def test_a_place_without_permission_is_told_of(
     assert "cannot be written" in page.messages.text()
     page.editing.add(PULSE, "Add")
     assert page.document.effect == PULSE
+
+
+def test_work_is_renamed_into_place_whole_or_not_at_all(
+    folder, make_page, wait_for, monkeypatch
+):
+    page = make_page(folder)
+    file = page.unsaved.file
+    page.editing.add(PULSE, "Add")
+    wait_for(file.exists)
+    first, number = file.read_bytes(), file.stat().st_ino
+    page.editing.add(EFFECTS.effects[0], "Add")
+    wait_for(lambda: file.stat().st_ino != number)
+    assert json.loads(file.read_bytes())["content"]["effects"][-1]["kind"] == "gain"
+    second = file.read_bytes()
+    assert second != first
+    write = Path.write_bytes
+
+    def fill_the_disk(path, content):
+        write(path, content[: len(content) // 2])
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_bytes", fill_the_disk)
+    page.editing.add(PULSE, "Add")
+    wait_for(lambda: "full" in page.messages.text())
+    assert file.read_bytes() == second
+    assert [one.name for one in file.parent.iterdir()] == [file.name]

@@ -139,6 +139,25 @@ def test_a_long_job_moves_nothing(window, wait_for):
     wait_for(bar.isHidden)
 
 
+def test_long_work_says_how_long_it_still_takes(application, qtbot):
+    bar = JobBar()
+    qtbot.addWidget(bar)
+    bar.show_state(JobState("Import", 0.0, ""), 100.0)
+    for fraction, now_s, rest in (
+        (0.5, 102.0, ""),  # too early to tell
+        (0.02, 104.0, ""),
+        (0.25, 110.0, "about 30 s left"),  # three times 10 s
+        (0.7, 128.0, "about 15 s left"),  # 12 s
+        (0.999, 130.0, "about 5 s left"),
+        (0.1, 160.0, "about 9 min left"),  # nine times 60 s
+    ):
+        bar.show_state(JobState("Import", fraction, ""), now_s)
+        assert bar.text_label.text() == " \u2013 ".join(filter(None, ("Import", rest)))
+    bar.show_state(None, 161.0)
+    bar.show_state(JobState("Import", 0.5, ""), 162.0)
+    assert bar.text_label.text() == "Import"  # other work
+
+
 def test_enter_presses_a_focused_button(qtbot):
     button = text_button("Go", "")
     qtbot.addWidget(button)

@@ -1,4 +1,4 @@
-"""Pictures of the editor of effects: empty, at work, offering, asking, damaged."""
+"""Pictures of the editor of effects: empty, at work, offering, several, asking, damaged."""
 
 from pathlib import Path
 
@@ -31,6 +31,9 @@ def pictures(stage: Stage) -> Pictures:
         stage.wait_until(lambda: page.comparison.after is not None)
         yield "editor-working", stage.picture(page, 300)
         yield "editor-offer", _with_menu(stage, page)
+        page.editing.select_all()
+        page.left.setCurrentWidget(page.markers)
+        yield "editor-several", stage.picture(page)
         page.view.show_span(6.2, 8.2)
         page.document.select(3)
         page.panel.fields["amplitude"].box.setValue(20.0)
@@ -69,6 +72,8 @@ def _edit(page: EditorPage) -> None:
     page.editing.add(Effect("low-pass", 6.5, 7.8, fade_in_s=0.2, fade_out_s=0.2), "")
     page.editing.add(Effect("engine", 1.0, 3.6, fade_in_s=0.5, fade_out_s=0.5), "")
     page.editing.toggle()
+    for at_s in (2.5, IN_THE_TURN_S):
+        page.editing.mark(at_s)
 
 
 def _with_menu(stage: Stage, page: EditorPage) -> QPixmap:
