@@ -15,8 +15,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bridge.languages import translated
 from app.widgets import theme
 from app.widgets.texts import titled
+from hapticplayer.capture.choices import (
+    ACCEL_UNITS,
+    FIELD_UNITS,
+    RATE_UNITS,
+    SWAPPED,
+    TIME_UNITS,
+    LogChoices,
+    parse_choices,
+)
+from hapticplayer.capture.formats import recording_formats
 from hapticplayer.capture.log_tables import (
     BETWEEN_TABLES,
     CLOCK,
@@ -26,6 +37,8 @@ from hapticplayer.capture.log_tables import (
     TIME,
     LogTable,
 )
+from hapticplayer.capture.mounting import all_mountings
+from hapticplayer.errors import HapticPlayerError
 
 translate = QCoreApplication.translate
 
@@ -203,3 +216,122 @@ def _cell(text: str, colour: str) -> QLabel:
     made.setStyleSheet(f"color: {colour};")
     made.setToolTip(text)
     return made
+
+
+Fields = dict[str, Choice | Number]
+
+
+def answer_fields() -> Fields:
+    """A field for each answer about a log, by key, but format and columns."""
+    return _units() | _details()
+
+
+def _units() -> Fields:
+    """For what the numbers are."""
+
+    def units(name: str, known: Mapping[str, float]) -> Choice:
+        texts = {one: one.replace("s2", "s\u00b2") for one in known}
+        return Choice(name, texts, is_open=True)
+
+    signs = {
+        "+": translate("Reading", "+1 g upwards"),
+        "-": translate("Reading", "\u22121 g upwards"),
+    }
+    samplings = {
+        "instant": translate("Reading", "single values"),
+        "averaged": translate("Reading", "means over a window"),
+    }
+    return {
+        "time-unit": units(translate("Reading", "Time unit"), TIME_UNITS),
+        "rate-hz": Number(translate("Reading", "Samples per second")),
+        "accel-unit": units(translate("Reading", "Accelerometer unit"), ACCEL_UNITS),
+        "rate-unit": units(translate("Reading", "Gyroscope unit"), RATE_UNITS),
+        "field-unit": units(translate("Reading", "Magnetometer unit"), FIELD_UNITS),
+        "accel-sign": Choice(translate("Reading", "Accelerometer reads"), signs),
+        "sampling": Choice(translate("Reading", "Values are"), samplings),
+    }
+
+
+def _details() -> Fields:
+    """For axes, clocks and columns that are not as they should be."""
+    text = translate("Reading", "right {right}, front {front}, up {up}")
+    turned = {
+        axes: text.format(right=right, front=front, up=up)
+        for axes in all_mountings()
+        for right, front, up in [axes.split(",")]
+    }
+    own = {axes: axes.replace(",", ", ") for axes in _signed_permutations()}
+    both = {
+        "no": translate("Reading", "not swapped"),
+        "accel,rate": translate("Reading", "accelerometer, gyroscope"),
+        "accel,field": translate("Reading", "accelerometer, magnetometer"),
+    }
+    return {
+        "axes": Choice(
+            translate("Reading", "The wearer\u2019s axes in the log"), turned
+        ),
+        "accel-axes": Choice(translate("Reading", "Accelerometer x, y, z"), own),
+        "rate-axes": Choice(translate("Reading", "Gyroscope x, y, z"), own),
+        "rate-delay": Number(translate("Reading", "Gyroscope late by, s")),
+        "swapped": Choice(
+            translate("Reading", "Swapped columns"),
+            {"no": both["no"], **{one: both.get(one, one) for one in SWAPPED}},
+        ),
+        "stuck": Choice(
+            translate("Reading", "If a sensor was stuck"),
+            {"no-force": translate("Reading", "no force")},
+        ),
+    }
+
+
+def choices_of(answers: Mapping[str, str]) -> LogChoices:
+    return parse_choices([f"{key}={value}" for key, value in answers.items()])
+
+
+def words_of(answer: str) -> dict[str, str]:
+    """The answers that a proposal of the engine holds, by key; {} if it is none."""
+    words = [word.rstrip(",") for word in answer.split() if "=" in word]
+    found = dict(
+        word.split("=", 1) for word in words
+    )  # the last of a key is an example
+    try:
+        choices_of(found)
+    except HapticPlayerError:
+        return {}
+    return {} if "|" in "".join(found.values()) else found
+
+
+def _signed_permutations() -> list[str]:
+    """All orders and signs of three axes, those without a change first."""
+    found = [
+        ",".join(sign + axis for sign, axis in zip(signs, order, strict=True))
+        for signs in itertools.product(("", "-"), repeat=3)
+        for order in itertools.permutations("xyz")
+    ]
+    return sorted(found, key=lambda axes: axes.count("-"))
+
+
+def named(words: Mapping[str, str]) -> str:
+    """Answers in the words of their fields."""
+    return "; ".join(_named(key, value) for key, value in words.items())
+
+
+def _named(key: str, value: str) -> str:
+    if key == "format":
+        rows = {one.name: one.text for one in recording_formats()}
+        shown = translated(rows.get(value, value))
+        return titled(translate("Reading", "Format"), shown)
+    field = answer_fields().get(key)
+    row = field.findData(value) if isinstance(field, Choice) else -1
+    shown = field.itemText(row) if isinstance(field, Choice) and row >= 0 else value
+    return titled(field.accessibleName() if field else key, shown)
+
+
+def in_words(answer: str) -> str:
+    """A proposal of the engine as people read it, without its keys."""
+    text = translated(answer)
+    for key, value in words_of(answer).items():
+        typed, rest = f"{key}={value}", text.partition(f"{key}={value}")[2]
+        is_followed = rest.startswith(" ")
+        text = text.replace(typed, _named(key, value) + " \u2013" * is_followed)
+    return text

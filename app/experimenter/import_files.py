@@ -17,8 +17,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.bridge.languages import translated
+from app.experimenter.import_columns import in_words, words_of
 from app.experimenter.import_mounting import Triad
-from app.experimenter.import_reading import ReadingPage, words_of
+from app.experimenter.import_reading import ReadingPage
 from app.experimenter.import_suggestion import SuggestionBox
 from app.widgets import theme
 from app.widgets.buttons import text_button
@@ -382,7 +383,7 @@ class _Question(QFrame):
         for answer in _each(question.answers):
             words = words_of(answer)
             if words and "columns" not in words:  # which the form shows
-                radio = QRadioButton(translated(answer))
+                radio = QRadioButton(in_words(answer))
                 radio.setProperty(_WORDS, words)
                 radio.toggled.connect(lambda _on: self.take.setEnabled(True))
                 self.answers.addButton(radio)

@@ -1,6 +1,5 @@
 """How a log is read: what each column holds, units, signs, and what comes of it."""
 
-import itertools
 from collections.abc import Callable, Mapping
 from html import escape
 from pathlib import Path
@@ -17,7 +16,16 @@ from PySide6.QtWidgets import (
 
 from app.bridge.jobs import in_child
 from app.bridge.languages import translated
-from app.experimenter.import_columns import Choice, ColumnMap, Number
+from app.experimenter.import_columns import (
+    Choice,
+    ColumnMap,
+    Number,
+    answer_fields,
+    choices_of,
+    in_words,
+    named,
+    words_of,
+)
 from app.widgets import theme
 from app.widgets.buttons import Button, text_button
 from app.widgets.files import file_dialog, settings_filter
@@ -31,16 +39,9 @@ from app.widgets.layout import (
     row_of,
     scrolling,
 )
-from app.widgets.texts import capitalised, local, time_text, titled
+from app.widgets.texts import capitalised, local, time_text
 from hapticplayer.capture.choices import (
-    ACCEL_UNITS,
-    FIELD_UNITS,
-    RATE_UNITS,
-    SWAPPED,
-    TIME_UNITS,
-    LogChoices,
     LogQuestion,
-    parse_choices,
 )
 from hapticplayer.capture.log_tables import (
     BETWEEN_TABLES,
@@ -53,7 +54,6 @@ from hapticplayer.capture.log_tables import (
     kept_answers,
     kept_for,
 )
-from hapticplayer.capture.mounting import all_mountings
 from hapticplayer.capture.source import LogPath, name_of
 from hapticplayer.errors import HapticPlayerError, Progress, message_of
 from hapticplayer.model.limits import REST_MPS2
@@ -95,13 +95,12 @@ class ReadingPage(JobDialog):
         self.problem.setTextFormat(Qt.TextFormat.PlainText)
         self.problem.hide()
         none: tuple[LogTable, ...] = ()
-        self.tables = self._try(lambda: tables_of(log, _choices(answers)), none)
+        self.tables = self._try(lambda: tables_of(log, choices_of(answers)), none)
         kept = self._kept()
         self.columns = ColumnMap(self.tables)
         self.fields: dict[str, Choice | Number | ColumnMap] = {
             "columns": self.columns,
-            **self._units(),
-            **self._details(),
+            **answer_fields(),
         }
         self.kept = Choice(self.tr("Filled in from"), {name: name for name in kept})
         self.kept.setItemText(0, self.tr("nothing"))
@@ -123,60 +122,6 @@ class ReadingPage(JobDialog):
         self._on_changed()
 
     # --- building ------------------------------------------------------------
-
-    def _units(self) -> dict[str, Choice | Number]:
-        """The fields for what the numbers are, by key."""
-
-        def units(name: str, known: Mapping[str, float]) -> Choice:
-            texts = {one: one.replace("s2", "s\u00b2") for one in known}
-            return Choice(name, texts, is_open=True)
-
-        signs = {
-            "+": self.tr("+1 g upwards"),
-            "-": self.tr("\u22121 g upwards"),
-        }
-        samplings = {
-            "instant": self.tr("single values"),
-            "averaged": self.tr("means over a window"),
-        }
-        return {
-            "time-unit": units(self.tr("Time unit"), TIME_UNITS),
-            "rate-hz": Number(self.tr("Samples per second")),
-            "accel-unit": units(self.tr("Accelerometer unit"), ACCEL_UNITS),
-            "rate-unit": units(self.tr("Gyroscope unit"), RATE_UNITS),
-            "field-unit": units(self.tr("Magnetometer unit"), FIELD_UNITS),
-            "accel-sign": Choice(self.tr("Accelerometer reads"), signs),
-            "sampling": Choice(self.tr("Values are"), samplings),
-        }
-
-    def _details(self) -> dict[str, Choice | Number]:
-        """The fields for axes, clocks and columns that are not as they should be."""
-        text = self.tr("right {right}, front {front}, up {up}")
-        turned = {
-            axes: text.format(right=right, front=front, up=up)
-            for axes in all_mountings()
-            for right, front, up in [axes.split(",")]
-        }
-        own = {axes: axes.replace(",", ", ") for axes in _signed_permutations()}
-        both = {
-            "no": self.tr("not swapped"),
-            "accel,rate": self.tr("accelerometer, gyroscope"),
-            "accel,field": self.tr("accelerometer, magnetometer"),
-        }
-        return {
-            "axes": Choice(self.tr("The wearer\u2019s axes in the log"), turned),
-            "accel-axes": Choice(self.tr("Accelerometer x, y, z"), own),
-            "rate-axes": Choice(self.tr("Gyroscope x, y, z"), own),
-            "rate-delay": Number(self.tr("Gyroscope late by, s")),
-            "swapped": Choice(
-                self.tr("Swapped columns"),
-                {"no": both["no"], **{one: both.get(one, one) for one in SWAPPED}},
-            ),
-            "stuck": Choice(
-                self.tr("If a sensor was stuck"),
-                {"no-force": self.tr("no force")},
-            ),
-        }
 
     def _lay_out(self) -> None:
         self.columns.setVisible(bool(self.tables))
@@ -308,7 +253,7 @@ class ReadingPage(JobDialog):
         """Fill in the answers of a template."""
         self._tell("")
         self._put(
-            self._try(lambda: _choices({"template": path}).given(), self.answers())
+            self._try(lambda: choices_of({"template": path}).given(), self.answers())
         )
 
     def _on_take(self) -> None:
@@ -337,7 +282,7 @@ class ReadingPage(JobDialog):
             return
         self._show_proposals(())
         try:
-            log, choices = self._log, _choices(self.answers())
+            log, choices = self._log, choices_of(self.answers())
         except HapticPlayerError as problem:
             self.on_failed(problem)
             return
@@ -444,50 +389,11 @@ class ReadingPage(JobDialog):
         for answer in answers:
             words = words_of(answer)
             if any(key in self.fields for key in words):
-                button = text_button(self._named(words), translated(answer))
+                button = text_button(named(words), in_words(answer))
                 button.clicked.connect(lambda _on=False, w=words: self._propose(w))
                 self._proposals.addWidget(button)
-
-    def _named(self, words: Mapping[str, str]) -> str:
-        """What a proposal would fill in, in the words of the fields."""
-        parts = []
-        for key, value in words.items():
-            field = self.fields.get(key)
-            row = field.findData(value) if isinstance(field, Choice) else -1
-            shown = (
-                field.itemText(row) if isinstance(field, Choice) and row >= 0 else value
-            )
-            parts.append(titled(field.accessibleName() if field else key, shown))
-        return "; ".join(parts)
 
     def _propose(self, words: Mapping[str, str]) -> None:
         for key, value in words.items():
             if key in self.fields:
                 self.fields[key].put(value)
-
-
-def _choices(answers: Mapping[str, str]) -> LogChoices:
-    return parse_choices([f"{key}={value}" for key, value in answers.items()])
-
-
-def words_of(answer: str) -> dict[str, str]:
-    """The answers that a proposal of the engine holds, by key; {} if it is none."""
-    words = [word.rstrip(",") for word in answer.split() if "=" in word]
-    found = dict(
-        word.split("=", 1) for word in words
-    )  # the last of a key is an example
-    try:
-        _choices(found)
-    except HapticPlayerError:
-        return {}
-    return {} if "|" in "".join(found.values()) else found
-
-
-def _signed_permutations() -> list[str]:
-    """All orders and signs of three axes, those without a change first."""
-    found = [
-        ",".join(sign + axis for sign, axis in zip(signs, order, strict=True))
-        for signs in itertools.product(("", "-"), repeat=3)
-        for order in itertools.permutations("xyz")
-    ]
-    return sorted(found, key=lambda axes: axes.count("-"))

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from app.experimenter.import_reading import ReadingPage, words_of
+from app.experimenter.import_columns import in_words, words_of
+from app.experimenter.import_reading import ReadingPage
 from app.experimenter.import_wizard import MOUNTING, REPORT, SYNC
 from hapticplayer.capture.choices import KEYS, LogChoices, parse_choices
 from hapticplayer.capture.log_tables import keep_answers, kept_answers
@@ -282,3 +283,27 @@ def test_means_over_a_window_can_be_said_of_any_log(wizard, clip, case, wait_for
 )
 def test_proposals_are_taken_apart_as_far_as_they_are_answers(answer, words):
     assert words_of(answer) == words
+
+
+@pytest.mark.parametrize(
+    ("answer", "shown"),
+    [
+        (
+            "accel-sign=- if its sign is wrong",
+            "Accelerometer reads: \u22121 g upwards \u2013 if its sign is wrong",
+        ),
+        ("time-unit=ms", "Time unit: ms"),
+        (
+            "axes=x,-z,y, or others",
+            "The wearer\u2019s axes in the log: right x, front -z, up y, or others",
+        ),
+        ("format=gcsv", "Format: Gyroflow gcsv"),
+        (
+            "rate-delay=0.25 to take it back",
+            "Gyroscope late by, s: 0.25 \u2013 to take it back",
+        ),
+        ("record it again", "record it again"),
+    ],
+)
+def test_people_read_a_proposal_in_the_words_of_its_field(application, answer, shown):
+    assert in_words(answer) == shown
