@@ -2,15 +2,17 @@
 
 import json
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from sitting import Person
 
 from app.participant.questions import ROWS
 from hapticplayer.study.creation import change_definition
 from hapticplayer.study.definition import QuestionKind
 from hapticplayer.study.pages import PageKind
-from tests.every_kind import with_every_kind
+from tests.every_kind import drawn, with_every_kind
 
 ROOMS = ((1920, 1080), (1280, 720), (800, 500))
 
@@ -150,3 +152,26 @@ def test_every_kind_fits_the_width_of_a_screen(page, room, qtbot):
     assert page.column.totalMinimumSize().width() <= page.viewport().width()
     for row in page.rows:
         assert row.height() >= row.heightForWidth(row.width())
+
+
+def test_two_pages_follow_each_clip(make_study, sit, wait_for):
+    study = make_study()
+    content = json.loads(study.content)
+    pages = with_every_kind(content)["pages"]
+    content["pages"] = [page for page in pages if page["key"] != "more-before"]
+    session = sit(change_definition(study, content))
+    person = Person(session, wait_for)
+    person.begin_trial()
+    session.player.set_end(0.2)
+    for key in ("rating", "more-after-clip"):
+        wait_for(lambda key=key: session.runner.page.key == key)
+        person.wait_page(PageKind.QUESTIONS, "trial-01")
+        values = drawn(session.runner.page, np.random.default_rng(3))
+        for row in person.page.rows:
+            row.set_value(values[row.asked.name])
+        person.key(Qt.Key.Key_Enter)
+    person.wait_page(PageKind.READY, "trial-02")
+    (code,) = session.study.codes()
+    records = session.study.session(code).records.intact
+    asked = [r.content["page"] for r in records if r.kind == "answers"]
+    assert asked == ["sheet", "rating", "more-after-clip"]

@@ -19,7 +19,7 @@ from hapticplayer.study.definition import (
     TrialKind,
     When,
 )
-from hapticplayer.study.pages import PageKind
+from hapticplayer.study.pages import PageKind, number_text
 from hapticplayer.study.questions import (
     ANSWER_KINDS,
     MAX_POINTS,
@@ -29,7 +29,7 @@ from hapticplayer.study.questions import (
 from hapticplayer.study.steps import trial_step
 
 _KEY_PX = 130
-_MOST = 1_000_000
+_MOST, _MOST_POINT = 1_000_000, 999
 _PAGE_LETTERS = 30
 _NEW: dict[QuestionKind, dict[str, Any]] = {
     QuestionKind.SCALE: {"least": 1, "most": 5},
@@ -200,10 +200,11 @@ class QuestionList(EntryList):
     def _fill_labels(self, place: Place) -> None:
         for number, one in enumerate(self.document.at((*place, "labels")) or []):
             at = (*place, "labels", number)
-            label = self.tr("Label of {n}").format(n=one.get("at"))
+            label = self.tr("Label of {n}").format(n=number_text(one.get("at", 0)))
             least, most = self._limits(place)
             point = self.fields.lone_number(self.tr("Point"), (*at, "at"), least, most)
-            self.fields.row(label, self._text_row(at, label, point))
+            remove = self.tr("Remove this label")
+            self.fields.row(label, self._text_row(at, label, point, remove))
         add = text_button(self.tr("Add a label"), "")
         add.clicked.connect(lambda: self._add_label(place))
         self.fields.row("", add)
@@ -212,7 +213,7 @@ class QuestionList(EntryList):
         asked = self.document.at(place)
         if asked["kind"] == QuestionKind.VISUAL:
             return VISUAL_RANGE
-        return -_MOST, _MOST
+        return -_MOST_POINT, _MOST_POINT
 
     def _add_label(self, place: Place) -> None:
         asked, at = self.document.at(place), (*place, "labels")
@@ -240,10 +241,17 @@ class QuestionList(EntryList):
         key = self.fields.lone_line(self.tr("Name in the data"), (*at, "key"))
         key.setToolTip(self.tr("Name in the data"))
         key.setFixedWidth(_KEY_PX)
-        return self._text_row(at, label, key, may_go=count > 2)
+        remove = self.tr("Remove this answer")
+        return self._text_row(at, label, key, remove, may_go=count > 2)
 
     def _text_row(
-        self, at: Place, label: str, after: QWidget, *, may_go: bool = True
+        self,
+        at: Place,
+        label: str,
+        after: QWidget,
+        removal: str,
+        *,
+        may_go: bool = True,
     ) -> QWidget:
         """A text in each language, another field, and a button that removes them."""
         lines = []
@@ -252,12 +260,10 @@ class QuestionList(EntryList):
             line = self.fields.lone_line(own, (*at, "text", language))
             line.setPlaceholderText(own)
             lines.append((line, 2))
-        remove = text_button("\u2715", self.tr("Remove this answer"))
-        remove.setAccessibleName(self.tr("Remove this answer"))
+        remove = text_button("\u2715", removal)
+        remove.setAccessibleName(removal)
         remove.setEnabled(may_go)
-        remove.clicked.connect(
-            lambda: self.document.remove(at, self.tr("removal of an answer"))
-        )
+        remove.clicked.connect(lambda: self.document.remove(at, self.tr("removal")))
         row = QWidget()
         row_of(*lines, after, remove, spacing=6, of=row)
         return row

@@ -11,6 +11,7 @@ from hapticplayer.study.questions import kind_of
 
 _OF_PEOPLE = {"age", "gender", "handedness", "used_device_before"}
 """Questions that the table of participants has."""
+_WORDS = {"true": "yes", "false": "no"}
 
 
 def question_summary(answers: Answers) -> dict[str, Any]:
@@ -60,7 +61,8 @@ def question_table(answers: Answers) -> Iterator[ReportBlock]:
 
 def _said(summary: dict[str, Any]) -> str:
     if "counts" in summary:
-        return ", ".join(f"{count} {name}" for name, count in summary["counts"].items())
+        counts = summary["counts"].items()
+        return ", ".join(f"{count} {_WORDS.get(name, name)}" for name, count in counts)
     if summary["median"] is None:
         return "-"
     return f"{summary['median']:g} ({summary['low']} to {summary['high']})"

@@ -69,7 +69,7 @@ def _lines(found: Analysis) -> Iterator[str]:
         )
         test = found.found["friedman"][name]
         yield (
-            f"{name:<13}{means}\n{'':13}Friedman chi2({test['df']}) "
+            f"{name:<12} {means}\n{'':13}Friedman chi2({test['df']}) "
             f"{number(test['chi2'])}, "
             f"p {p_value(test['p'])}, permutation {p_value(test['p_exact'])}, "
             f"Holm {p_value(test['p_holm'])}, W {number(test['kendall_w'], 3)}"
