@@ -3,7 +3,7 @@
 import contextlib
 import hashlib
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Annotated, Any
 from urllib.parse import quote_from_bytes, unquote_to_bytes
@@ -19,6 +19,7 @@ from hapticplayer.structures import read_json
 
 WAIT_MS = 500
 _FILE = "kept.json"
+Content = dict[str, Any]
 _Short = Annotated[str, Meta(max_length=200)]
 
 
@@ -39,14 +40,14 @@ class Kept(Struct, frozen=True, forbid_unknown_fields=True):
     title: str
     base: _Short
     kept_utc: _Short
-    content: dict[str, Any]
+    content: Content
 
     @property
     def path(self) -> Path:
         return Path(os.fsdecode(unquote_to_bytes(self.place)))
 
 
-def fingerprint(content: dict[str, Any]) -> str:
+def fingerprint(content: Content) -> str:
     """A text that is the same for the same content of a document."""
     return hashlib.sha256(storage.json_text(content)).hexdigest()
 
@@ -75,7 +76,7 @@ class Recovery(QObject):
         super().__init__(parent)
         self._kind, self._path = kind, path
         self._lock: int | None = None
-        self._next: Kept | None = None
+        self._next: Callable[[], Kept] | None = None
         self._job: Job[None] | None = None
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -95,17 +96,13 @@ class Recovery(QObject):
         is_there = self._lock is not None and self.file.is_file()
         return read_json(self.file, Kept) if is_there else None
 
-    def keep(self, title: str, base: str, content: dict[str, Any]) -> None:
-        """Keep this instead of what was kept before, soon."""
+    def keep(self, title: str, base: str, content: Callable[[], Content]) -> None:
+        """Keep this instead of what was kept before, soon; `content` runs in a thread."""
         if self._lock is None:
             return
-        self._next = Kept(
-            self._kind,
-            quote_from_bytes(os.fsencode(self._path.resolve())),
-            title,
-            base,
-            utc_now_iso(),
-            content,
+        place = quote_from_bytes(os.fsencode(self._path.resolve()))
+        self._next = lambda: Kept(
+            self._kind, place, title, base, utc_now_iso(), content()
         )
         if not self._timer.isActive():
             self._timer.start()
@@ -150,12 +147,12 @@ class Recovery(QObject):
                 self._timer.start()
                 return
             self._end_job()
-        if (kept := self._next) is None:
+        if (make := self._next) is None:
             return
         self._next, file = None, self.file
 
         def work(_progress: Progress) -> None:
-            text = storage.json_text(to_builtins(kept))
+            text = storage.json_text(to_builtins(make()))
             storage.replace_file(file, text, storage.PRIVATE_FILE)
 
         self._job = Job("", work)

@@ -32,8 +32,8 @@ from app.editor.spans import Hit, Part, Snap, hit, marks_of
 from app.editor.view import TimeView
 from app.widgets import theme
 from app.widgets.messages import OnPicture
-from app.widgets.texts import titled
-from hapticplayer.rendering.effects import Effect
+from app.widgets.texts import local, titled
+from hapticplayer.rendering.effects import Effect, TimeMarker
 from hapticplayer.sequence.events import Event
 
 _EDGE_PX, _SNAP_PX = 5.0, 7.0
@@ -160,6 +160,15 @@ class EditingLanes(Lanes):
         found = hit(spans, at.x(), 1.0)
         return found.number if found else None
 
+    def marker_at(self, at: QPointF) -> TimeMarker | None:
+        """Return which marker the pointer is on, or next to."""
+        if not self.lanes.markers.contains(at):
+            return None
+        tolerance_s = _SNAP_PX / max(1, self.width()) * self.view.span_s
+        here_s = self.time_of(at.x())
+        near = min(self.effects.markers, key=lambda one: abs(one.time_s - here_s))
+        return near if abs(near.time_s - here_s) <= tolerance_s else None
+
     def effects_in(self, area: QRectF) -> list[int]:
         """The effects that lie at least partly within a rectangle."""
         every = range(len(self.effects))
@@ -179,6 +188,8 @@ class EditingLanes(Lanes):
             self._press_effect(held, event)
         elif number is not None:
             self.offer(number, event.globalPosition().toPoint())
+        elif (marker := self.marker_at(at)) is not None:
+            self.point_at(marker.time_s)
         elif self.lanes.effects.contains(at):
             self._press_empty(at, is_more=is_more)
         else:
@@ -276,6 +287,8 @@ class EditingLanes(Lanes):
     def _tip(self, at: QPointF, held: Hit | None) -> str:
         if held is not None:
             return self._described(self.effects.effects[held.number])
+        if (marker := self.marker_at(at)) is not None:
+            return titled(local(f"{marker.time_s:.3f} s"), marker.name)
         number = self.event_at(at)
         return "" if number is None else event_text(self.events[number])
 

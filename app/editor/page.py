@@ -144,7 +144,7 @@ class EditorPage(QDialog):
         )
         commands.bind(self, self, self._setup.settings.table(KEYS))
         self.lanes.pointed.connect(self._on_pointed)
-        self.unsaved.settled.connect(lambda: self._set_usable(is_usable=True))
+        self.unsaved.settled.connect(self._on_settled)
         self.job_bar.cancelled.connect(self._cancel)
 
     def _lay_out(self) -> None:
@@ -220,8 +220,17 @@ class EditorPage(QDialog):
         if not self.playing.begin(source, screen_name(self)):
             self.play_bar.play_button.setEnabled(False)
             self.play_bar.stop_button.setEnabled(False)
-        self.lanes.setFocus()
+        self._set_focus()
         self.ready.emit()
+
+    def _on_settled(self) -> None:
+        self._set_usable(is_usable=True)
+        self._set_focus()
+
+    def _set_focus(self) -> None:
+        """Let the keyboard begin on the timeline, or where a person is asked first."""
+        is_asking = self.unsaved.is_asking
+        (self.unsaved.bar.accept_button if is_asking else self.lanes).setFocus()
 
     def _on_failed(self, problem: BaseException) -> None:
         self._closes_when_saved = False

@@ -29,7 +29,8 @@ class Unsaved(QObject):
         self.bar = RecoveryBar()
         self._document, self._show = document, show
         self._recovery = Recovery(KIND, folder, self)
-        self._title, self._saved = "", document.effects
+        self._title = self._base = ""
+        self._saved = document.effects
         self._found: Kept | None = None
         self._recovery.failed.connect(lambda problem: show(message_of(problem), None))
         self.bar.accepted.connect(self.recover)
@@ -37,7 +38,8 @@ class Unsaved(QObject):
 
     def begin(self, title: str, effects: EffectList) -> None:
         """The sequence is shown with these effects; offer what was left of others."""
-        self._title, self._saved = title, effects
+        self._title = title
+        self._take_base(effects)
         try:
             self._found = self._recovery.open()
         except HapticPlayerError as problem:
@@ -48,7 +50,7 @@ class Unsaved(QObject):
         self._document.changed.connect(self.keep)
 
     def _sentence(self, kept: Kept) -> str:
-        if kept.base == fingerprint(written(self._saved)):
+        if kept.base == self._base:
             return self.tr("Changes from {moment} were not saved.")
         return self.tr(
             "Changes from {moment} were not saved; the effects were changed since."
@@ -87,15 +89,17 @@ class Unsaved(QObject):
         """Keep the effects as they are now; nothing once they are as they were saved."""
         effects = self._document.effects
         if effects != self._saved:
-            base = fingerprint(written(self._saved))
-            self._recovery.keep(self._title, base, written(effects))
+            self._recovery.keep(self._title, self._base, lambda: written(effects))
         elif self._found is None:
             self._recovery.forget()
 
     def saved(self) -> None:
         """The effects are those of the sequence now."""
-        self._saved = self._document.effects
+        self._take_base(self._document.effects)
         self._recovery.forget()
+
+    def _take_base(self, effects: EffectList) -> None:
+        self._saved, self._base = effects, fingerprint(written(effects))
 
     def end(self, *, is_discarded: bool) -> None:
         """The editor closes; what nobody has decided about is offered again."""

@@ -59,7 +59,7 @@ def left(folder):
     made = Recovery("effects", folder)
     made.open()
     content = written(EffectList((*EFFECTS.effects, PULSE)))
-    made.keep("A ride", fingerprint(written(EFFECTS)), content)
+    made.keep("A ride", fingerprint(written(EFFECTS)), lambda: content)
     made.close()
     return made.file
 
@@ -98,9 +98,11 @@ def test_an_edit_is_offered_again_after_a_kill(folder, make_page, wait_for):
     page = make_page(folder)
     assert page.unsaved.bar.isVisible()
     assert not page.lanes.isEnabled()  # until a person has decided
+    assert page.focusWidget() is page.unsaved.bar.accept_button
     page.unsaved.bar.accept_button.click()
     assert page.document.effects.effects == (*EFFECTS.effects, PULSE)
     assert page.lanes.isEnabled()
+    assert page.focusWidget() is page.lanes
     assert not page.document.stack.isClean()
     assert stored(folder) == EFFECTS
     page.undo()

@@ -64,10 +64,10 @@ def test_figures_of_both_are_predicted_once_edits_rest(make_page, folder, wait_f
 def test_a_force_that_would_be_stopped_is_told_of(application, qtbot):
     line = Comparison()
     qtbot.addWidget(line)
-    before = ForceFigures(1.0, 0.5, 0.0, {"relaxed": 0.4}, ())
+    before = ForceFigures(1.0, 0.5, (0.5,), 0.0, {"relaxed": 0.4}, ())
     line.show_figures(before, before)
     assert "stopped" not in line.text()
-    after = ForceFigures(4.5, 2.0, 0.1, {"relaxed": 1.0}, ("relaxed",))
+    after = ForceFigures(4.5, 2.0, (2.0,), 0.1, {"relaxed": 1.0}, ("relaxed",))
     line.show_figures(before, after)
     assert "0.0 \u2192 10.0 %" in line.text()
     assert "the force would be stopped" in line.text()

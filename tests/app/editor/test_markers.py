@@ -3,13 +3,13 @@
 import json
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
 from hapticplayer.rendering.effects import Effect, EffectList, TimeMarker
 from hapticplayer.sequence import open_sequence, store, verify_sequence
-from tests.app.editor.hands import drag, middle
+from tests.app.editor.hands import at, click, drag, middle
 
 EFFECTS = EffectList((Effect("gain", 0.2, 0.6),), (TimeMarker(1.5, "The gate"),))
 
@@ -77,6 +77,17 @@ def test_keys_go_from_marker_to_marker_and_drags_snap_to_them(page):
     end = begin.x() + round(0.508 / 2.0 * page.lanes.width())
     drag(page.lanes, begin, type(begin)(end, begin.y()))
     assert page.document.effect.start_s == pytest.approx(0.71)  # no frame: 0.708 s
+
+
+def test_a_click_on_a_marker_goes_exactly_there(page):
+    lanes = page.lanes
+    y = lanes.lanes.markers.center().y()
+    click(lanes, at(lanes, 1.5, y) + QPoint(4, 0))
+    assert lanes.cursor_s == 1.5
+    click(lanes, at(lanes, 1.0, y))
+    assert lanes.cursor_s == pytest.approx(1.0, abs=0.003)
+    QTest.mouseMove(lanes, at(lanes, 1.5, y))
+    assert lanes.toolTip() == "1.500 s: The gate"
 
 
 def test_markers_are_saved_with_the_effects(page, folder, wait_for):
