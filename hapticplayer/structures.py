@@ -89,7 +89,7 @@ def convert(
         except (AttributeError, LookupError, StopIteration, TypeError, ValueError):
             said, field, found = "", "", kind  # the name of an unknown entry, no place
         what, to_do = _reworded(said or str(problem), found)
-        where = f"{where}, {field}" if field else where
+        where = ", ".join(filter(None, (where, field)))
         raise error(what, where=where, remedy=remedy or to_do) from None
 
 

@@ -118,7 +118,7 @@ def sound_records(
     """The records that this program can have written, and a sentence for each other."""
     check = _RecordCheck(plan, definition)
     kept: list[JournalRecord] = []
-    notices: list[str] = []
+    notices: list[str] = list(_missing(records))
     for record in records.intact:
         try:
             kept.append(check.sound(record, notices.append))
@@ -132,6 +132,19 @@ def sound_records(
                 )
             )
     return replace(records, intact=tuple(kept)), notices
+
+
+def _missing(records: Records) -> Iterator[Message]:
+    """Name records that were taken out; behind damage the numbers go on later."""
+    found = {record.number for record in records.intact}
+    last = max(found, default=0)
+    if records.damaged or len(found) >= last:
+        return
+    yield Message(
+        "{count} records are missing, the first is number {number}",
+        count=last - len(found),
+        number=next(one for one in range(1, last) if one not in found),
+    )
 
 
 class _RecordCheck:

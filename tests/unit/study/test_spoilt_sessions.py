@@ -254,6 +254,18 @@ def test_a_torn_line_is_merged_but_an_altered_record_is_not(session, tmp_path):
     assert merge_sessions(study, open_study(tmp_path / "other")).added
 
 
+def test_a_record_that_was_taken_out_is_missed(session, tmp_path):
+    study, path = session
+    shutil.copytree(study.folder, tmp_path / "other")
+    there = tmp_path / "other" / path.relative_to(study.folder)
+    lines = there.read_bytes().splitlines(keepends=True)
+    there.write_bytes(b"".join(lines[:2] + lines[3:]))
+    shutil.rmtree(path.parent)
+    (conflict,) = merge_sessions(study, open_study(tmp_path / "other")).conflicts
+    assert "1 records are missing, the first is number 3" in conflict
+    assert study.codes() == []
+
+
 @pytest.mark.parametrize("content", [b"", b"[]", b'{"given": 1}', b"null", b"{" * 9])
 def test_a_spoilt_consent_is_named_and_not_merged(session, tmp_path, content):
     study, path = session
