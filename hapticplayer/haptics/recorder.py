@@ -26,7 +26,7 @@ from hapticplayer.haptics.records import RecordWriter, open_record
 from hapticplayer.haptics.scheduling import outlive_the_player
 from hapticplayer.haptics.shared import TICK, SharedBlock
 from hapticplayer.haptics.spawn import Process, run_module
-from hapticplayer.storage import disk_of
+from hapticplayer.storage import disk_of, write_problem
 
 READ_PERIOD_S = 0.05
 SYNC_PERIOD_S = 1.0
@@ -93,7 +93,8 @@ class LoopRecording:
                 )
             except OSError as problem:
                 self._problem = Message(
-                    "nothing is being recorded: {reason}", reason=problem
+                    "nothing is being recorded: {reason}",
+                    reason=write_problem(problem, self._path),
                 )
 
     def finish(self, timeout_s: float = 5.0) -> None:

@@ -266,18 +266,20 @@ def _mark_for_deletion(study: Study, folder: Path) -> None:
 
 
 def _finish_deletions(study: Study) -> None:
-    """Count and remove sessions that are marked for deletion."""
+    """Remove and count sessions that are marked for deletion; a full disk has room then."""
     for leaving in (study.folder / SESSIONS).glob(f"{_LEAVING}*"):
         name = leaving.name.removeprefix(_LEAVING)
         stone = {"deleted_utc": utc_now_iso()}
         try:
+            for path in list(leaving.iterdir()):
+                shutil.rmtree(path) if path.is_dir() else path.unlink()
             storage.make_folder(study.folder / DELETED)
             storage.replace_file(
                 study.folder / DELETED / f"{name}.json",
                 json.dumps(stone).encode(),
                 storage.PRIVATE_FILE,
             )
-            shutil.rmtree(leaving)
+            leaving.rmdir()
             storage.sync_folder(leaving.parent)
         except OSError as problem:
             raise storage.StorageError.of(problem, leaving) from problem

@@ -7,6 +7,7 @@ import stat
 import numpy as np
 import pytest
 
+from hapticplayer import storage
 from hapticplayer.errors import StudyError
 from hapticplayer.study.answers import (
     collect_answers,
@@ -152,6 +153,19 @@ def test_a_deletion_that_was_interrupted_is_finished_once(study, scripted):
         study = open_study(study.folder)
         assert study.deleted_count() == 1
         assert code.encode() not in b"".join(tree(study.folder).values())
+
+
+def test_a_participant_is_deleted_before_the_count_needs_room(
+    study, scripted, monkeypatch
+):
+    code = scripted(study)
+
+    def write_if_there_is_room(*_):
+        assert not list(study.folder.rglob("answers.jsonl"))
+
+    monkeypatch.setattr(storage, "replace_file", write_if_there_is_room)
+    delete_participant(study, code)
+    assert not list((study.folder / "sessions").iterdir())
 
 
 def test_files_that_name_a_deleted_participant_are_reported(study, scripted):
