@@ -150,8 +150,6 @@ def _paint_plate(painter: QPainter, plate: QRectF) -> None:
     painter.drawRoundedRect(plate, 3.0, 3.0)
 
 
-translate = QCoreApplication.translate
-
 LEAST_FOR_WORDS_PX = 130.0  # of the shorter side; a smaller view names no axes
 _GAP_PX = 4.0
 

@@ -290,5 +290,7 @@ def small_seeks(_folder: Path, clip: Path, _stack: ExitStack) -> Case:
     return Case("seek", work)
 
 
-CASES = (unseen_frames, unseen_plots, other_streams, interpolation, torques, poses)
-CASES = (*CASES, small_seeks)
+CASES = (
+    *(unseen_frames, unseen_plots, other_streams, interpolation, torques, poses),
+    small_seeks,
+)

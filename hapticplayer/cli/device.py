@@ -289,7 +289,6 @@ def _falcon_report(reach: Reach) -> dict[str, Any]:
 
 
 POLL_S = 0.02
-HOMING_S = 120.0
 _WAIT_FOR_HOMING = "pull the grip out as far as it goes, then push it in until it locks"
 
 

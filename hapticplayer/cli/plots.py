@@ -165,7 +165,7 @@ def invalid_spans(
     return list(zip(begins.tolist(), ends.tolist(), strict=True))
 
 
-_SOUND, _MOTION, _PAT = "#0f766e", "#1d4ed8", "#d97706"
+_SOUND, _PAT = "#0f766e", "#d97706"
 _AROUND_S = 1.5
 
 

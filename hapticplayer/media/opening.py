@@ -38,8 +38,8 @@ from hapticplayer.media.mp4 import Declared, declared_in
 from hapticplayer.model.limits import (
     INDEX_TAIL,
     MAX_BLOCK_BYTES,
+    MAX_INDEXED,
     MAX_PIXELS,
-    MAX_SAMPLES,
     MAX_SIDE_PX,
     MAX_STREAMS,
 )
@@ -165,14 +165,14 @@ def _check_tables(file: Path | ClipBytes, samples: int) -> None:
             where=str(file),
             remedy=COPY_AGAIN,
         )
-    if samples > MAX_SAMPLES:
+    if samples > MAX_INDEXED:
         raise MediaError(
             "its index lists {count} frames and pieces of sound, which is too much "
             "(limit: {most})",
             where=str(file),
             remedy="cut it into parts of some hours",
             count=samples,
-            most=MAX_SAMPLES,
+            most=MAX_INDEXED,
         )
 
 

@@ -249,7 +249,7 @@ MAX_TELEMETRY_PACKET_BYTES = 8 * 1024**2
 MAX_TELEMETRY_BYTES = 1024**3
 """All telemetry of one file; 48 h of a GoPro are about 0.8 GB."""
 
-MAX_SAMPLES = 3_000_000
+MAX_INDEXED = 3_000_000
 """In all tables of an MP4: ten hours of 60 fps with sound; FFmpeg keeps 60 bytes of each."""
 
 MAX_BOXES = 400_000

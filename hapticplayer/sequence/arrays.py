@@ -68,4 +68,8 @@ def arrays_in(
         if array.dtype.kind not in _KINDS:
             what = Message("{name} must hold real numbers", name=name)
             raise SequenceError(what, where=where, remedy=_IMPORT_AGAIN)
+        owner: Any = array
+        while isinstance(owner, np.ndarray):  # so that nobody has to copy it
+            owner.setflags(write=False)
+            owner = owner.base
     return found

@@ -67,6 +67,30 @@ def test_no_class_name_is_used_twice_in_the_engine():
     assert not [name for name, count in names.items() if count > 1]
 
 
+def bound_names(tree):
+    """Yield each name that a module gives at its top level."""
+    for node in tree.body:
+        for target in getattr(node, "targets", []):
+            made = getattr(target, "elts", [target])
+            yield from (x.id for x in made if isinstance(x, ast.Name))
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            yield node.name
+
+
+@pytest.mark.parametrize("folder", ["hapticplayer", "app", "benchmarks", "tools"])
+def test_a_module_gives_each_name_once(folder):
+    """The second constant of a name would count everywhere, and no tool says so."""
+    twice = [
+        f"{path}: {name}"
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        for name, count in Counter(
+            bound_names(ast.parse(path.read_text(encoding="utf-8")))
+        ).items()
+        if count > 1
+    ]
+    assert twice == []
+
+
 def test_few_places_reach_into_what_others_keep_private():
     places = [
         f"{path.relative_to(ROOT)}: {name}"

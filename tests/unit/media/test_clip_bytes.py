@@ -68,7 +68,7 @@ def test_addresses_in_it_are_never_asked(text):
 def test_an_index_beyond_the_limit_is_refused(tiny_clip, monkeypatch):
     clip = InMemory(tiny_clip.path.read_bytes())
     clip.size_bytes = 1 << 60  # as a server may say
-    monkeypatch.setattr("hapticplayer.media.opening.MAX_SAMPLES", 10)
+    monkeypatch.setattr("hapticplayer.media.opening.MAX_INDEXED", 10)
     with pytest.raises(MediaError, match=r"its index lists \d+ frames .*limit: 10"):
         probe(clip)
 

@@ -142,3 +142,7 @@ def test_the_player_reads_force_without_the_room_of_recordings(tmp_path):
         [sys.executable, "-c", program, path], capture_output=True, check=True
     )
     assert told.stdout.strip() == b"[]"
+
+
+def test_ten_hours_of_milliseconds_are_no_row_too_many():
+    assert force_csv.MAX_SAMPLES >= 10 * 3600 * 1000
