@@ -18,6 +18,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
 from hapticplayer import __version__, extension
@@ -264,7 +265,7 @@ def _run(words: list[str], open_window: OpenWindow | None) -> int:
             from hapticplayer.cli.common import refuse_idle_overwrite
 
             refuse_idle_overwrite(options)
-        with _work_that_can_be_interrupted():
+        with _work_that_can_be_interrupted(), _ended_by_signals():
             return int(options.run(options, open_window))
     except SystemExit as end:  # of --help, or wrong usage
         return int(end.code or 0)
@@ -277,6 +278,36 @@ def _command_in(words: Sequence[str]) -> str | None:
 def is_file_name(word: str) -> bool:
     """Whether a word in the place of a command is something to play."""
     return "/" in word or bool(Path(word).suffix) or Path(word).exists()
+
+
+class _Interrupted(KeyboardInterrupt):
+    """A signal ends the work as Ctrl-C does."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__()
+        self.number = number
+
+
+@contextlib.contextmanager
+def _ended_by_signals() -> Iterator[None]:
+    """Let SIGTERM, SIGHUP and SIGQUIT end the work like Ctrl-C, leaving nothing behind.
+
+    One that is ignored, as after nohup, stays so.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def interrupt(number: int, _frame: FrameType | None) -> None:
+        raise _Interrupted(number)
+
+    with contextlib.ExitStack() as stack:
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+            before = signal.getsignal(number)
+            if before is not signal.SIG_IGN:
+                signal.signal(number, interrupt)
+                stack.callback(signal.signal, number, before)
+        yield
 
 
 @contextlib.contextmanager

@@ -3,12 +3,9 @@
 import argparse
 import contextlib
 import dataclasses
-import signal
 import sys
-import threading
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from types import FrameType
 from typing import Any
 
 from hapticplayer.devices import NO_DEVICE, device_names, find_device, takes_motion
@@ -16,36 +13,6 @@ from hapticplayer.errors import DeviceError, UsageError
 from hapticplayer.model.ranges import Range
 from hapticplayer.sequence.figures import ForceFigures
 from hapticplayer.untrusted import without_controls
-
-
-class Interrupted(KeyboardInterrupt):
-    """A signal ends the work as Ctrl-C does."""
-
-    def __init__(self, number: int) -> None:
-        super().__init__()
-        self.number = number
-
-
-@contextlib.contextmanager
-def interruptible() -> Iterator[None]:
-    """Let SIGTERM, SIGHUP and SIGQUIT end the work like Ctrl-C, leaving nothing behind.
-
-    One that is ignored, as after nohup, stays so.
-    """
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def interrupt(number: int, _frame: FrameType | None) -> None:
-        raise Interrupted(number)
-
-    with contextlib.ExitStack() as stack:
-        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
-            before = signal.getsignal(number)
-            if before is not signal.SIG_IGN:
-                signal.signal(number, interrupt)
-                stack.callback(signal.signal, number, before)
-        yield
 
 
 @contextlib.contextmanager

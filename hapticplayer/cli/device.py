@@ -20,7 +20,6 @@ from hapticplayer.cli.common import (
     add_number,
     agreed,
     complain,
-    interruptible,
     peak_text,
     say,
     say_aside,
@@ -169,7 +168,7 @@ def info(options: argparse.Namespace) -> int:
 def home_falcon(options: argparse.Namespace) -> int:
     """Guide through homing; the device exerts no force."""
     clock = SystemClock()
-    with interruptible(), _open(reach_of(options.device), clock) as driver:
+    with _open(reach_of(options.device), clock) as driver:
         line = _GuidanceLine(is_quiet=options.json)
         for guidance in home(driver, clock, options.timeout):
             line.show(guidance)
@@ -201,7 +200,7 @@ def upload_firmware(options: argparse.Namespace) -> int:
     }
     clock = SystemClock()
     try:
-        with interruptible(), shown_progress() as progress:
+        with shown_progress() as progress:
             driver = reach.driver(clock)
             driver.open(lambda part: progress(part, "loading the firmware"))
             driver.close()
@@ -329,13 +328,12 @@ def _tested(device: str, *, has_grip: bool) -> tuple[DeviceTest, NDArray[Any]]:
     test = DeviceTest(clock, device, homing_s=HOMING_S)
     ticks = []
     try:
-        with interruptible():
-            while not test.is_over:
-                ticks.append(test.poll())
-                if test.cause is Cause.NOT_HOMED and len(ticks) > 1 and not is_told:
-                    is_told = True
-                    sys.stderr.write(_WAIT_FOR_HOMING + "\n")
-                clock.sleep_until(clock.now_s() + POLL_S)
+        while not test.is_over:
+            ticks.append(test.poll())
+            if test.cause is Cause.NOT_HOMED and len(ticks) > 1 and not is_told:
+                is_told = True
+                sys.stderr.write(_WAIT_FOR_HOMING + "\n")
+            clock.sleep_until(clock.now_s() + POLL_S)
     finally:
         test.stop()
         test.wait()

@@ -8,7 +8,6 @@ from pathlib import Path
 
 from hapticplayer import storage
 from hapticplayer.cli.common import (
-    interruptible,
     refuse_idle,
     say,
     say_figures,
@@ -103,7 +102,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         effects = store.effects_of(sequence)
         if is_changed:
             effects = _changed(effects, options, sequence.duration_s)
-            with interruptible(), shown_progress() as progress:
+            with shown_progress() as progress:
                 set_effects(folder, effects, progress=progress)
     if options.json:
         say(json.dumps({"sequence": options.sequence, **written(effects)}))

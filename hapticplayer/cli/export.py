@@ -10,7 +10,6 @@ from typing import Any, BinaryIO, NamedTuple
 from hapticplayer import storage
 from hapticplayer.cli.common import (
     add_overwrite,
-    interruptible,
     refuse_idle,
     say,
     say_aside,
@@ -103,7 +102,7 @@ def _export_sequence(options: argparse.Namespace) -> int:
     form = format_of(target, options.format)
     is_ours = form.is_ours if options.overwrite else None
     refuse_existing(target, FILE, is_ours)
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         cost = export_force(
             Path(options.source),
             options.feedback,
@@ -146,7 +145,6 @@ def _export_record(options: argparse.Namespace) -> int:
     refuse_existing(target, FILE, is_ours)
     with (
         RecordReader(Path(options.source)) as reader,
-        interruptible(),
         shown_progress() as progress,
         storage.file_written_aside(target, is_ours) as part,
         part.open("xb") as out,

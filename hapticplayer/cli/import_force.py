@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from hapticplayer.cli.common import interruptible, say, say_aside, shown_progress
+from hapticplayer.cli.common import say, say_aside, shown_progress
 from hapticplayer.cli.force_options import add_reading, read_choices, read_text
 from hapticplayer.errors import UsageError, to_json
 from hapticplayer.sequence import open_sequence
@@ -46,7 +46,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         raise UsageError("import-force needs a SEQUENCE, or --check")
     path, folder = Path(options.file), Path(options.sequence)
     name = options.name or path.name.split(".")[0][:40]
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         notes = import_force(
             folder,
             name,

@@ -8,7 +8,6 @@ from pathlib import Path
 from hapticplayer.capture.mounting import BY_FRAMES
 from hapticplayer.cli.common import (
     add_number,
-    interruptible,
     refuse_idle,
     say,
     shown_progress,
@@ -121,7 +120,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     """Import a video with its motion, showing the progress; several with a summary."""
     if len(options.videos) > 1:
         return import_batch(options)
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         folder = build_sequence(
             options.videos[0],
             options.output,
@@ -238,11 +237,10 @@ def import_batch(options: argparse.Namespace) -> int:
     if len(set(names)) < len(names):
         raise UsageError("two videos have one name; import them into different folders")
     choices, rows = chosen_import(options), []
-    with interruptible():
-        for video in videos:
-            with shown_progress() as progress:
-                target = Path(options.output) / video.stem
-                rows.append(_import(video, target, choices, progress))
+    for video in videos:
+        with shown_progress() as progress:
+            target = Path(options.output) / video.stem
+            rows.append(_import(video, target, choices, progress))
     if any(row.status == 0 for row in rows):
         keep_template(options)
     if options.json:

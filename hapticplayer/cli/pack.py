@@ -7,7 +7,7 @@ from typing import Any
 
 from msgspec import to_builtins
 
-from hapticplayer.cli.common import add_overwrite, interruptible, say, shown_progress
+from hapticplayer.cli.common import add_overwrite, say, shown_progress
 from hapticplayer.sequence.contents import Contents
 from hapticplayer.sequence.pack import container_of, is_packed, outputs_of
 from hapticplayer.sequence.sharing import share, shared_contents
@@ -62,7 +62,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     if not options.json:
         say(text_of(what, with_track=target.suffix.lower() == ".mp4"))
     if not options.dry_run:
-        with interruptible(), shown_progress() as progress:
+        with shown_progress() as progress:
             payload = share(
                 folder,
                 target,

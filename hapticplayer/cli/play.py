@@ -16,7 +16,6 @@ from hapticplayer.cli.common import (
     add_outputs,
     add_overwrite,
     complain,
-    interruptible,
     peak_text,
     refuse_idle,
     say,
@@ -199,20 +198,19 @@ def play(options: argparse.Namespace) -> int:
     if source.clip.has_audio:
         player.prepare_sound()  # in parallel with the device
     try:
-        with interruptible():
-            player.set_outputs(options.outputs, record)
-            player.wait_ready()
-            attach_log(player, options, source, feedback)
-            player.open(source, feedback)
-            if options.speed != 1.0:
-                player.set_speed(options.speed)
-            said = advise_of_video(source)
-            _play_headless(
-                player,
-                clock,
-                start_s=options.start,
-                until_s=end_s,
-            )
+        player.set_outputs(options.outputs, record)
+        player.wait_ready()
+        attach_log(player, options, source, feedback)
+        player.open(source, feedback)
+        if options.speed != 1.0:
+            player.set_speed(options.speed)
+        said = advise_of_video(source)
+        _play_headless(
+            player,
+            clock,
+            start_s=options.start,
+            until_s=end_s,
+        )
         problems, notes = _problems(player.snapshot())
     finally:
         player.close()

@@ -16,7 +16,6 @@ from hapticplayer.capture.mounting import mounted, refuse_upside_down
 from hapticplayer.capture.recording import Recording, refuse_gravity_free
 from hapticplayer.cli.common import (
     add_number,
-    interruptible,
     refuse_idle,
     say,
     shown_progress,
@@ -105,7 +104,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     """Print the quality report of a recording, with what else was asked for."""
     plot, target = plot_target(options), _calibration_target(options)
     processing = chosen_processing(options)
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         progress(0.0, f"reading {Path(options.recording).name}")
         recording = _read(
             Path(options.recording),

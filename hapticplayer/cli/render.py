@@ -7,7 +7,6 @@ from pathlib import Path
 
 from hapticplayer.cli.common import (
     described_figures,
-    interruptible,
     say,
     say_figures,
     shown_progress,
@@ -70,7 +69,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         preset=options.preset,
         effects=read_effects(Path(options.effects)) if options.effects else None,
     )
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         if options.in_place:
             change(folder, progress=progress)
         else:

@@ -9,7 +9,6 @@ from typing import Any
 
 from hapticplayer.cli.common import (
     add_number,
-    interruptible,
     refuse_idle,
     say,
     say_aside,
@@ -197,7 +196,7 @@ def analyse(options: argparse.Namespace) -> int:
         options.include_invalid,
         Resampling(options.seed),
     )
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         found = analyse_study(
             read_answers(options.study, lambda f, step: progress(0.3 * f, step)),
             choices,
@@ -219,7 +218,7 @@ def analyse(options: argparse.Namespace) -> int:
 def simulate(options: argparse.Namespace) -> int:
     """Add simulated participants to a study, as sessions that are marked as such."""
     effect_named(options.effect)
-    with interruptible(), _to_be_filled(options.study) as study:
+    with _to_be_filled(options.study) as study:
         like, origin, codes = _simulated(study, options)
     report = {"study": str(options.study), **origin, "participants": codes}
     text = f"{options.study}: {len(codes)} simulated participants, marked as such"
@@ -283,7 +282,7 @@ def power(options: argparse.Namespace) -> int:
         options.alpha, options.power, options.largest, options.studies, options.seed
     )
     draw, feedbacks, source = _population(options)
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         found = find_power(draw, feedbacks, goal, progress)
     report = {"population": source, "measure": options.measure, **power_summary(found)}
     say(_json(report) if options.json else _power_text(found, options.measure, source))

@@ -12,7 +12,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.recording import Recording
 from hapticplayer.capture.sync.check import check_log, check_sound
 from hapticplayer.capture.sync.synchronize import read_sound
-from hapticplayer.cli.common import complain, interruptible, refuse_idle, say
+from hapticplayer.cli.common import complain, refuse_idle, say
 from hapticplayer.cli.plots import draw_sync
 from hapticplayer.cli.recording_options import (
     add_reading,
@@ -85,23 +85,22 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     options.imu = [*options.logs, *(options.imu or ())] or None
     if options.store_skew:
         _store_skew(options)
-    with interruptible():
-        choices, plot = chosen_sync(options), plot_target(options)
-        if options.check:
-            idle = ("--plot", "--sync", "--offset", "--drift", "--slow-motion")
-            refuse_idle(options, "with --check", *idle)
-            checked = _read_either(options)
-            keep_template(options)
-            return _check(checked, options, choices)
-        clip = probe(options.clip)
-        ask_for_pace(clip, choices)
-        recording = read_recording(options.imu or options.clip, chosen_log(options))
+    choices, plot = chosen_sync(options), plot_target(options)
+    if options.check:
+        idle = ("--plot", "--sync", "--offset", "--drift", "--slow-motion")
+        refuse_idle(options, "with --check", *idle)
+        checked = _read_either(options)
         keep_template(options)
-        found = find_sync(clip, recording, choices)
-        if plot:
-            sound = read_sound(clip.path)
-            with storage.file_written_aside(plot, plot_overwritten(options)) as part:
-                draw_sync(part, sound, recording.imu, found)
+        return _check(checked, options, choices)
+    clip = probe(options.clip)
+    ask_for_pace(clip, choices)
+    recording = read_recording(options.imu or options.clip, chosen_log(options))
+    keep_template(options)
+    found = find_sync(clip, recording, choices)
+    if plot:
+        sound = read_sound(clip.path)
+        with storage.file_written_aside(plot, plot_overwritten(options)) as part:
+            draw_sync(part, sound, recording.imu, found)
     described = found.described()
     say(json.dumps(described) if options.json else sync_text(described))
     if plot and not options.json:

@@ -6,7 +6,6 @@ from pathlib import Path
 
 from hapticplayer.cli.common import (
     add_accept_changed,
-    interruptible,
     say,
     shown_progress,
 )
@@ -43,7 +42,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     what = contents_of(packed)
     report = {"file": options.video, "force_in": str(packed.carrier), **listing(what)}
     if not options.dry_run:
-        with interruptible(), shown_progress() as progress:
+        with shown_progress() as progress:
             unpack(
                 Path(options.video),
                 Path(options.output),

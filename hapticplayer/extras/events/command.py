@@ -3,7 +3,7 @@
 import argparse
 import json
 
-from hapticplayer.cli.common import interruptible, say
+from hapticplayer.cli.common import say
 from hapticplayer.sequence.effects_file import described_effect
 from hapticplayer.sequence.events import Event, event_detectors, events_of
 
@@ -31,10 +31,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace, _open_window: object) -> int:
     """Print the events of a sequence."""
-    with interruptible():
-        events = events_of(
-            options.sequence, kinds=options.kind, with_sound=options.sound
-        )
+    events = events_of(options.sequence, kinds=options.kind, with_sound=options.sound)
     if options.json:
         listed = [_described(event) for event in events]
         content = {"sequence": options.sequence, "events": listed}

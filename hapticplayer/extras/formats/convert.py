@@ -4,7 +4,7 @@ import argparse
 import json
 from pathlib import Path
 
-from hapticplayer.cli.common import add_overwrite, interruptible, say, say_aside
+from hapticplayer.cli.common import add_overwrite, say, say_aside
 from hapticplayer.cli.force_options import (
     add_reading,
     add_writing,
@@ -44,9 +44,8 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
     form = format_of(target, options.write_as)
     is_ours = form.is_ours if options.overwrite else None
     refuse_existing(target, FILE, is_ours)
-    with interruptible():
-        found = read_force(source, read_choices(options), options.read_as)
-        cost = export_track(found.track, target, form, write_choices(options))
+    found = read_force(source, read_choices(options), options.read_as)
+    cost = export_track(found.track, target, form, write_choices(options))
     if options.json:
         notes = [to_json(note) for note in found.notes]
         say(

@@ -15,7 +15,6 @@ from hapticplayer.cli.common import (
     add_device_name,
     add_overwrite,
     agreed,
-    interruptible,
     say,
     shown_progress,
 )
@@ -63,7 +62,7 @@ def measure_falcon(options: argparse.Namespace) -> int:
         "device": options.device,
         "utc": utc_now_iso(),
     }
-    with interruptible(), contextlib.closing(_guarded_clock(options.device)) as watch:
+    with contextlib.closing(_guarded_clock(options.device)) as watch:
         reach = reach_of(options.device, watch.handle())
         report["round_trip"] = _round_trips(reach, SystemClock())
         report |= _with_forces(options, reach, watch)

@@ -5,7 +5,8 @@ force: it is MISC with the unit N.
 """
 
 import datetime as dt
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -75,6 +76,8 @@ _TABLES = {
 _MAKERS = {"falcon": ("Novint", "Falcon")}
 _FIRST = dt.datetime(1925, 1, 1, tzinfo=dt.UTC)
 """Dates that are shifted lie in 1925 or before, says BIDS."""
+
+_AT_ONCE = dt.timedelta()
 
 # the end of a run is marked shortly after its last tick
 _MARKED_WITHIN_S = 1.0
@@ -211,20 +214,37 @@ def _subject(session: StoredSession, data: StudyData, folder: Path) -> None:
     ]
     table = DataTable(f"{name}_task-{TASK}_beh.tsv", columns, rows)
     _table(behaviour / table.name, table)
-    scans: dict[str, dt.datetime] = {}
+    scans: dict[str, tuple[float, dt.datetime]] = {}
     for number, path in enumerate(tick_files(session), 1):
         base = f"{name}_task-{TASK}_tracksys-{SYSTEM}_run-{number}"
         span_s = _motion(session, path, folder / "motion" / base, data)
         if span_s is not None:
             _events(session, span_s, folder / "motion" / f"{base}_events.tsv")
-            scans[f"motion/{base}_motion.tsv"] = _utc(session, span_s[0])
+            begun = span_s[0], _utc(session, span_s[0])
+            scans[f"motion/{base}_motion.tsv"] = begun
     if scans:
-        earlier = min(scans.values()) - _FIRST
+        begins = begins_of(list(scans.values()))
         rows = [
-            (table, (at - earlier).strftime("%Y-%m-%dT%H:%M:%S.%fZ"))
-            for table, at in scans.items()
+            (table, at.strftime("%Y-%m-%dT%H:%M:%S.%fZ"))
+            for table, at in zip(scans, begins, strict=True)
         ]
         _rows(folder / f"{name}_scans.tsv", ("filename", "acq_time"), rows)
+
+
+def begins_of(runs: Sequence[tuple[float, dt.datetime]]) -> Iterator[dt.datetime]:
+    """Yield when runs begin after the first one, which begins at `_FIRST`.
+
+    By the monotonic clock, as the other one may be put back; by that one where the
+    machine was started in between.
+
+    Args:
+        runs: monotonic time, s, and UTC of their begins.
+    """
+    at = _FIRST
+    for (before_s, before), (now_s, now) in pairwise([runs[0], *runs]):
+        later = dt.timedelta(seconds=now_s - before_s)
+        at += later if later >= _AT_ONCE else max(now - before, _AT_ONCE)
+        yield at
 
 
 def _beh_row(

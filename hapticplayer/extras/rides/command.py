@@ -5,7 +5,7 @@ from pathlib import Path
 
 from hapticplayer import storage
 from hapticplayer.capture.si_csv import write_imu_csv
-from hapticplayer.cli.common import add_number, interruptible, say, shown_progress
+from hapticplayer.cli.common import add_number, say, shown_progress
 from hapticplayer.errors import UsageError, shell_line
 from hapticplayer.extras.rides.catalogue import RIDES, SCENES
 from hapticplayer.extras.rides.motion_scenes import MOTION_SCENES, simulate_motion
@@ -58,7 +58,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         raise UsageError(
             f"there is no scenario {options.scenario!r}; choose one of {known}"
         )
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         folder = write_simulated_sequence(
             options.scenario, Path(options.output), seed=seed, progress=progress
         )
@@ -68,7 +68,7 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
 
 def _simulate_ride(options: argparse.Namespace, seed: int) -> int:
     """Write what a camera and a board would have, beside the truth."""
-    with interruptible(), shown_progress() as progress:
+    with shown_progress() as progress:
         folder = write_simulated_recording(
             options.scenario,
             Path(options.output),
@@ -85,7 +85,6 @@ def _simulate_ride(options: argparse.Namespace, seed: int) -> int:
 def _simulate_motion(name: str, seed: int, target: Path) -> int:
     """Write imu.csv and truth.npz of a scene without a clip."""
     with (
-        interruptible(),
         shown_progress() as progress,
         storage.folder_written_aside(target) as aside,
     ):

@@ -5,7 +5,7 @@ import contextlib
 import json
 from typing import Any
 
-from hapticplayer.cli.common import add_number, interruptible, say
+from hapticplayer.cli.common import add_number, say
 from hapticplayer.clock import SystemClock
 from hapticplayer.extras.rigs.packets import FORMATS
 from hapticplayer.extras.rigs.receiver import PacketReceiver
@@ -47,7 +47,7 @@ def monitor(options: argparse.Namespace) -> int:
     end_s = clock.now_s() + (options.duration or float("inf"))
     next_s = clock.now_s()
     quiet = contextlib.suppress(KeyboardInterrupt)
-    with contextlib.closing(receiver), quiet, interruptible():
+    with contextlib.closing(receiver), quiet:
         while (now_s := clock.now_s()) < end_s:
             for _ in receiver.listen(_WAIT_S):
                 pass

@@ -26,7 +26,6 @@ from urllib.parse import quote, unquote
 from hapticplayer.cli.common import (
     add_accept_changed,
     add_number,
-    interruptible,
     refuse_idle,
     say,
     say_aside,
@@ -90,7 +89,6 @@ def run(options: argparse.Namespace, _open_window: object) -> int:
         title, files = _offered(Path(options.source), Path(place), options)
         with (
             FileServer(files, address, int(options.port)) as server,
-            interruptible(),
         ):
             try:
                 _announce(server, title, options)

@@ -3,6 +3,7 @@
 import json
 import re
 import shlex
+import signal
 import subprocess
 import sys
 from dataclasses import replace
@@ -332,3 +333,21 @@ def test_remedies_name_the_command_of_foreign_options(command, tiny_clip, capsys
 def test_own_options_and_quoted_commands_stand_as_they_are(capsys):
     assert cli.main(["import", "a.mp4", "-o", "x", "--suggest-gain", "2"]) == 2
     assert "--help" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT])
+def test_a_signal_ends_any_command_in_order(monkeypatch, capsys, number):
+    """Each has something to tidy up, the merging of studies too."""
+    tidied = []
+
+    def run(*_):
+        try:
+            signal.raise_signal(number)
+        finally:
+            tidied.append(number)
+
+    monkeypatch.setattr("hapticplayer.cli.study.merge_sessions", run)
+    monkeypatch.setattr("hapticplayer.cli.study.open_study", str)
+    assert cli.main(["study", "merge", "here", "there"]) == 128 + number
+    assert tidied == [number]
+    assert "no file was left half written" in capsys.readouterr().err

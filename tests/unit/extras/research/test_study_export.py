@@ -2,6 +2,7 @@
 
 import codecs
 import csv
+import datetime as dt
 import getpass
 import io
 import json
@@ -17,6 +18,7 @@ from pyxdf.cli import print_metadata
 
 from hapticplayer import cli
 from hapticplayer.errors import InputError, StudyError, UsageError
+from hapticplayer.extras.research.bids import begins_of
 from hapticplayer.extras.research.xdf import XdfWriter
 from hapticplayer.haptics.records import RecordWriter
 from hapticplayer.haptics.shared import TICK
@@ -549,3 +551,11 @@ def test_an_exporter_in_the_registry_can_be_chosen(
     assert cli.main(arguments) == 0
     codes = (tmp_path / "out" / "codes.txt").read_text().split()
     assert sorted(codes) == study.codes()
+
+
+def test_runs_keep_their_order_when_the_wall_clock_is_put_back():
+    noon = dt.datetime(2026, 11, 27, 12, tzinfo=dt.UTC)
+    runs = [(900.0, noon), (960.0, noon - dt.timedelta(hours=1))]
+    runs += [(5.0, noon - dt.timedelta(minutes=50))]  # the machine was started again
+    begins = [one.isoformat()[:19] for one in begins_of(runs)]
+    assert begins == [f"1925-01-01T00:{at}" for at in ("00:00", "01:00", "11:00")]
