@@ -243,12 +243,12 @@ def _units() -> Fields:
     }
     return {
         "time-unit": units(translate("Reading", "Time unit"), TIME_UNITS),
-        "rate-hz": Number(translate("Reading", "Samples per second")),
         "accel-unit": units(translate("Reading", "Accelerometer unit"), ACCEL_UNITS),
         "rate-unit": units(translate("Reading", "Gyroscope unit"), RATE_UNITS),
-        "field-unit": units(translate("Reading", "Magnetometer unit"), FIELD_UNITS),
         "accel-sign": Choice(translate("Reading", "Accelerometer reads"), signs),
         "sampling": Choice(translate("Reading", "Values are"), samplings),
+        "rate-hz": Number(translate("Reading", "Samples per second")),
+        "field-unit": units(translate("Reading", "Magnetometer unit"), FIELD_UNITS),
     }
 
 

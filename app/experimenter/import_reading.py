@@ -65,8 +65,8 @@ from hapticplayer.sequence.import_preview import (
 
 translate = QCoreApplication.translate
 
-WIDTH_PX, HEIGHT_PX = 1080, 660
-_CHECK_PX, _ROWS, _MOST_ROWS = 200, 5, 7
+WIDTH_PX, HEIGHT_PX = 1080, 684
+_CHECK_PX, _ROWS = 200, 7
 _SOON_MS = 300
 _MOST_NOTES = 6
 _GOOD, _DOUBTFUL, _BAD = "\u25cf", "\u25b2", "\u25a0"
@@ -128,12 +128,11 @@ class ReadingPage(JobDialog):
         forms = QHBoxLayout()
         forms.setSpacing(18)
         fields = [field for key, field in self.fields.items() if key != "columns"]
-        rows = _ROWS if self.width() >= WIDTH_PX else _MOST_ROWS
-        for begin in range(0, len(fields), rows):
+        for begin in range(0, len(fields), _ROWS):
             form = QFormLayout()
             form.setVerticalSpacing(4)
             form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapAllRows)
-            for field in fields[begin : begin + rows]:
+            for field in fields[begin : begin + _ROWS]:
                 form.addRow(*captioned(field.accessibleName(), field))
             forms.addLayout(form, 1)
         file = text_button(

@@ -29,7 +29,7 @@ from hapticplayer.model.spellings import (
 _MIN_COLUMNS = 4
 _SAMPLE_LINES = 60
 _MOST_TABLES = 3
-_SHOWN_ROWS = 5
+_SHOWN_ROWS = 4
 _MOSTLY = 0.9
 _LONGEST_HEADER_BYTES = 1 << 20
 
