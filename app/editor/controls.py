@@ -40,7 +40,7 @@ class PlayBar(QWidget):
             button.setMinimumWidth(36)
         self.loop = TickBox(self.tr("&Loop"))
         self.loop.setToolTip(
-            self.tr("Repeat the selected effect, or what is in view without one")
+            self.tr("Repeat the selected effects, or what is in view without any")
         )
         self.compare = TickBox(self.tr("&Before"))
         self.compare.setToolTip(self.tr("Show the force without effects behind it"))

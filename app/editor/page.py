@@ -406,13 +406,14 @@ class EditorPage(QDialog):
             self.comparison.compare(before, track)
 
     def _apply_loop(self) -> None:
-        """Repeat the selected effect with a little around it, or what is in view."""
-        effect, span_s = self.document.effect, None
+        """Repeat the selected effects with a little around them, or what is in view."""
+        chosen, span_s = self.document.chosen.values(), None
         if self.play_bar.loop.isChecked():
             span_s = self.view.begin_s, self.view.end_s
-            if effect is not None:
-                end_s = min(effect.end_s + _AROUND_S, self.view.duration_s)
-                span_s = max(0.0, effect.start_s - _AROUND_S), end_s
+            if chosen:
+                end_s = max(one.end_s for one in chosen) + _AROUND_S
+                begin_s = min(one.start_s for one in chosen) - _AROUND_S
+                span_s = max(0.0, begin_s), min(end_s, self.view.duration_s)
         self.playing.set_loop(span_s)
         self.lanes.show_loop(span_s)
 

@@ -186,7 +186,8 @@ QCheckBox:focus, QRadioButton:focus {{ border-color: {FOCUS}; }}
 QTabWidget::pane {{ border: 1px solid {BORDER}; background: {BACKGROUND}; }}
 QTabBar::tab {{ background: {PANEL}; border: 1px solid {BORDER}; padding: 6px 13px;
   margin-right: 2px; border-top-left-radius: 5px; border-top-right-radius: 5px; }}
-QTabBar::tab:selected {{ background: {HOVER}; }}
+QTabBar::tab:selected {{ background: {HOVER}; border-bottom: 3px solid {ACCENT};
+  padding: 6px 13px 4px 13px; }}
 QTabBar::tab:focus {{ border: 2px solid {FOCUS}; padding: 5px 12px; }}
 .QSlider {{ border: 2px solid transparent; border-radius: 5px; }}
 .QSlider::groove:horizontal {{ height: 4px; border-radius: 2px;

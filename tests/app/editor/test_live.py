@@ -112,6 +112,8 @@ def test_a_loop_follows_the_effect_and_goes_there(make_page, folder):
     assert page.lanes.cursor_s == pytest.approx(0.2)
     page.panel.fields["end_s"].box.setValue(1.0)
     assert player.snapshot().loop_s == pytest.approx((0.2, 1.3))
+    page.editing.select_all()  # from 0.2 to 1.0 s
+    assert player.snapshot().loop_s == pytest.approx((0.0, 1.3))
     page.play_bar.loop.click()
     assert player.snapshot().loop_s is None
 
