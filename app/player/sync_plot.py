@@ -13,6 +13,7 @@ from app.bridge.pump import Cadence
 from app.widgets import theme
 from app.widgets.layout import is_seen
 from app.widgets.texts import local, titled
+from hapticplayer.model import SyncStats
 from hapticplayer.playback.meters import EARLY_MS, LATE_MS
 from hapticplayer.playback.snapshot import SyncTraces
 
@@ -60,6 +61,7 @@ class SyncPlot(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setFont(theme.scaled(self.font(), 0.85))
         self.video = self.sound = Trace(np.empty(0), np.empty(0))
+        self._figures: tuple[SyncStats | None, SyncStats | None] = (None, None)
         self._cadence = Cadence(REFRESH_HZ)
         self.hide()
 
@@ -75,6 +77,7 @@ class SyncPlot(QWidget):
             traces = sync_traces()
             self.video = trace_of(traces.video, now_s)
             self.sound = trace_of(traces.audio, now_s)
+            self._figures = (traces.force_minus_video, traces.force_minus_audio)
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -89,15 +92,16 @@ class SyncPlot(QWidget):
                 self._draw_points(painter, area, trace, QColor(colour))
             self._draw_legend(painter, area)
 
-    def _traces(self) -> list[tuple[str, Trace]]:
+    def _legend(self) -> list[str]:
+        names = (self.tr("Force \u2212 video"), self.tr("Force \u2212 sound"))
         return [
-            (self.tr("Force \u2212 video"), self.video),
-            (self.tr("Force \u2212 sound"), self.sound),
+            titled(name, _figures_text(one))
+            for name, one in zip(names, self._figures, strict=True)
         ]
 
     def spoken(self) -> str:
         """The figures of the legend."""
-        return ", ".join(titled(name, _figures(one)) for name, one in self._traces())
+        return ", ".join(self._legend())
 
     def plot_area(self) -> QRectF:
         """Return where the points go: beside the numbers, under the legend."""
@@ -142,23 +146,21 @@ class SyncPlot(QWidget):
     def _draw_legend(self, painter: QPainter, area: QRectF) -> None:
         metrics, x = self.fontMetrics(), area.left()
         line_px = _EDGE_PX + metrics.ascent()
-        for (name, trace), colour in zip(self._traces(), _colours(), strict=True):
+        for text, colour in zip(self._legend(), _colours(), strict=True):
             middle = QPointF(x + 4, line_px - metrics.xHeight() / 2)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(QColor(colour))
             painter.drawEllipse(middle, 4, 4)
-            text = titled(name, _figures(trace))
             painter.setPen(QColor(theme.TEXT))
             painter.drawText(QPointF(x + _GAP_PX, line_px), text)
             x += 2 * _GAP_PX + metrics.horizontalAdvance(text)
 
 
-def _figures(trace: Trace) -> str:
-    """Return median and the 95 % of what is shown."""
-    if not len(trace.later_ms):
+def _figures_text(stats: SyncStats | None) -> str:
+    """Median and 95th percentile, as the health line has them."""
+    if stats is None:
         return "\u2013"
-    p50, p95 = np.percentile(trace.later_ms, [50.0, 95.0])
-    return local(f"p50 {p50:+.1f}, p95 {p95:+.1f} ms")
+    return local(f"p50 {stats.p50_ms:+.1f}, p95 {stats.p95_ms:+.1f} ms")
 
 
 def _colours() -> tuple[str, str]:

@@ -403,7 +403,8 @@ class Output:
         )
 
     def traces(self) -> SyncTraces:
-        return SyncTraces(self.video.trace(), self.audio.trace())
+        traces = self.video.trace(), self.audio.trace()
+        return SyncTraces(*traces, self.video.recent(), self.audio.recent())
 
     def summary(self) -> dict[str, Any]:
         """The figures of the loop, for the end of a log."""

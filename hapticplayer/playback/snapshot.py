@@ -143,7 +143,12 @@ TicksSince = Callable[[float], NDArray[Any]]
 
 
 class SyncTraces(NamedTuple):
-    """Rows of (monotonic s, ms by which the force came later), oldest first, (n, 2)."""
+    """Rows of (monotonic s, ms by which the force came later), oldest first, (n, 2).
+
+    The figures are those of `Measurements`.
+    """
 
     video: NDArray[np.float64]
     audio: NDArray[np.float64]
+    force_minus_video: SyncStats | None
+    force_minus_audio: SyncStats | None

@@ -29,7 +29,8 @@ def measured(late_ms, count=200, rate_hz=30.0):
 
 
 def traces_of(video, audio):
-    return lambda: SyncTraces(video.trace(), audio.trace())
+    figures = video.recent(), audio.recent()
+    return lambda: SyncTraces(video.trace(), audio.trace(), *figures)
 
 
 @pytest.fixture
