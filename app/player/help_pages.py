@@ -52,7 +52,7 @@ class CheckPage(QDialog):
         row = row_of(STRETCH, self.copy, close)
         fill_page(self, head, (self.text, 1), row)
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
-        self._look = Checks(self, self.text.setPlainText, translated)
+        self.checks = Checks(self, self.text.setPlainText, translated)
 
 
 class Checks:
@@ -65,17 +65,17 @@ class Checks:
         say: Callable[[str], str] = str,
     ) -> None:
         self._take = take
-        self._job = Job("check", lambda _progress: check_text(say))
+        self.job = Job("check", lambda _progress: check_text(say))
         self._timer = QTimer(parent)
         self._timer.setInterval(POLL_MS)
         self._timer.timeout.connect(self._poll)
-        self._job.start()
+        self.job.start()
         self._timer.start()
 
     def _poll(self) -> None:
-        if self._job.is_done:
+        if self.job.is_done:
             self._timer.stop()
-            self._take(self._job.result or str(self._job.problem))
+            self._take(self.job.result or str(self.job.problem))
 
 
 class ReportPage(QDialog):
@@ -117,7 +117,7 @@ class ReportPage(QDialog):
         row = row_of(STRETCH, close, self.save_button)
         fill_page(self, head, notes, (self.text, 1), self.status, row)
         resize_within_screen(self, WIDTH_PX, HEIGHT_PX)
-        self._look = Checks(self, self._take)
+        self.checks = Checks(self, self._take)
 
     def _take(self, checks: str) -> None:
         self._parts = self._collect(checks)

@@ -24,6 +24,7 @@ from app.widgets.layout import (
     resize_within_screen,
     row_of,
 )
+from app.widgets.texts import titled
 
 WIDTH_PX, HEIGHT_PX = 560, 420
 _PLACE_PX = 220
@@ -80,8 +81,12 @@ class PreferencesPage(QDialog):
             (self.tr("&Fullscreen on"), self.screen_choice),
         ):
             form.addRow(text, field)
-        form.addRow(self.tr("Library"), self.library)
-        form.addRow(self.tr("Saved frames"), self.frames)
+        for text, place in (
+            (self.tr("Library"), self.library),
+            (self.tr("Saved frames"), self.frames),
+        ):
+            form.addRow(text, place)
+            place.button.setAccessibleName(titled(text, place.button.text()))
         form.addRow("", self.resumes)
         more = [
             ("shortcuts", text_button(self.tr("&Keys\u2026"), "")),

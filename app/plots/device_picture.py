@@ -141,6 +141,9 @@ def _enlargement() -> str:
     return text.format(factor=ENLARGED)
 
 
+_AT_THE_TOP = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
+
+
 class _Drawn(QWidget):
     """What is painted here from shares of the largest force."""
 
@@ -152,6 +155,12 @@ class _Drawn(QWidget):
 
     def sizeHint(self) -> QSize:
         return WANTED_PX
+
+    def paint_name(self, painter: QPainter) -> None:
+        """Write what is shown over the picture."""
+        painter.setPen(QColor(theme.DIM))
+        place = self.rect().adjusted(8, 6, -8, -6)
+        painter.drawText(place, _AT_THE_TOP, self.accessibleName())
 
     def share_of(self, force_n: float) -> float:
         """Return a force as a share of the largest one, in steps that are seen."""
@@ -183,9 +192,10 @@ class WheelPicture(_Drawn):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = floor_painter(self)
+        self.paint_name(painter)
         wide, high = float(self.width()), float(self.height())
-        bar_px, radius = 0.07 * high, 0.33 * min(0.9 * wide, high)
-        self._paint_wheel(painter, QPointF(0.5 * wide, 0.42 * high), radius)
+        bar_px, radius = 0.07 * high, 0.29 * min(0.9 * wide, high)
+        self._paint_wheel(painter, QPointF(0.5 * wide, 0.47 * high), radius)
         groove = QRectF(0.15 * wide, 0.88 * high - bar_px, 0.7 * wide, bar_px)
         _paint_groove(painter, groove)
         middle = groove.center().x()
@@ -236,13 +246,15 @@ class BarsPicture(_Drawn):
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = floor_painter(self)
+        self.paint_name(painter)
         wide, high = float(self.width()), float(self.height())
         words = self.fontMetrics().height() + 8.0
         each = 0.8 * wide / max(3, len(self.bars))
         left = 0.5 * (wide - each * len(self.bars))
         for place, bar in enumerate(self.bars):
             at = left + each * place
-            groove = QRectF(at + 0.2 * each, 12.0, 0.6 * each, high - words - 16.0)
+            long = high - 2.0 * words - 16.0
+            groove = QRectF(at + 0.2 * each, words + 12.0, 0.6 * each, long)
             _paint_groove(painter, groove)
             top = groove.bottom() - bar.share * groove.height()
             filled = QRectF(groove.left(), top, groove.width(), groove.bottom() - top)

@@ -30,6 +30,7 @@ def plain_table(
     table.verticalHeader().hide()
     table.setTabKeyNavigation(False)  # Tab moves on to the buttons
     table.setShowGrid(has_grid)
+    table.setWordWrap(False)  # rows have one line: the rest of a text would be lost
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     mode = QAbstractItemView.SelectionMode
     table.setSelectionMode(mode.SingleSelection if is_chosen_from else mode.NoSelection)

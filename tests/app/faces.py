@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
+import help_faces
 import numpy as np
 from PySide6.QtCore import QEventLoop, QPoint, QRect, Qt
 from PySide6.QtGui import QAccessible, QImage, QTextDocument
@@ -61,6 +62,7 @@ from app.player.setup_page import SetupPage
 from app.player.window import PlayerWindow
 from app.plots.grip_view import GripView
 from app.plots.playhead_plot import PlayheadPlot
+from app.widgets.job_dialog import JobDialog
 from hapticplayer.devices.falcon.firmware import find_image
 from hapticplayer.devices.falcon.reach import Reach
 from hapticplayer.devices.falcon.transport import FalconForbiddenError, Transport
@@ -90,17 +92,7 @@ CONTROLS = (
     Lanes,
     PlayheadPlot,
 )
-WORKING = (
-    EditorPage,
-    ImportWizard,
-    LibraryPage,
-    QueuePage,
-    ReadingPage,
-    RenderingPage,
-    SetupPage,
-    StudyEditor,
-    StudyResults,
-)
+WORKING = (EditorPage, JobDialog, SetupPage, StudyEditor)
 EVERY_PLACE = 80  # more stops of the Tab key than any page has
 SEEN = 40  # of 255: a change of colour that is no rounding
 MARGIN_PX = 4
@@ -165,7 +157,9 @@ def dialogs(window: PlayerWindow, folder) -> dict[str, Callable[[], QWidget]]:
             "Rides", lambda _progress: [], print, window.clock
         ),
         "session": lambda: _operator(window.surface),
-    } | _dialogs_of_extras(window)
+        **help_faces.dialogs(window, folder),
+        **_dialogs_of_extras(window),
+    }
 
 
 def _dialogs_of_extras(window: PlayerWindow) -> dict[str, Callable[[], QWidget]]:
@@ -326,6 +320,8 @@ def reached_by_tab(face: QWidget) -> list[QWidget]:
         at = face.focusWidget() or face
         QTest.keyClick(at, Qt.Key.Key_Tab)
         now = face.focusWidget()
+        if now is not None and stops and now is stops[-1]:
+            continue  # to the next link of a text
         if now is None or now in stops:
             break
         stops.append(now)

@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QComboBox,
     QPushButton,
+    QRadioButton,
     QTableWidget,
     QVBoxLayout,
     QWidget,
@@ -60,7 +61,10 @@ def check_keyboard(face, qtbot) -> None:
 
 def _is_in_group(widget, reached) -> bool:
     group = getattr(widget, "group", lambda: None)()
-    return group is not None and any(b in reached for b in group.buttons())
+    others = list(group.buttons()) if group is not None else []
+    if isinstance(widget, QRadioButton):  # those of one parent are exclusive, too
+        others += widget.parent().findChildren(QRadioButton)
+    return any(one in reached for one in others)
 
 
 @pytest.mark.parametrize("look", list(theme.THEMES))

@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtWidgets import QLabel, QListWidget, QTableWidget, QWidget
 
 from app.bridge.languages import translated
+from app.experimenter.import_columns import ColumnMap
 from app.experimenter.library_page import LibraryPage
 from app.player.health import sync
 from app.plots.playhead_plot import PlayheadPlot, clock_text
@@ -44,7 +45,10 @@ NO_NUMBER = re.compile(r"\d+\.\d+\.\d+|\S*/\S*\d\.\d\S*|\w=[\d.]+|0 1; 0\.5 2")
 
 def shown(face):
     """Yield all texts of a page."""
-    for widget in face.findChildren(QWidget):
+    rows_of_files = {
+        w for one in face.findChildren(ColumnMap) for w in one.findChildren(QWidget)
+    }
+    for widget in set(face.findChildren(QWidget)) - rows_of_files:
         yield hearing.heard(widget)[1]
         yield hearing.description(widget)
         yield hearing.value(widget)

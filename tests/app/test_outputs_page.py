@@ -171,7 +171,7 @@ def test_escape_stops_a_test_and_everything_else(window, page, wait_for):
 
 @needs("rigs")
 def test_names_and_states_are_words():
-    assert output_text("rig:beamng,gain=0.5") == "Motion rig: BeamNG.drive, gain=0.5"
+    assert output_text("rig:beamng,gain=0.5") == "Motion rig: BeamNG, gain=0.5"
     assert output_text("simulated") == "Simulated"
     assumed = LatencySource.ASSUMED
     values = ("", "realistic", False, 1.0, 0.0, assumed, Mode.FOLLOWING, Cause.NONE, 1)

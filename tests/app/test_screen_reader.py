@@ -1,7 +1,14 @@
 """What a screen reader hears of each page, and the order in which Tab reads it."""
 
+import importlib
+import pkgutil
+
 import faces
 import hearing
+from PySide6.QtWidgets import QDialog
+
+import app
+from app.widgets.job_dialog import JobDialog
 
 
 def test_each_control_has_a_name_of_its_own_in_reading_order(
@@ -29,3 +36,25 @@ def test_each_control_has_a_name_of_its_own_in_reading_order(
         look(name, face)
         faces.close(face)
     assert wrong == {}
+
+
+def pages(base: type) -> set[type]:
+    """All kinds of a page that the window has."""
+    found = {one for one in base.__subclasses__() if one.__module__.startswith("app.")}
+    return found | {one for each in found for one in pages(each)}
+
+
+def test_the_pages_that_are_looked_at_are_all_of_the_window(
+    dressed, make_window, source, tmp_path
+):
+    dressed(language="en")
+    for module in pkgutil.walk_packages(app.__path__, "app."):
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
+    window, seen = make_window(), set()
+    window.session.show_source(source)
+    for make in faces.dialogs(window, tmp_path).values():
+        face = make()
+        seen.add(type(face))
+        faces.close(face)
+    assert pages(QDialog) - {JobDialog} <= seen

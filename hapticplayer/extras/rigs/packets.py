@@ -208,14 +208,14 @@ _CODEMASTERS_SIGNS = _signs(
 FORMATS: dict[str, RigFormat] = {
     one.name: one
     for one in (
-        RigFormat("outsim", "OutSim (Live for Speed)", 4123, outsim, _OUTSIM_SIGNS),
+        RigFormat("outsim", "OutSim", 4123, outsim, _OUTSIM_SIGNS),
         RigFormat(
             "codemasters",
-            "Codemasters (DiRT, F1)",
+            "Codemasters",
             20777,
             codemasters,
             _CODEMASTERS_SIGNS,
         ),
-        RigFormat("beamng", "BeamNG.drive", 4444, beamng, _BEAMNG_SIGNS),
+        RigFormat("beamng", "BeamNG", 4444, beamng, _BEAMNG_SIGNS),
     )
 }
