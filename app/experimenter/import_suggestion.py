@@ -14,7 +14,7 @@ from hapticplayer.sequence.synchronizing import is_exact
 
 
 class SuggestionBox(QFrame):
-    """Offers to estimate motion from the picture, and says what to expect."""
+    """Offers to estimate motion from the frames, and says what to expect."""
 
     changed = Signal()
 
@@ -28,7 +28,7 @@ class SuggestionBox(QFrame):
         )
         self.reason, self.expect = paragraph(), paragraph("", theme.DIM)
         self.reason.setTextFormat(Qt.TextFormat.PlainText)
-        self.choice = QCheckBox(self.tr("S&uggest motion from the picture (estimate)"))
+        self.choice = QCheckBox(self.tr("S&uggest motion from the frames (estimate)"))
         self.choice.toggled.connect(self.changed)
         self.expect.setText(
             self.tr(
