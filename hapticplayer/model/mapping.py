@@ -35,6 +35,10 @@ class Feedback(enum.StrEnum):
     RANDOM = "random"
 
 
+_MAX_GAIN_N_PER_MPS2 = 1e6
+"""Beyond any: every motion would be felt at the limit."""
+
+
 def rendered_feedback(names: Container[str]) -> Feedback:
     """Return which feedback of a sequence is rendered from its motion.
 
@@ -104,6 +108,10 @@ class Mapping:
                     name=name,
                     value=value,
                 )
+        if not self.gains_n_per_mps2.max() <= _MAX_GAIN_N_PER_MPS2:
+            raise InputError(
+                "gain_n_per_mps2 must be at most {most:g}", most=_MAX_GAIN_N_PER_MPS2
+            )
         if self.soft_knee_n is not None and self.soft_knee_n >= self.force_limit_n:
             raise InputError(
                 "soft_knee_n must be below force_limit_n, got {knee_n} and {limit_n}",

@@ -28,6 +28,10 @@ def time_unit_remedy(fits: Callable[[float], bool]) -> Message | None:
     return next((remedy for per_s, remedy in _UNIT_REMEDIES if fits(per_s)), None)
 
 
+_MAX_OFFSET_S, _MAX_RATE = 1e12, 1e6
+"""Beyond any clock, and any time lapse."""
+
+
 @dataclass(frozen=True, slots=True)
 class ClockMap:
     """t_media = rate * t_imu + offset.
@@ -45,8 +49,8 @@ class ClockMap:
     confidence: float = 1.0
 
     def __post_init__(self) -> None:
-        finite = math.isfinite(self.offset_s) and math.isfinite(self.rate)
-        if not finite or self.rate <= 0.0:
+        is_far = not abs(self.offset_s) <= _MAX_OFFSET_S
+        if is_far or not 0.0 < self.rate <= _MAX_RATE:
             raise InputError(
                 "offset {offset_s} s with rate {rate} is not a valid clock map; give finite "
                 "numbers and a positive rate",

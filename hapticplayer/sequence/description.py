@@ -9,6 +9,7 @@ from hapticplayer import __version__
 from hapticplayer.clock import utc_now_iso
 from hapticplayer.errors import Message, SequenceError
 from hapticplayer.model import ClockMap
+from hapticplayer.model.limits import MAX_FORCE_N
 from hapticplayer.model.mapping import AxisGains
 from hapticplayer.model.ranges import MEDIA_TIME_S
 from hapticplayer.structures import check_schema, convert
@@ -22,6 +23,8 @@ _OTHER = (
 
 _Count = Annotated[int, Meta(ge=0)]
 _Amount = Annotated[float, Meta(ge=0.0, le=1e9)]
+_Force = Annotated[float, Meta(le=MAX_FORCE_N)]
+_Reach = Annotated[float, Meta(ge=-1e3, le=1e3)]
 _Time = Annotated[float, Meta(ge=MEDIA_TIME_S.least, le=MEDIA_TIME_S.largest)]
 
 
@@ -48,9 +51,9 @@ class MappingEntry(Struct, frozen=True):
 
     axes: list[list[float]]
     gain_n_per_mps2: float | AxisGains
-    force_limit_n: float
-    soft_knee_n: float | None
-    lever_arm_m: tuple[float, float, float]
+    force_limit_n: _Force
+    soft_knee_n: _Force | None
+    lever_arm_m: tuple[_Reach, _Reach, _Reach]
 
 
 class HandEntry(Struct, frozen=True):

@@ -391,7 +391,15 @@ def _read_tracks(
         )
         refuse_large_force(track.force_n, entry.file)
         refuse_far_times(track.time_s, entry.file)
-    realistic = tracks[rendered_feedback(tracks)]
+    rendered = rendered_feedback(tracks)
+    if rendered not in tracks:
+        raise SequenceError(
+            "holds no track {name!r}",
+            where=small.where,
+            remedy=IMPORT_AGAIN,
+            name=str(rendered),
+        )
+    realistic = tracks[rendered]
     for condition in FEEDBACKS:
         if condition.is_made_at_opening:
             tracks[condition.name] = condition.track(ConditionInputs(realistic), {})

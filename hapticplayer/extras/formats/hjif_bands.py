@@ -61,6 +61,10 @@ class Bands:
         shapes = []
         for effect in band.effects:
             known = self._known(effect, library)
+            is_empty = known and not known.keyframes
+            if is_empty and band.band_type != "WaveletWave":
+                self.unread["effect without keyframes"] += 1
+                known = None
             if known is not None:
                 shapes.append(make(known, band))
         return signals.joined(shapes)

@@ -95,7 +95,16 @@ class _EffectReader:
     def _force_n(self, effect: SemEffect) -> Floats:
         """Return samples (n, 3) evenly over an effect; none where it is unknown."""
         if effect.kind == "PassiveKinestheticForce":
-            return self._matrix(effect.element)
+            rows = self._matrix(effect.element)
+            if effect.attributes.values.get("timeSamples", "").strip() not in (
+                *("", str(len(rows))),
+                *("1" * (len(rows) == 2)),
+            ):
+                said = Message(
+                    "timeSamples was not used where it is not that of the rows"
+                )
+                self._notes[said] = None
+            return rows
         if effect.kind == "ActiveKinesthetic":
             return self._constant(effect.element)
         if effect.kind == "RigidBodyMotion":

@@ -365,7 +365,7 @@ class EffectTimes:
 
 def number_in(text: str) -> float:
     """The number of an attribute; raises ValueError."""
-    if "_" in text:  # Python's own digits
+    if "_" in text or not text.isascii():  # Python's own digits
         raise ValueError(text)
     return float(text)
 

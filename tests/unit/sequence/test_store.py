@@ -245,6 +245,22 @@ def change_array(folder, name, field, change):
     edit(folder, lambda content: content["files"].update({path.name: entry}))
 
 
+@pytest.mark.parametrize(
+    ("entry", "change"),
+    [
+        ("clock_map", {"offset_s": 1e300}),
+        ("clock_map", {"rate": 1e300}),
+        ("mapping", {"gain_n_per_mps2": [1e300] * 3}),
+        ("mapping", {"force_limit_n": 1e30}),
+        ("mapping", {"lever_arm_m": [1e300, 0.0, 0.0]}),
+    ],
+)
+def test_described_numbers_beyond_reason_are_refused(sequence_folder, entry, change):
+    edit(sequence_folder, lambda content: content[entry].update(change))
+    with pytest.raises(SequenceError, match=r"must be at most|not a valid clock map"):
+        open_sequence(sequence_folder)
+
+
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize(
     ("name", "field", "value", "said"),

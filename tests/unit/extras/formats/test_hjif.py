@@ -394,3 +394,12 @@ def test_an_entry_that_is_not_read_is_listed(read):
 
 
 LINEAR = {"curve_type": "Linear"}
+
+
+@pytest.mark.parametrize("more", [{}, {"keyframes": None}, {"keyframes": []}])
+def test_an_effect_without_keyframes_is_listed(read, more):
+    empty = {"effect_type": "Basis", "position": 50, **more}
+    found = read(content(band(effects=[effect((0, 1.0), (9, 1.0)), empty]), **UP))
+    assert [str(note) for note in found.unread] == [
+        "not read: effect without keyframes (1)"
+    ]

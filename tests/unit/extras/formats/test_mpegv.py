@@ -517,3 +517,21 @@ def test_an_attribute_that_is_not_read_is_listed(read):
         "not read: speed of MoveToward (1)",
         "not read: puMode of SEM (1)",
     }
+
+
+@pytest.mark.parametrize("given", ["٣", "1_0", "x", "1e400"])
+def test_a_number_in_other_digits_is_refused(read, given):
+    with pytest.raises(InputError, match=r"must be a number|out of range"):
+        read(SEM.format(shake(f'fade="{given}"')), ".sem")
+
+
+@pytest.mark.parametrize(("count", "is_said"), [("3", False), ("7", True), ("x", True)])
+def test_a_number_of_samples_that_is_not_the_rows_is_said(read, count, is_said):
+    force = (
+        '<Effect xsi:type="sev:PassiveKinestheticForceType" si:pts="0" duration="100" '
+        f'timeSamples="{count}"><sev:PassiveKinestheticForce mpeg7:dim="3 3">'
+        "0 2 0 0 4 0 0 0 0</sev:PassiveKinestheticForce></Effect>"
+    )
+    found = read(SEM.format(force), ".sem")
+    np.testing.assert_allclose(at(found.track, 0.025)[:, 1], [3])
+    assert any("timeSamples" in note for note in found.assumed) == is_said
