@@ -118,7 +118,8 @@ def check_rate_unit(
     RotationWindows in which the units rotate the specific force differently are compared by
     a likelihood ratio: the unit whose rotation leaves the smaller velocity is more
     likely. Swinging keeps the specific force along one axis of the sensor, as if it
-    did not rotate, so that a small ratio gives a note only. The windows of one
+    did not rotate, so that a small ratio against a rate says nothing; one against a rate
+    that may be too low gives a note. The windows of one
     recording share its kind of motion and count as one. The cost does not grow with
     the length.
 
@@ -143,10 +144,11 @@ def check_rate_unit(
     windows = RotationWindows(time_s, specific_force_mps2, angular_rate_radps)
     evidence = windows.evidence(factor * np.eye(3), LEAST_DIFFERENCE_RAD)
     log_odds = LABEL_LOG_ODDS + evidence + log_prior(rms) - log_prior(factor * rms)
-    if log_odds > 0.0:
+    is_slight = log_odds > REFUSED_LOG_ODDS or evidence > -MIN_EVIDENCE
+    is_swing = is_degrees and is_slight and log_odds > evidence
+    if log_odds > 0.0 or is_swing:
         return None
     may_rest = is_degrees and factor * rms < REST_RMS_RADPS
-    is_slight = log_odds > REFUSED_LOG_ODDS or evidence > -MIN_EVIDENCE
     are_signs_wrong = of_signs(windows) < log_odds - SURELY_AXES
     if is_slight or may_rest or is_known or are_signs_wrong:
         return Message(

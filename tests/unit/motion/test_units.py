@@ -134,7 +134,7 @@ def swinging_arm(seed, tilted=False):
 @pytest.mark.parametrize("seed", range(30))
 def test_swinging_arms_pass_in_rad_and_not_in_degrees(seed, tilted):
     t, force, rate = swinging_arm(seed, tilted)
-    check_rate_unit(t, force, rate)  # may be a doubt, never an error
+    assert check_rate_unit(t, force, rate) is None
     with pytest.raises(InputError, match="deg/s"):
         check_rate_unit(t, force, DEGREES * rate)
 
@@ -171,7 +171,7 @@ def test_real_recordings_pass_and_are_refused_in_degrees_or_g(shared_data):
             force, rate = data["acc"].astype(float), data["gyr"].astype(float)
             time_s = np.arange(len(force)) / float(data["rate"])
         check_force_unit(time_s, force, path.stem)
-        check_rate_unit(time_s, force, rate, path.stem)
+        assert check_rate_unit(time_s, force, rate, path.stem) is None
         with pytest.raises(InputError, match="deg/s"):
             check_rate_unit(time_s, force, DEGREES * rate, path.stem)
         with pytest.raises(InputError, match="in g"):
@@ -188,6 +188,6 @@ def test_no_real_clip_in_the_right_unit_is_refused(shared_data):
         for begin in range(0, len(force) - count, count // 2):
             cut = slice(begin, begin + count)
             given = np.arange(count) / hz, force[cut]
-            check_rate_unit(*given, rate[cut])
+            assert check_rate_unit(*given, rate[cut]) is None
             with pytest.raises(InputError, match="deg/s"):
                 check_rate_unit(*given, DEGREES * rate[cut])
