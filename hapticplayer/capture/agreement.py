@@ -6,7 +6,8 @@ other axes or signs, one of the two is mirrored, turned, or not what it is taken
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -35,7 +36,11 @@ from hapticplayer.model import ImuLog
 from hapticplayer.model.arrays import Floats
 from hapticplayer.model.limits import COARSE_REST_MPS2, REST_MPS2
 
+if TYPE_CHECKING:
+    from hapticplayer.motion.repair.rotation import Doubt
+
 _WINDOW_ROWS, _CALM_PERCENT = 32, 20.0
+_MOST_ANSWERS, _GAP_OF_A_MISTAKE = 3, 2.0
 _KEYS = "accel_axes", "rate_axes"
 
 
@@ -81,14 +86,13 @@ def ask_about_agreement(
 
     doubt = doubt_about(imu)
     if dead := dead_axes(imu, doubt):
-        what = _unseen(dead, axes)
-        answers = [_KEPT, Message("record it again")]
-    elif doubt is None:
-        return ()
-    elif doubt.scale is not None:
-        if is_factor(choices.rate_unit, RATE_UNITS):
+        what, answers = _dead(dead, axes)
+    elif doubt is None or doubt.scale is not None:
+        scale = doubt.scale if doubt else None
+        found = _scaled(scale, rate_unit) if scale else _not_shown(imu)
+        if found is None or is_factor(choices.rate_unit, RATE_UNITS):
             return ()
-        what, answers = _scaled(doubt.scale, rate_unit)
+        what, answers = found
         if is_of_camera:
             return (what,)
     elif doubt.delay_s:
@@ -96,24 +100,39 @@ def ask_about_agreement(
         if choices.rate_delay:
             return (Message("{what}, with the delay that was given", what=what),)
     else:
-        assert doubt.change is not None
-        what, answers = _turned(doubt.change, imu, axes)
+        what, answers = _turned(doubt, imu, axes)
     if choices.accel_axes or choices.rate_axes:
         return (Message("{what}, with the axes that were given", what=what),)
     raise LogQuestion(what, answers, where)
 
 
 _KEPT = Message("rate-axes={axes} to keep both as they are", axes=AS_RECORDED)
+_AGAIN = Message("record it again")
 
 
-def _unseen(dead: Sequence[int], axes: str) -> Message:
+def _dead(dead: Sequence[int], axes: str) -> tuple[Message, list[Message]]:
     stored = axes_matrix(axes).T
     names = [AXES[int(np.argmax(np.abs(stored[:, axis])))] for axis in dead]
-    return Message(
+    what = Message(
         "its gyroscope reads exactly 0 about {axes} throughout, but gravity turns in its "
         "accelerometer as it does not show",
         axes=", ".join(sorted(names)),
     )
+    return what, [_KEPT, _AGAIN]
+
+
+def _not_shown(imu: ImuLog) -> tuple[Message, list[Message]] | None:
+    from hapticplayer.motion.repair.rotation import unseen_turn_rad
+
+    turn_rad = unseen_turn_rad(imu)
+    if not turn_rad:
+        return None
+    what = Message(
+        "gravity turns by {turn_deg:.0f} degrees within 8 s in its accelerometer as its "
+        "gyroscope does not show: an axis is dead, or the range of one or all another",
+        turn_deg=math.degrees(turn_rad),
+    )
+    return what, [_KEPT, _AGAIN]
 
 
 def _scaled(scale: float, rate_unit: str) -> tuple[Message, list[Message]]:
@@ -143,32 +162,60 @@ def _delayed(delay_s: float) -> tuple[Message, list[Message]]:
     ]
 
 
-def _turned(change: Floats, imu: ImuLog, axes: str) -> tuple[Message, list[Message]]:
+def _turned(doubt: "Doubt", imu: ImuLog, axes: str) -> tuple[Message, list[Message]]:
     what = Message(
         "the rotation of its gyroscope does not match that of gravity in its "
         "accelerometer: their axes or signs differ"
     )
+    assert doubt.change is not None
+    fits = [
+        fit
+        for gap, change in [(0.0, doubt.change), *doubt.gaps]
+        for fit in _fits(change, gap, imu)
+    ]
+    fits.sort(key=lambda fit: fit.unlikely)
+    # where gravity alone does not decide, no rotation is named without a mirror image
+    named = fits[:_MOST_ANSWERS]
+    kinds = {fit.is_mirrored for fit in named}
+    named += [fit for fit in fits if fit.is_mirrored not in kinds][:1]
     stored = axes_matrix(axes)
-    fits = [(stored.T @ change @ stored, Message("gyroscope"), "rate-axes")]
-    if np.linalg.det(change) > 0.0:
-        up = mean_up(imu)
-        force = change.T
-        # the sign does not matter to the gyro; up is up
-        if up is not None and (force @ up)[2] < 0.0:
-            force = -force
-        fits.append((stored.T @ force @ stored, Message("accelerometer"), "accel-axes"))
-        fits.sort(key=lambda fit: edits(fit[0]))
     answers = [
         Message(
             "{key}={axes} if the {sensor} is {how}",
-            key=key,
-            axes=axes_text(axis),
-            sensor=sensor,
-            how=how_changed(axis),
+            key=fit.key,
+            axes=axes_text(stored.T @ fit.change @ stored),
+            sensor=fit.sensor,
+            how=how_changed(fit.change),
         )
-        for axis, sensor, key in fits
+        for fit in named
     ]
     return what, [*answers, _KEPT]
+
+
+class _Fit(NamedTuple):
+    """What would make both sensors agree: axes (3, 3) of one of them."""
+
+    unlikely: float
+    change: Floats
+    sensor: Message
+    key: str
+
+    @property
+    def is_mirrored(self) -> bool:
+        return bool(np.linalg.det(self.change) < 0.0)
+
+
+def _fits(change: Floats, gap: float, imu: ImuLog) -> Iterator[_Fit]:
+    """The axes of either sensor; the fewer mistakes lead to them, the likelier."""
+    far = _GAP_OF_A_MISTAKE * gap
+    yield _Fit(edits(change) + far, change, Message("gyroscope"), "rate-axes")
+    if np.linalg.det(change) < 0.0:
+        return
+    up, force = mean_up(imu), change.T
+    # the sign does not matter to the gyro; up is up
+    if up is not None and (force @ up)[2] < 0.0:
+        force = -force
+    yield _Fit(edits(force) + far, force, Message("accelerometer"), "accel-axes")
 
 
 def edits(change: Floats) -> int:

@@ -12,6 +12,7 @@ from hapticplayer.capture import read_recording
 from hapticplayer.capture.agreement import ask_about_agreement
 from hapticplayer.capture.choices import LogQuestion, parse_choices
 from hapticplayer.errors import InputError, UsageError
+from hapticplayer.model import ImuLog
 from tests.faults.import_formats import FORMATS, put
 from tests.faults.import_signal import Sampled, sample
 from tests.needed_extras import needs
@@ -157,6 +158,37 @@ def test_a_gyro_of_another_scale_is_asked_about(tmp_path, key, scale):
     kept = re.match(r"\S+", str(asked.value.answers[1]))[0]
     assert kept == "rate-unit=1"
     read_recording(path, parse_choices([kept]))
+
+
+@pytest.mark.parametrize("key", ["own CSV", "EuRoC"])
+def test_an_axis_of_half_the_range_is_asked_about(tmp_path, key):
+    half = np.array([0.45, 1.0, 1.0])
+    made = replace(tumbling(amount=1.2), rate=tumbling(amount=1.2).rate * half)
+    path = put(FORMATS[key].write(made), tmp_path / "wrong")
+    with pytest.raises(LogQuestion, match="as its gyroscope does not show") as asked:
+        read_recording(path)
+    kept = read_recording(path, parse_choices([first_answer(asked)]))
+    assert any("as its gyroscope does not show" in note for note in kept.notes)
+
+
+def pendulum(change):
+    """What turns about one axis, x, and its gyro, changed."""
+    time_s = np.arange(0.0, 30.0, 0.01)
+    angle = 0.9 * np.sin(1.1 * time_s)
+    force = 9.80665 * np.stack([0 * angle, np.sin(angle), np.cos(angle)], axis=1)
+    rate = np.stack([np.gradient(angle, time_s), 0 * angle, 0 * angle], axis=1)
+    noise = np.random.default_rng(1).normal(0.0, 0.003, (2, len(time_s), 3))
+    rate = (rate + noise[1]) @ change.T
+    return ImuLog(time_s, force + noise[0], rate, source="x")
+
+
+def test_mirror_images_that_fit_are_named_beside_rotations():
+    with pytest.raises(LogQuestion) as asked:
+        ask_about_agreement(pendulum(np.diag([-1.0, 1.0, 1.0])), parse_choices([]), "x")
+    answers = [str(one) for one in asked.value.answers]
+    assert any(one.startswith("rate-axes=-x,y,z if") for one in answers[:3])
+    assert {"mirrored", "turned"} <= {one.split()[-1] for one in answers}
+    assert answers[-1].startswith("rate-axes=x,y,z to keep")
 
 
 def test_a_scale_is_told_in_the_unit_that_was_declared(tmp_path):

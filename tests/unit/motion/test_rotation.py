@@ -9,6 +9,7 @@ from hapticplayer.motion.repair.rotation import (
     dead_axes,
     doubt_about,
     turns_gravity,
+    unseen_turn_rad,
 )
 
 PIECE_S, EVERY = 20.0, 7
@@ -43,6 +44,7 @@ def test_right_recordings_are_not_doubted(shared_data, kind):
             log = log_of(*(values[part] for values in given))
             assert doubt_about(log) is None, (path.stem, part)
             assert not dead_axes(log, None)
+            assert not unseen_turn_rad(log), (path.stem, part)
 
 
 @pytest.mark.parametrize("seed", [1, 2])
@@ -58,6 +60,7 @@ def test_vehicles_are_not_doubted(scene, seed):
         )
         doubt = doubt_about(log)
         assert doubt is None or doubt.scale is None
+        assert not unseen_turn_rad(log)
 
 
 @pytest.fixture(scope="module")
@@ -92,6 +95,38 @@ def test_an_axis_that_reads_0_is_told(turning, axes):
     rate = rate.copy()
     rate[:, axes] = 0.0
     assert dead_axes(log_of(time_s, force, rate), None) == axes
+
+
+@pytest.mark.parametrize(
+    ("axis", "left"), [(0, 0.0), (1, 0.0), (2, 0.0), (0, 0.5), (1, 0.5)]
+)
+def test_a_faulty_axis_of_a_real_gyro_is_told(turning, rng, axis, left):
+    """It is dead but for its noise, or has half its range."""
+    time_s, force, rate = turning
+    rate = rate.copy()
+    rate[:, axis] = left * rate[:, axis] + rng.normal(0.0, 0.003, len(rate))
+    assert unseen_turn_rad(log_of(time_s, force, rate)) > np.radians(40.0)
+
+
+def test_a_gap_in_which_it_turns_is_no_fault_of_the_gyro(turning):
+    time_s, force, rate = (values.copy() for values in turning)
+    kept = (time_s - time_s[0]) % 7.0 > 3.0
+    log = log_of(time_s[kept], force[kept], rate[kept])
+    assert not unseen_turn_rad(log)
+
+
+def test_axes_between_which_gravity_cannot_decide_are_all_told(shared_data):
+    """A pendulum turns about one axis."""
+    path = next((shared_data / "orientation" / "native").glob("*Pendulum_Test08*"))
+    time_s, force, rate = (values[:3000] for values in read(path))
+    doubt = doubt_about(log_of(time_s, force, -rate))
+    assert doubt is not None
+    assert doubt.change is not None
+    found = [doubt.change, *(change for _, change in doubt.gaps)]
+    assert any(np.array_equal(change, -np.eye(3)) for change in found)
+    assert {round(np.linalg.det(change)) for change in found} == {-1, 1}
+    gaps = [gap for gap, _ in doubt.gaps]
+    assert gaps == sorted(gaps)
 
 
 def test_turns_about_the_vertical_tell_nothing_of_axes(rng):
