@@ -47,16 +47,19 @@ class Row(NamedTuple):
 def hapticplayer(*arguments: object, limit_s: float = 120.0) -> Ran:
     """A command of the program, as a person runs it without answering questions."""
     command = [sys.executable, "-m", "app", *map(str, arguments)]
-    done = subprocess.run(
-        command,
-        cwd=ROOT,
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        encoding="utf-8",
-        errors="replace",
-        timeout=limit_s,
-        check=False,
-    )
+    try:
+        done = subprocess.run(
+            command,
+            cwd=ROOT,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            timeout=limit_s,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return Ran(124, "", f"not done within {limit_s:.0f} s")
     return Ran(done.returncode, done.stdout, done.stderr)
 
 
