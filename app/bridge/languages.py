@@ -1,6 +1,7 @@
 """The languages of the window, through Qt's translation system."""
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 from string import Formatter
 from typing import Any
@@ -67,21 +68,31 @@ def translated(message: str) -> str:
         name: translated(value) if isinstance(value, Message) else value
         for name, value in message.values.items()
     }
-    return _NUMBERS.vformat(text, (), values) if values else text
+    return _Numbers().vformat(text, (), values) if values else text
 
 
 class _Numbers(Formatter):
-    """Writes numbers with the language's decimal sign; names stay as they are."""
+    """Writes numbers with the language's decimal sign.
+
+    Names stay as they are, and what is typed so in every language: accel-unit=9.5.
+    """
+
+    _is_typed = False
+
+    def parse(
+        self, format_string: str
+    ) -> Iterator[tuple[str, str | None, str | None, str | None]]:
+        for part in super().parse(format_string):
+            if part[1] is not None:  # not for what is within a format
+                self._is_typed = part[0].endswith("=")
+            yield part
 
     def format_field(self, value: Any, format_spec: str) -> str:
         text = str(super().format_field(value, format_spec))
-        if isinstance(value, float):
-            text = text.replace(".", QLocale().decimalPoint())
-            return re.sub(r"^-(?=\d)", "\u2212", text)
-        return text
-
-
-_NUMBERS = _Numbers()
+        if not isinstance(value, float) or self._is_typed:
+            return text
+        text = text.replace(".", QLocale().decimalPoint())
+        return re.sub(r"^-(?=\d)", "\u2212", text)
 
 
 def _looked_up(text: str) -> str:
