@@ -152,8 +152,14 @@ def _laid_out(parent: QWidget | QLayout) -> Iterator[QWidget]:
     elif isinstance(parent, QScrollArea):
         inside = [parent.widget()]
     elif layout := parent if isinstance(parent, QLayout) else parent.layout():
-        items = [layout.itemAt(row) for row in range(layout.count())]
-        inside = [item.widget() or item.layout() for item in items if item]
+        # not by its items: their wrappers outlive them, and the program would crash
+        direct = Qt.FindChildOption.FindDirectChildrenOnly
+        owner = layout.parentWidget()
+        parts: list[QWidget | QLayout] = []
+        parts += owner.findChildren(QWidget, options=direct) if owner else []
+        parts += [one for one in layout.children() if isinstance(one, QLayout)]
+        placed = [(layout.indexOf(one), number) for number, one in enumerate(parts)]
+        inside = [parts[number] for at, number in sorted(placed) if at >= 0]
     for one in inside:
         if isinstance(one, QWidget):
             yield one
