@@ -212,20 +212,104 @@
         <translation>Simulierte &amp;Bewegungsplattform…</translation>
     </message>
     <message>
-        <source>Effect or cursor a frame back</source>
-        <translation>Effekt oder Cursor ein Bild zurück</translation>
+        <source>Effects, point or cursor a frame back</source>
+        <translation>Effekte, Stützpunkt oder Cursor ein Bild zurück</translation>
     </message>
     <message>
-        <source>Effect or cursor a frame forward</source>
-        <translation>Effekt oder Cursor ein Bild vor</translation>
+        <source>Effects, point or cursor a frame forward</source>
+        <translation>Effekte, Stützpunkt oder Cursor ein Bild vor</translation>
     </message>
     <message>
-        <source>Effect ten frames or cursor 1 s back</source>
-        <translation>Effekt zehn Bilder oder Cursor 1 s zurück</translation>
+        <source>Effects or point ten frames, or cursor 1 s back</source>
+        <translation>Effekte oder Stützpunkt zehn Bilder, oder Cursor 1 s zurück</translation>
     </message>
     <message>
-        <source>Effect ten frames or cursor 1 s forward</source>
-        <translation>Effekt zehn Bilder oder Cursor 1 s vor</translation>
+        <source>Effects or point ten frames, or cursor 1 s forward</source>
+        <translation>Effekte oder Stützpunkt zehn Bilder, oder Cursor 1 s vor</translation>
+    </message>
+    <message>
+        <source>Previous marker</source>
+        <translation>Voriger Marker</translation>
+    </message>
+    <message>
+        <source>Next marker</source>
+        <translation>Nächster Marker</translation>
+    </message>
+    <message>
+        <source>Select all effects</source>
+        <translation>Alle Effekte auswählen</translation>
+    </message>
+    <message>
+        <source>Select the next effect as well</source>
+        <translation>Auch den nächsten Effekt auswählen</translation>
+    </message>
+    <message>
+        <source>Select the previous effect as well</source>
+        <translation>Auch den vorigen Effekt auswählen</translation>
+    </message>
+    <message>
+        <source>Next fade or point of the effect</source>
+        <translation>Nächste Blende oder nächster Stützpunkt des Effekts</translation>
+    </message>
+    <message>
+        <source>Previous fade or point of the effect</source>
+        <translation>Vorige Blende oder voriger Stützpunkt des Effekts</translation>
+    </message>
+    <message>
+        <source>Raise the point</source>
+        <translation>Stützpunkt anheben</translation>
+    </message>
+    <message>
+        <source>Lower the point</source>
+        <translation>Stützpunkt absenken</translation>
+    </message>
+    <message>
+        <source>Raise the point by ten steps</source>
+        <translation>Stützpunkt um zehn Schritte anheben</translation>
+    </message>
+    <message>
+        <source>Lower the point by ten steps</source>
+        <translation>Stützpunkt um zehn Schritte absenken</translation>
+    </message>
+    <message>
+        <source>Add a control point at the cursor</source>
+        <translation>Stützpunkt am Cursor hinzufügen</translation>
+    </message>
+    <message>
+        <source>Switch the effects on or off</source>
+        <translation>Effekte ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Delete the effects, or the point</source>
+        <translation>Effekte oder Stützpunkt löschen</translation>
+    </message>
+    <message>
+        <source>Duplicate the effects</source>
+        <translation>Effekte duplizieren</translation>
+    </message>
+    <message>
+        <source>Copy the effects</source>
+        <translation>Effekte kopieren</translation>
+    </message>
+    <message>
+        <source>Paste the effects at the cursor</source>
+        <translation>Effekte am Cursor einfügen</translation>
+    </message>
+    <message>
+        <source>Go back without force; again for faster</source>
+        <translation>Rückwärts ohne Kraft; noch einmal: schneller</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Play; again for faster</source>
+        <translation>Abspielen; noch einmal: schneller</translation>
+    </message>
+    <message>
+        <source>Set a marker at the cursor</source>
+        <translation>Marker am Cursor setzen</translation>
     </message>
     <message>
         <source>End of the effect a frame back</source>
@@ -278,26 +362,6 @@
     <message>
         <source>Offer the effect of the event at the cursor</source>
         <translation>Den Effekt zum Ereignis am Cursor vorschlagen</translation>
-    </message>
-    <message>
-        <source>Switch the effect on or off</source>
-        <translation>Effekt ein- oder ausschalten</translation>
-    </message>
-    <message>
-        <source>Delete the effect</source>
-        <translation>Effekt löschen</translation>
-    </message>
-    <message>
-        <source>Duplicate the effect</source>
-        <translation>Effekt duplizieren</translation>
-    </message>
-    <message>
-        <source>Copy the effect</source>
-        <translation>Effekt kopieren</translation>
-    </message>
-    <message>
-        <source>Paste the effect at the cursor</source>
-        <translation>Effekt am Cursor einfügen</translation>
     </message>
     <message>
         <source>Undo the change of effects</source>
@@ -518,6 +582,13 @@
     <message>
         <source>Frame at the cursor</source>
         <translation>Bild am Cursor</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnMap</name>
+    <message>
+        <source>Column {number}</source>
+        <translation>Spalte {number}</translation>
     </message>
 </context>
 <context>
@@ -742,10 +813,6 @@
         <translation>Gerät freigeben</translation>
     </message>
     <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
         <source>Demonstration finished.</source>
         <translation>Vorführung beendet.</translation>
     </message>
@@ -783,6 +850,14 @@
     <message>
         <source>Platform of the rig</source>
         <translation>Platte der Bewegungsplattform</translation>
+    </message>
+    <message>
+        <source>up {up} mm; roll {roll}, pitch {pitch}, yaw {yaw} degrees</source>
+        <translation>{up} mm nach oben; Neigen {roll}, Nicken {pitch}, Drehen {yaw} Grad</translation>
+    </message>
+    <message>
+        <source>at the end of its reach</source>
+        <translation>am Ende der Reichweite</translation>
     </message>
     <message>
         <source>Motion shown {factor}× larger</source>
@@ -867,6 +942,10 @@
         <translation>Es drückt {seconds} s lang sanft in jede Richtung, mit bis zu {strength}.</translation>
     </message>
     <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
         <source>Starting</source>
         <translation>Startet</translation>
     </message>
@@ -947,6 +1026,33 @@
     </message>
 </context>
 <context>
+    <name>Dropping</name>
+    <message>
+        <source>Clips: {count}. Imported, those with motion can be felt.</source>
+        <translation>Clips: {count}. Nach dem Import sind die mit Bewegung zu spüren.</translation>
+    </message>
+    <message>
+        <source>Import all…</source>
+        <translation>Alle importieren…</translation>
+    </message>
+    <message>
+        <source>{name} contains motion data, which plays once it is imported.</source>
+        <translation>{name} enthält Bewegungsdaten, die nach dem Import mitspielen.</translation>
+    </message>
+    <message>
+        <source>Import and feel it…</source>
+        <translation>Importieren und spüren…</translation>
+    </message>
+    <message>
+        <source>{name} has no motion data; drop its log here, or let its frames suggest it.</source>
+        <translation>{name} hat keine Bewegungsdaten; ziehen Sie das Protokoll hierher, oder lassen Sie Bewegung aus den Bildern vorschlagen.</translation>
+    </message>
+    <message>
+        <source>Suggest motion from the frames…</source>
+        <translation>Bewegung aus den Bildern vorschlagen…</translation>
+    </message>
+</context>
+<context>
     <name>Editing</name>
     <message>
         <source>Add</source>
@@ -965,12 +1071,44 @@
         <translation>Löschen</translation>
     </message>
     <message>
+        <source>Fade</source>
+        <translation>Blende</translation>
+    </message>
+    <message>
+        <source>Move the point</source>
+        <translation>Stützpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Stützpunkt hinzufügen</translation>
+    </message>
+    <message>
         <source>Change the order</source>
         <translation>Reihenfolge ändern</translation>
     </message>
     <message>
+        <source>Marker {number}</source>
+        <translation>Marker {number}</translation>
+    </message>
+    <message>
+        <source>Set a marker</source>
+        <translation>Marker setzen</translation>
+    </message>
+    <message>
+        <source>Rename the marker</source>
+        <translation>Marker umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove the marker</source>
+        <translation>Marker entfernen</translation>
+    </message>
+    <message>
         <source>Duplicate</source>
         <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete the point</source>
+        <translation>Stützpunkt löschen</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -988,12 +1126,20 @@
 <context>
     <name>EditingLanes</name>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>{count} effects are selected</source>
+        <translation>{count} Effekte ausgewählt</translation>
     </message>
     <message>
         <source>off</source>
         <translation>aus</translation>
+    </message>
+    <message>
+        <source>Delete the point</source>
+        <translation>Stützpunkt löschen</translation>
     </message>
     <message>
         <source>Switch off</source>
@@ -1025,6 +1171,14 @@
     <message>
         <source>Edit effects</source>
         <translation>Effekte bearbeiten</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
     </message>
     <message>
         <source>Save your changes to the effects?</source>
@@ -1072,6 +1226,10 @@
     <message>
         <source>No effect is selected</source>
         <translation>Kein Effekt ausgewählt</translation>
+    </message>
+    <message>
+        <source>{count} effects are selected</source>
+        <translation>{count} Effekte ausgewählt</translation>
     </message>
     <message>
         <source>Place in the order in which they are applied</source>
@@ -1136,10 +1294,6 @@
     <message>
         <source>Direction</source>
         <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Fade</source>
-        <translation>Blende</translation>
     </message>
     <message>
         <source>Change the numbers</source>
@@ -1457,6 +1611,14 @@
         <translation>Automatisch erkennen</translation>
     </message>
     <message>
+        <source>&amp;How the log is read…</source>
+        <translation>Wie das Protokoll &amp;gelesen wird…</translation>
+    </message>
+    <message>
+        <source>Units, axes, signs and more, with a check against gravity</source>
+        <translation>Einheiten, Achsen, Vorzeichen und mehr, mit einer Prüfung an der Schwerkraft</translation>
+    </message>
+    <message>
         <source>&amp;Save as template…</source>
         <translation>Als Vorlage &amp;speichern…</translation>
     </message>
@@ -1481,8 +1643,20 @@
         <translation>Wählen…</translation>
     </message>
     <message>
+        <source>Se&amp;veral clips…</source>
+        <translation>&amp;Mehrere Clips…</translation>
+    </message>
+    <message>
+        <source>Import clips one after the other</source>
+        <translation>Clips nacheinander importieren</translation>
+    </message>
+    <message>
         <source>&amp;Format</source>
         <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>{log} is a motion log. Choose or drop the video of the ride.</source>
+        <translation>{log} ist ein Bewegungsprotokoll. Wählen Sie das Video der Fahrt, oder ziehen Sie es hierher.</translation>
     </message>
     <message>
         <source>with sound</source>
@@ -1527,10 +1701,6 @@
     <message>
         <source>Templates (*.json)</source>
         <translation>Vorlagen (*.json)</translation>
-    </message>
-    <message>
-        <source>Choose a template</source>
-        <translation>Vorlage wählen</translation>
     </message>
 </context>
 <context>
@@ -1617,6 +1787,10 @@
         <translation>Den veröffentlichten Wortlaut der Fragen benutzen, wo es einen gibt</translation>
     </message>
     <message>
+        <source>Before a session</source>
+        <translation>Vor einer Sitzung</translation>
+    </message>
+    <message>
         <source>Require a real device before a session starts</source>
         <translation>Vor dem Beginn einer Sitzung ein wirkliches Gerät verlangen</translation>
     </message>
@@ -1627,6 +1801,58 @@
     <message>
         <source>Stream markers and force to other programs on this computer (LSL)</source>
         <translation>Marker und Kraft an andere Programme auf diesem Rechner senden (LSL)</translation>
+    </message>
+    <message>
+        <source>Free disk space</source>
+        <translation>Freier Speicherplatz</translation>
+    </message>
+    <message>
+        <source>Scheduling of the haptic loop</source>
+        <translation>Zeitzuteilung der haptischen Schleife</translation>
+    </message>
+    <message>
+        <source>real time (FIFO)</source>
+        <translation>Echtzeit (FIFO)</translation>
+    </message>
+    <message>
+        <source>short time slices</source>
+        <translation>kurze Zeitscheiben</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>A trial is marked as invalid above</source>
+        <translation>Ein Durchgang gilt als ungültig oberhalb von</translation>
+    </message>
+    <message>
+        <source>Dropped frames (share)</source>
+        <translation>Verworfene Bilder (Anteil)</translation>
+    </message>
+    <message>
+        <source>Force to video or sound (median)</source>
+        <translation>Abstand der Kraft zu Video oder Ton (Median)</translation>
+    </message>
+    <message>
+        <source>Missed periods of the haptic loop (share)</source>
+        <translation>Aussetzer der haptischen Schleife (Anteil)</translation>
+    </message>
+    <message>
+        <source>Audio dropouts</source>
+        <translation>Lücken im Ton</translation>
+    </message>
+    <message>
+        <source>conditions are compared by answers</source>
+        <translation>Bedingungen werden anhand von Antworten verglichen</translation>
+    </message>
+    <message>
+        <source>when force and video feel consistent</source>
+        <translation>wann Kraft und Video zusammenpassen</translation>
+    </message>
+    <message>
+        <source>Kept as they are: the template ({template}), what the trials are for ({trial}), and the identifier by which sessions belong to the study ({id}).</source>
+        <translation>Unverändert bleiben: die Vorlage ({template}), wozu die Durchgänge dienen ({trial}), und die Kennung, nach der Sitzungen zur Studie gehören ({id}).</translation>
     </message>
     <message>
         <source>Languages</source>
@@ -2090,6 +2316,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <source>Cancel; nothing is kept</source>
         <translation>Abbrechen; nichts bleibt zurück</translation>
     </message>
+    <message>
+        <source>about {minutes} min left</source>
+        <translation>noch etwa {minutes} min</translation>
+    </message>
+    <message>
+        <source>about {seconds} s left</source>
+        <translation>noch etwa {seconds} s</translation>
+    </message>
 </context>
 <context>
     <name>KeysDialog</name>
@@ -2200,7 +2434,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Ton</translation>
     </message>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>Zeitleiste</translation>
     </message>
     <message>
@@ -2210,6 +2444,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>No effects</source>
         <translation>Keine Effekte</translation>
+    </message>
+    <message>
+        <source>Fade in {seconds} s</source>
+        <translation>Einblenden {seconds} s</translation>
+    </message>
+    <message>
+        <source>Fade out {seconds} s</source>
+        <translation>Ausblenden {seconds} s</translation>
+    </message>
+    <message>
+        <source>Point {number} of {count}: {time} s, {value}</source>
+        <translation>Stützpunkt {number} von {count}: {time} s, {value}</translation>
     </message>
 </context>
 <context>
@@ -2654,6 +2900,21 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>MarkerList</name>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Enter goes there, F2 renames, Delete removes</source>
+        <translation>Eingabe springt dorthin, F2 benennt um, Entf entfernt</translation>
+    </message>
+    <message>
+        <source>No markers yet. M sets one at the cursor.</source>
+        <translation>Noch keine Marker. M setzt einen am Cursor.</translation>
+    </message>
+</context>
+<context>
     <name>MessageBar</name>
     <message>
         <source>Close</source>
@@ -2690,16 +2951,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Befestigung</translation>
     </message>
     <message>
-        <source>For short recordings: the file with what a longer one of the same sensor tells of its errors</source>
-        <translation>Für kurze Aufnahmen: die Datei mit dem, was eine längere desselben Sensors über seine Fehler verrät</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Titel</translation>
     </message>
     <message>
         <source>Right {right}, front {front}, up {up}</source>
         <translation>Rechts {right}, vorn {front}, oben {up}</translation>
+    </message>
+    <message>
+        <source>As the frames show, when it is imported</source>
+        <translation>Wie es die Bilder zeigen, beim Importieren</translation>
     </message>
     <message>
         <source>Change…</source>
@@ -2710,28 +2971,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>&amp;Befestigung</translation>
     </message>
     <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
         <source>Choose another library folder</source>
         <translation>Anderen Ordner für die Bibliothek wählen</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Wählen…</translation>
-    </message>
-    <message>
-        <source>Choose a calibration</source>
-        <translation>Eine Kalibrierung wählen</translation>
-    </message>
-    <message>
-        <source>&amp;Calibration</source>
-        <translation>&amp;Kalibrierung</translation>
     </message>
     <message>
         <source>&amp;Title</source>
@@ -2744,6 +2985,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>The drawing shows the recorder on the wearer, who faces forward; the dashed line shows which way was up, from gravity.</source>
         <translation>Die Zeichnung zeigt den Rekorder an der Person, die nach vorn blickt; die gestrichelte Linie zeigt nach der Schwerkraft, wo oben war.</translation>
+    </message>
+    <message>
+        <source>Taken from the frames if they show it clearly; else you are asked.</source>
+        <translation>Wird aus den Bildern bestimmt, wenn sie es klar zeigen; sonst werden Sie gefragt.</translation>
     </message>
     <message>
         <source>The frames show this mounting (ratio {ratio} to the next best); gravity does not contradict it.</source>
@@ -3076,8 +3321,8 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>S&amp;chleife</translation>
     </message>
     <message>
-        <source>Repeat the selected effect, or what is in view without one</source>
-        <translation>Den gewählten Effekt wiederholen, ohne Auswahl das Sichtbare</translation>
+        <source>Repeat the selected effects, or what is in view without any</source>
+        <translation>Die ausgewählten Effekte wiederholen, oder ohne Auswahl den sichtbaren Teil</translation>
     </message>
     <message>
         <source>&amp;Before</source>
@@ -3101,22 +3346,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Force stopped. {keys} re-arms it.</source>
         <translation>Kraft abgeschaltet. {keys} gibt sie wieder frei.</translation>
-    </message>
-    <message>
-        <source>{name} contains motion data, which plays once it is imported.</source>
-        <translation>{name} enthält Bewegungsdaten, die nach dem Import mitspielen.</translation>
-    </message>
-    <message>
-        <source>Import and feel it…</source>
-        <translation>Importieren und spüren…</translation>
-    </message>
-    <message>
-        <source>{name} has no motion data; a log, or its frames, can give it.</source>
-        <translation>{name} hat keine Bewegungsdaten; ein Protokoll oder die Bilder können sie liefern.</translation>
-    </message>
-    <message>
-        <source>Import or suggest motion…</source>
-        <translation>Bewegung importieren oder vorschlagen…</translation>
     </message>
     <message>
         <source>No next file</source>
@@ -3360,6 +3589,73 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>ProcessingFields</name>
+    <message>
+        <source>Gravity removal</source>
+        <translation>Abzug der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Time constant, s</source>
+        <translation>Zeitkonstante, s</translation>
+    </message>
+    <message>
+        <source>from the motion</source>
+        <translation>aus der Bewegung</translation>
+    </message>
+    <message>
+        <source>Accelerations that last much longer than this count as gravity</source>
+        <translation>Beschleunigungen, die viel länger als dies dauern, gelten als Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>For short recordings: the file with what a longer one of the same sensor tells of its errors</source>
+        <translation>Für kurze Aufnahmen: die Datei mit dem, was eine längere desselben Sensors über seine Fehler verrät</translation>
+    </message>
+    <message>
+        <source>Replace isolated s&amp;pikes</source>
+        <translation>Einzelne Aus&amp;reißer ersetzen</translation>
+    </message>
+    <message>
+        <source>Reconstruct short cli&amp;pped peaks</source>
+        <translation>Kurze &amp;abgeschnittene Spitzen rekonstruieren</translation>
+    </message>
+    <message>
+        <source>Average to, Hz</source>
+        <translation>Mitteln auf, Hz</translation>
+    </message>
+    <message>
+        <source>Low-pass at, Hz</source>
+        <translation>Tiefpass bei, Hz</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>gar nicht</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Eine Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>&amp;Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Gra&amp;vity removal</source>
+        <translation>Abzug der &amp;Schwerkraft</translation>
+    </message>
+</context>
+<context>
     <name>Quality</name>
     <message>
         <source>Good: ready for use</source>
@@ -3430,6 +3726,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>aus dem Bild geschätzt, nichts hat sie gemessen: Schwanken in {sway}, Auf und Ab in {bounce} des Clips; Verstärkung {gain}</translation>
     </message>
     <message>
+        <source>{share} of the time; the peak is {n} N</source>
+        <translation>{share} der Zeit; die Spitze ist {n}&#xa0;N</translation>
+    </message>
+    <message>
         <source>The force would be stopped; lower the gain</source>
         <translation>Die Kraft würde abgeschaltet; verringern Sie die Verstärkung</translation>
     </message>
@@ -3486,10 +3786,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{share} der Bewegung; {count}, die längste {s}&#xa0;s</translation>
     </message>
     <message>
-        <source>{share} of the samples; the peak is {n} N</source>
-        <translation>{share} der Werte; die Spitze ist {n}&#xa0;N</translation>
-    </message>
-    <message>
         <source>relaxed hand</source>
         <translation>lockere Hand</translation>
     </message>
@@ -3543,20 +3839,36 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Add a question to a page</source>
-        <translation>Einer Seite eine Frage hinzufügen</translation>
-    </message>
-    <message>
         <source>Questions</source>
         <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>(no wording yet)</source>
         <translation>(noch kein Wortlaut)</translation>
     </message>
     <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Text above the questions</source>
+        <translation>Text über den Fragen</translation>
+    </message>
+    <message>
+        <source>All clips may be played again there</source>
+        <translation>Alle Clips dürfen dort noch einmal abgespielt werden</translation>
+    </message>
+    <message>
         <source>Wording</source>
         <translation>Wortlaut</translation>
+    </message>
+    <message>
+        <source>Help line</source>
+        <translation>Hilfezeile</translation>
     </message>
     <message>
         <source>Kind of answer</source>
@@ -3567,12 +3879,56 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Eine Antwort ist nötig</translation>
     </message>
     <message>
+        <source>Part of the sum QoE, which is analysed first</source>
+        <translation>Teil der Summe QoE, die zuerst ausgewertet wird</translation>
+    </message>
+    <message>
         <source>Ask once for each kind of feedback</source>
         <translation>Für jede Art von Feedback einmal fragen</translation>
     </message>
     <message>
+        <source>Unit in the data</source>
+        <translation>Einheit in den Daten</translation>
+    </message>
+    <message>
+        <source>another range</source>
+        <translation>anderer Bereich</translation>
+    </message>
+    <message>
+        <source>Label of {n}</source>
+        <translation>Beschriftung von {n}</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Remove this label</source>
+        <translation>Diese Beschriftung entfernen</translation>
+    </message>
+    <message>
+        <source>Add a label</source>
+        <translation>Beschriftung hinzufügen</translation>
+    </message>
+    <message>
+        <source>another label</source>
+        <translation>andere Beschriftung</translation>
+    </message>
+    <message>
+        <source>removal</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>another page</source>
+        <translation>andere Seite</translation>
+    </message>
+    <message>
         <source>Name in the data</source>
         <translation>Name in den Daten</translation>
+    </message>
+    <message>
+        <source>Add a question or a page</source>
+        <translation>Frage oder Seite hinzufügen</translation>
     </message>
     <message>
         <source>In data and figures: a to z, 0 to 9, _ and -</source>
@@ -3595,18 +3951,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Höchstens so viele Zeichen</translation>
     </message>
     <message>
-        <source>Label of 1</source>
-        <translation>Beschriftung der 1</translation>
-    </message>
-    <message>
-        <source>Label of 5</source>
-        <translation>Beschriftung der 5</translation>
-    </message>
-    <message>
-        <source>All five-point scales of a study have the same labels.</source>
-        <translation>Alle fünfstufigen Skalen einer Studie haben dieselben Beschriftungen.</translation>
-    </message>
-    <message>
         <source>Answer {n}</source>
         <translation>Antwort {n}</translation>
     </message>
@@ -3617,10 +3961,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Remove this answer</source>
         <translation>Diese Antwort entfernen</translation>
-    </message>
-    <message>
-        <source>removal of an answer</source>
-        <translation>Entfernen einer Antwort</translation>
     </message>
     <message>
         <source>another question</source>
@@ -3636,10 +3976,402 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>QueuePage</name>
+    <message>
+        <source>Import several clips</source>
+        <translation>Mehrere Clips importieren</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation>Bewegungsprotokoll</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Clips to import</source>
+        <translation>Zu importierende Clips</translation>
+    </message>
+    <message>
+        <source>No clips yet: add some, or drop them here.</source>
+        <translation>Noch keine Clips: Fügen Sie welche hinzu, oder ziehen Sie sie hierher.</translation>
+    </message>
+    <message>
+        <source>Each clip is imported with its own motion, or with the log of the same name, and tested. Clips that are in the library are only tested. A clip that needs an answer waits; the others go on.</source>
+        <translation>Jeder Clip wird mit seiner eigenen Bewegung oder mit dem Protokoll gleichen Namens importiert und geprüft. Clips, die schon in der Bibliothek sind, werden nur geprüft. Ein Clip, der eine Antwort braucht, wartet; die anderen laufen weiter.</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Anh&amp;alten</translation>
+    </message>
+    <message>
+        <source>Stop the queue; what is done is kept</source>
+        <translation>Die Warteschlange anhalten; was fertig ist, bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Clips…</source>
+        <translation>&amp;Clips…</translation>
+    </message>
+    <message>
+        <source>Add clips and logs</source>
+        <translation>Clips und Protokolle hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Ordner…</translation>
+    </message>
+    <message>
+        <source>Add a folder of clips</source>
+        <translation>Einen Ordner mit Clips hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Answer…</source>
+        <translation>A&amp;ntworten…</translation>
+    </message>
+    <message>
+        <source>Import the selected clip step by step</source>
+        <translation>Den ausgewählten Clip Schritt für Schritt importieren</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>A&amp;bspielen</translation>
+    </message>
+    <message>
+        <source>Play the selected sequence</source>
+        <translation>Die ausgewählte Sequenz abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>Import what is not yet there</source>
+        <translation>Importieren, was noch nicht da ist</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>importing</source>
+        <translation>wird importiert</translation>
+    </message>
+    <message>
+        <source>● imported</source>
+        <translation>● importiert</translation>
+    </message>
+    <message>
+        <source>● was there, intact</source>
+        <translation>● war schon da, unversehrt</translation>
+    </message>
+    <message>
+        <source>▲ needs an answer</source>
+        <translation>▲ braucht eine Antwort</translation>
+    </message>
+    <message>
+        <source>■ not imported</source>
+        <translation>■ nicht importiert</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>imported: {count}</source>
+        <translation>importiert: {count}</translation>
+    </message>
+    <message>
+        <source>were there: {count}</source>
+        <translation>schon da: {count}</translation>
+    </message>
+    <message>
+        <source>need an answer: {count}</source>
+        <translation>Antwort nötig: {count}</translation>
+    </message>
+    <message>
+        <source>not imported: {count}</source>
+        <translation>nicht importiert: {count}</translation>
+    </message>
+    <message>
+        <source>stopped: {count}</source>
+        <translation>angehalten: {count}</translation>
+    </message>
+    <message>
+        <source>importing: {count}</source>
+        <translation>im Import: {count}</translation>
+    </message>
+    <message>
+        <source>waiting: {count}</source>
+        <translation>wartend: {count}</translation>
+    </message>
+    <message>
+        <source>Clips: {count}</source>
+        <translation>Clips: {count}</translation>
+    </message>
+    <message>
+        <source>Choose clips and logs</source>
+        <translation>Clips und Protokolle wählen</translation>
+    </message>
+    <message>
+        <source>Choose a folder of clips</source>
+        <translation>Ordner mit Clips wählen</translation>
+    </message>
+</context>
+<context>
+    <name>Reading</name>
+    <message>
+        <source>not stated</source>
+        <translation>keine Angabe</translation>
+    </message>
+    <message>
+        <source>accelerometer {axis}</source>
+        <translation>Beschleunigungssensor {axis}</translation>
+    </message>
+    <message>
+        <source>gyroscope {axis}</source>
+        <translation>Gyroskop {axis}</translation>
+    </message>
+    <message>
+        <source>magnetometer {axis}</source>
+        <translation>Magnetometer {axis}</translation>
+    </message>
+    <message>
+        <source>ignore</source>
+        <translation>übergehen</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>+1 g upwards</source>
+        <translation>+1 g nach oben</translation>
+    </message>
+    <message>
+        <source>−1 g upwards</source>
+        <translation>−1 g nach oben</translation>
+    </message>
+    <message>
+        <source>single values</source>
+        <translation>Einzelwerte</translation>
+    </message>
+    <message>
+        <source>means over a window</source>
+        <translation>Mittelwerte über ein Fenster</translation>
+    </message>
+    <message>
+        <source>Time unit</source>
+        <translation>Einheit der Zeit</translation>
+    </message>
+    <message>
+        <source>Accelerometer unit</source>
+        <translation>Einheit des Beschleunigungssensors</translation>
+    </message>
+    <message>
+        <source>Gyroscope unit</source>
+        <translation>Einheit des Gyroskops</translation>
+    </message>
+    <message>
+        <source>Accelerometer reads</source>
+        <translation>Beschleunigungssensor zeigt</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Werte sind</translation>
+    </message>
+    <message>
+        <source>Samples per second</source>
+        <translation>Werte je Sekunde</translation>
+    </message>
+    <message>
+        <source>Magnetometer unit</source>
+        <translation>Einheit des Magnetometers</translation>
+    </message>
+    <message>
+        <source>right {right}, front {front}, up {up}</source>
+        <translation>rechts {right}, vorn {front}, oben {up}</translation>
+    </message>
+    <message>
+        <source>not swapped</source>
+        <translation>nicht vertauscht</translation>
+    </message>
+    <message>
+        <source>accelerometer, gyroscope</source>
+        <translation>Beschleunigungssensor, Gyroskop</translation>
+    </message>
+    <message>
+        <source>accelerometer, magnetometer</source>
+        <translation>Beschleunigungssensor, Magnetometer</translation>
+    </message>
+    <message>
+        <source>The wearer’s axes in the log</source>
+        <translation>Achsen der Person im Protokoll</translation>
+    </message>
+    <message>
+        <source>Accelerometer x, y, z</source>
+        <translation>Beschleunigungssensor x, y, z</translation>
+    </message>
+    <message>
+        <source>Gyroscope x, y, z</source>
+        <translation>Gyroskop x, y, z</translation>
+    </message>
+    <message>
+        <source>Gyroscope late by, s</source>
+        <translation>Gyroskop verspätet um, s</translation>
+    </message>
+    <message>
+        <source>Swapped columns</source>
+        <translation>Vertauschte Spalten</translation>
+    </message>
+    <message>
+        <source>If a sensor was stuck</source>
+        <translation>Wenn ein Sensor festhing</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>keine Kraft</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+</context>
+<context>
+    <name>ReadingPage</name>
+    <message>
+        <source>How the log is read</source>
+        <translation>Wie das Protokoll gelesen wird</translation>
+    </message>
+    <message>
+        <source>Filled in from</source>
+        <translation>Vorausgefüllt mit</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Keep as</source>
+        <translation>Speichern als</translation>
+    </message>
+    <message>
+        <source>a name, to use this for the next log</source>
+        <translation>ein Name, um dies für das nächste Protokoll zu verwenden</translation>
+    </message>
+    <message>
+        <source>From a &amp;file…</source>
+        <translation>Aus einer &amp;Datei…</translation>
+    </message>
+    <message>
+        <source>Load the answers from a template</source>
+        <translation>Antworten aus einer Vorlage laden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Keep what was answered before</source>
+        <translation>Die bisherigen Antworten behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Use this</source>
+        <translation>Ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Read the log with these answers</source>
+        <translation>Das Protokoll mit diesen Antworten lesen</translation>
+    </message>
+    <message>
+        <source>F&amp;illed in from</source>
+        <translation>&amp;Vorausgefüllt mit</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as</source>
+        <translation>&amp;Speichern als</translation>
+    </message>
+    <message>
+        <source>Say what each column of {name} holds and in which units. The check shows at once whether gravity agrees.</source>
+        <translation>Geben Sie an, was jede Spalte von {name} enthält und in welchen Einheiten. Die Prüfung zeigt sofort, ob die Schwerkraft dazu passt.</translation>
+    </message>
+    <message>
+        <source>{name} describes itself. Say here what it has wrong; the check shows at once whether gravity agrees.</source>
+        <translation>{name} beschreibt sich selbst. Geben Sie hier an, was daran falsch ist; die Prüfung zeigt sofort, ob die Schwerkraft dazu passt.</translation>
+    </message>
+    <message>
+        <source>Choose a template</source>
+        <translation>Vorlage wählen</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft…</translation>
+    </message>
+    <message>
+        <source>Read: {rate} Hz, {duration}</source>
+        <translation>Gelesen: {rate} Hz, {duration}</translation>
+    </message>
+    <message>
+        <source>Never at rest: not compared with gravity (9.81 m/s²)</source>
+        <translation>Nie in Ruhe: nicht mit der Schwerkraft verglichen (9.81 m/s²)</translation>
+    </message>
+    <message>
+        <source>At rest {norm} m/s²; gravity is {gravity} m/s²</source>
+        <translation>In Ruhe {norm} m/s²; die Schwerkraft ist {gravity} m/s²</translation>
+    </message>
+    <message>
+        <source>Gravity hardly turns: the gyroscope cannot be compared</source>
+        <translation>Die Schwerkraft dreht sich kaum: Das Gyroskop lässt sich nicht vergleichen</translation>
+    </message>
+    <message>
+        <source>The gyroscope agrees with turning gravity</source>
+        <translation>Das Gyroskop passt zur Drehung der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>The gyroscope does not agree with turning gravity</source>
+        <translation>Das Gyroskop passt nicht zur Drehung der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Choose: {fields}</source>
+        <translation>Wählen Sie: {fields}</translation>
+    </message>
+</context>
+<context>
     <name>RecentMenu</name>
     <message>
         <source>Clear list</source>
         <translation>Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryBar</name>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Throw these changes away for good</source>
+        <translation>Diese Änderungen endgültig verwerfen</translation>
+    </message>
+    <message>
+        <source>Changes to {name} from {moment} were not saved.</source>
+        <translation>Änderungen an {name} vom {moment} wurden nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -5237,14 +5969,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Vor jedem Clip</translation>
     </message>
     <message>
-        <source>Above the questions after a clip</source>
-        <translation>Über den Fragen nach einem Clip</translation>
-    </message>
-    <message>
-        <source>Above the last questions</source>
-        <translation>Über den letzten Fragen</translation>
-    </message>
-    <message>
         <source>Closing words</source>
         <translation>Schlussworte</translation>
     </message>
@@ -5325,6 +6049,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Studie</translation>
     </message>
     <message>
+        <source>Page {n}</source>
+        <translation>Seite {n}</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
         <source>Sequences</source>
         <translation>Sequenzen</translation>
     </message>
@@ -5349,8 +6081,28 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Tasten und Meldungen</translation>
     </message>
     <message>
-        <source>Labels of the scale</source>
-        <translation>Beschriftungen der Skala</translation>
+        <source>A trial is marked as invalid above</source>
+        <translation>Ein Durchgang gilt als ungültig oberhalb von</translation>
+    </message>
+    <message>
+        <source>Help line</source>
+        <translation>Hilfezeile</translation>
+    </message>
+    <message>
+        <source>Unit in the data</source>
+        <translation>Einheit in den Daten</translation>
+    </message>
+    <message>
+        <source>Labels of points</source>
+        <translation>Beschriftungen der Punkte</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Part of the sum QoE</source>
+        <translation>Teil der Summe QoE</translation>
     </message>
     <message>
         <source>Title</source>
@@ -5400,20 +6152,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <source>Parameters</source>
         <translation>Parameter</translation>
     </message>
-    <message>
-        <source>Lower end</source>
-        <translation>Unteres Ende</translation>
-    </message>
-    <message>
-        <source>Upper end</source>
-        <translation>Oberes Ende</translation>
-    </message>
 </context>
 <context>
     <name>SuggestionBox</name>
     <message>
-        <source>S&amp;uggest motion from the picture (estimate)</source>
-        <translation>Bewegung aus dem Bild &amp;vorschlagen (Schätzung)</translation>
+        <source>S&amp;uggest motion from the frames (estimate)</source>
+        <translation>Bewegung a&amp;us den Bildern vorschlagen (Schätzung)</translation>
     </message>
     <message>
         <source>Expect to feel turns of a vehicle, and steps when walking or riding; braking, knocks and potholes will be missing. Nothing measures this motion: set its strength by hand with the gain, and do not use it in a study without saying so. Slow motion and time lapse are taken as they play.</source>
@@ -5523,6 +6267,26 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Wievielmal langsamer als aufgenommen das Video läuft: 8, wenn 240 Bilder je Sekunde mit 30 laufen; unter 1 bei einem Zeitraffer</translation>
     </message>
     <message>
+        <source>Clock drift</source>
+        <translation>Gang der Uhr</translation>
+    </message>
+    <message>
+        <source> ppm</source>
+        <translation> ppm</translation>
+    </message>
+    <message>
+        <source>By how much faster the video runs than the log&apos;s clock</source>
+        <translation>Um wie viel schneller das Video läuft als die Uhr des Protokolls</translation>
+    </message>
+    <message>
+        <source>Sound delay of a camera</source>
+        <translation>Tonverzögerung einer Kamera</translation>
+    </message>
+    <message>
+        <source>The sound delay that is kept for a camera</source>
+        <translation>Die Tonverzögerung, die für eine Kamera gespeichert ist</translation>
+    </message>
+    <message>
         <source>&amp;Whole clip</source>
         <translation>&amp;Ganzer Clip</translation>
     </message>
@@ -5541,6 +6305,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>&amp;Offset</source>
         <translation>&amp;Versatz</translation>
+    </message>
+    <message>
+        <source>Clock &amp;drift</source>
+        <translation>Gang der &amp;Uhr</translation>
     </message>
     <message>
         <source>&amp;Method</source>
@@ -5569,6 +6337,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>gyro</source>
         <translation>Gyroskop</translation>
+    </message>
+    <message>
+        <source>as kept for…</source>
+        <translation>wie gespeichert für…</translation>
     </message>
     <message>
         <source>{why}. Check below how much slower it plays than it was recorded (1: it does not), then enter the offset, or drag the log&apos;s curves.</source>
@@ -5805,6 +6577,21 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
 </context>
 <context>
+    <name>Unsaved</name>
+    <message>
+        <source>Changes from {moment} were not saved.</source>
+        <translation>Änderungen vom {moment} wurden nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Changes from {moment} were not saved; the effects were changed since.</source>
+        <translation>Änderungen vom {moment} wurden nicht gespeichert; die Effekte wurden seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+</context>
+<context>
     <name>VideoQuestion</name>
     <message>
         <source>Another video</source>
@@ -5905,14 +6692,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
 <context>
     <name>_Question</name>
     <message>
-        <source>Answer</source>
-        <translation>Antwort</translation>
-    </message>
-    <message>
-        <source>Or answer like those above</source>
-        <translation>Oder antworten wie oben</translation>
-    </message>
-    <message>
         <source>&amp;Answer</source>
         <translation>&amp;Antworten</translation>
     </message>
@@ -5921,12 +6700,12 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Das Protokoll mit dieser Antwort lesen</translation>
     </message>
     <message>
-        <source>&amp;Template…</source>
-        <translation>&amp;Vorlage…</translation>
+        <source>Answer in a &amp;form…</source>
+        <translation>In einem F&amp;ormular antworten…</translation>
     </message>
     <message>
-        <source>Load the answers from a template</source>
-        <translation>Antworten aus einer Vorlage laden</translation>
+        <source>Units, axes, signs and more, with a check against gravity</source>
+        <translation>Einheiten, Achsen, Vorzeichen und mehr, mit einer Prüfung an der Schwerkraft</translation>
     </message>
 </context>
 <context>
@@ -5992,10 +6771,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Arbeitsspeicher reicht nicht</translation>
     </message>
     <message>
-        <source>Choice</source>
-        <translation>Auswahl</translation>
-    </message>
-    <message>
         <source>Connect its USB cable and its power supply. The settings choose another axis, or reverse the direction.</source>
         <translation>Schließen Sie USB-Kabel und Netzteil an. Die Einstellungen wählen eine andere Achse oder kehren die Richtung um.</translation>
     </message>
@@ -6038,10 +6813,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>File too large</source>
         <translation>die Datei ist zu groß</translation>
-    </message>
-    <message>
-        <source>Five-point scale</source>
-        <translation>Fünfstufige Skala</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -6326,10 +7097,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>accelerometer</source>
         <translation>Beschleunigungssensor</translation>
-    </message>
-    <message>
-        <source>add a question to {page!r}</source>
-        <translation>fügen Sie eine Frage zu {page!r} hinzu</translation>
     </message>
     <message>
         <source>add it</source>
@@ -7612,6 +8379,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>/dev/input/{node}: hat kein solches Force-Feedback; Geräte, die es haben: {known}</translation>
     </message>
     <message>
+        <source>./run sets them up in .venv</source>
+        <translation>./run richtet sie in .venv ein</translation>
+    </message>
+    <message>
         <source>; </source>
         <translation>; </translation>
     </message>
@@ -7868,6 +8639,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Auf dem Rücken liegend, nach oben gerichtet</translation>
     </message>
     <message>
+        <source>MISSING</source>
+        <translation>FEHLT</translation>
+    </message>
+    <message>
         <source>MPEG haptics (ISO/IEC 23090-31), as JSON</source>
         <translation>MPEG-Haptik (ISO/IEC 23090-31), als JSON</translation>
     </message>
@@ -7900,6 +8675,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Novint Falcon: Sein Griff drückt und zieht in drei Richtungen.</translation>
     </message>
     <message>
+        <source>One of several answers</source>
+        <translation>Eine von mehreren Antworten</translation>
+    </message>
+    <message>
         <source>OpenCV is installed, but cannot be loaded: {why}</source>
         <translation>OpenCV ist installiert, lässt sich aber nicht laden: {why}</translation>
     </message>
@@ -7914,6 +8693,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Pulse</source>
         <translation>Puls</translation>
+    </message>
+    <message>
+        <source>Python packages</source>
+        <translation>Python-Pakete</translation>
+    </message>
+    <message>
+        <source>Qt</source>
+        <translation>Qt</translation>
+    </message>
+    <message>
+        <source>Qt, with a font</source>
+        <translation>Qt, mit einer Schrift</translation>
     </message>
     <message>
         <source>RMS</source>
@@ -7936,12 +8727,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Sättigung</translation>
     </message>
     <message>
+        <source>Scale of points</source>
+        <translation>Skala mit Punkten</translation>
+    </message>
+    <message>
         <source>Scaled</source>
         <translation>Skaliert</translation>
     </message>
     <message>
         <source>Seed</source>
         <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Several answers</source>
+        <translation>Mehrere Antworten</translation>
     </message>
     <message>
         <source>Shaker</source>
@@ -8052,12 +8851,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bis</translation>
     </message>
     <message>
+        <source>Visual analogue scale</source>
+        <translation>Visuelle Analogskala</translation>
+    </message>
+    <message>
         <source>Wheel</source>
         <translation>Lenkrad</translation>
     </message>
     <message>
         <source>Wheel or joystick with a motor: it exerts one axis of the force, by default sideways.</source>
         <translation>Lenkrad oder Joystick mit Motor: Es übt eine Achse der Kraft aus, ohne Angabe die seitliche.</translation>
+    </message>
+    <message>
+        <source>a PulseAudio or PipeWire server answers</source>
+        <translation>ein Server von PulseAudio oder PipeWire antwortet</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -8108,8 +8915,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Beschleunigung wurde mit {gain:.2g} N je m/s² malgenommen</translation>
     </message>
     <message>
+        <source>add a page that is shown after each clip</source>
+        <translation>fügen Sie eine Seite hinzu, die nach jedem Clip gezeigt wird</translation>
+    </message>
+    <message>
         <source>add a sequence</source>
         <translation>fügen Sie eine Sequenz hinzu</translation>
+    </message>
+    <message>
+        <source>add an answer</source>
+        <translation>fügen Sie eine Antwort hinzu</translation>
+    </message>
+    <message>
+        <source>add one: whether force and video went together</source>
+        <translation>fügen Sie eine hinzu: ob Kraft und Video zusammenpassten</translation>
+    </message>
+    <message>
+        <source>allow rtprio {n} and memlock in /etc/security/limits.d</source>
+        <translation>erlauben Sie rtprio {n} und memlock in /etc/security/limits.d</translation>
     </message>
     <message>
         <source>an array is missing or of the wrong kind ({reason})</source>
@@ -8128,8 +8951,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>höchstens {most} Effekte in einer Liste</translation>
     </message>
     <message>
+        <source>at most {most} markers in a list</source>
+        <translation>höchstens {most} Marker in einer Liste</translation>
+    </message>
+    <message>
         <source>audio of three channels, for transducers</source>
         <translation>Audio mit drei Kanälen, für Shaker</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>cannot be copied into {kind} without changing its video</source>
@@ -8200,6 +9031,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>wählen Sie die andere Art von Datei, oder wandeln Sie den Clip zuerst um</translation>
     </message>
     <message>
+        <source>clips play silently, led by the system clock, until there is one</source>
+        <translation>Clips laufen stumm nach der Systemuhr, bis eines davon da ist</translation>
+    </message>
+    <message>
         <source>close other programs</source>
         <translation>schließen Sie andere Programme</translation>
     </message>
@@ -8236,8 +9071,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>kopieren Sie es noch einmal vom anderen Rechner; um zu nutzen, was heil ist, verschieben Sie seinen Ordner nach sessions</translation>
     </message>
     <message>
+        <source>copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d</source>
+        <translation>kopieren Sie packaging/udev/70-novint-falcon.rules nach /etc/udev/rules.d</translation>
+    </message>
+    <message>
         <source>copying the sequence</source>
         <translation>Sequenz wird kopiert</translation>
+    </message>
+    <message>
+        <source>correct the file, or remove it</source>
+        <translation>berichtigen Sie die Datei, oder entfernen Sie sie</translation>
     </message>
     <message>
         <source>curve: its times must increase from 0 s</source>
@@ -8268,16 +9111,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>direction: muss aus drei Zahlen bestehen, die nicht alle null sind</translation>
     </message>
     <message>
+        <source>display</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
         <source>does not declare its rate</source>
         <translation>gibt seine Rate nicht an</translation>
     </message>
     <message>
         <source>does not fit the definition of its session</source>
         <translation>passt nicht zur Definition der Sitzung</translation>
-    </message>
-    <message>
-        <source>drop one video with its log; import further ones after it</source>
-        <translation>legen Sie ein Video mit seinem Protokoll ab; importieren Sie weitere danach</translation>
     </message>
     <message>
         <source>durations were taken as seconds, as in PlaySEM</source>
@@ -8356,6 +9199,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>das Feedback {feedback} hat keine Parameter</translation>
     </message>
     <message>
+        <source>fifo: priority {n} is granted</source>
+        <translation>fifo: Priorität {n} ist erlaubt</translation>
+    </message>
+    <message>
         <source>finding events</source>
         <translation>Ereignisse werden gesucht</translation>
     </message>
@@ -8400,12 +9247,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Bilder und Gyroskop stimmen nur um eine Achse überein, wie es auch bei einer anderen Fahrt vorkommt</translation>
     </message>
     <message>
+        <source>frames cannot be compared with the gyroscope at another speed</source>
+        <translation>bei anderer Geschwindigkeit lassen sich die Bilder nicht mit dem Gyroskop vergleichen</translation>
+    </message>
+    <message>
         <source>free some space or choose a folder on another disk</source>
         <translation>machen Sie Platz frei, oder wählen Sie einen Ordner auf einem anderen Datenträger</translation>
     </message>
     <message>
         <source>full scale was taken as {full_n:.3g} N</source>
         <translation>Vollausschlag wurde als {full_n:.3g} N genommen</translation>
+    </message>
+    <message>
+        <source>gain_n_per_mps2 must be at most {most:g}</source>
+        <translation>gain_n_per_mps2 darf höchstens {most:g} sein</translation>
     </message>
     <message>
         <source>give &quot;realistic&quot; the parameter &quot;effects&quot;: &quot;off&quot;</source>
@@ -8434,6 +9289,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>give the unit of its numbers, or a recording of a sensor that worked</source>
         <translation>geben Sie die Einheit seiner Zahlen an, oder eine Aufnahme eines Sensors, der funktioniert hat</translation>
+    </message>
+    <message>
+        <source>give times in seconds of media time</source>
+        <translation>geben Sie Zeiten in Sekunden der Medienzeit an</translation>
+    </message>
+    <message>
+        <source>gravity turns by {turn_deg:.0f} degrees within 8 s in its accelerometer as its gyroscope does not show: an axis is dead, or the range of one or all another</source>
+        <translation>in seinem Beschleunigungssensor dreht sich die Schwerkraft innerhalb von 8 s um {turn_deg:.0f} Grad, was sein Gyroskop nicht zeigt: eine Achse ist ausgefallen, oder der Messbereich einer oder aller Achsen ist ein anderer</translation>
     </message>
     <message>
         <source>grip at the edge of the workspace</source>
@@ -8476,6 +9339,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>hat keinen Wert</translation>
     </message>
     <message>
+        <source>has no yes-or-no question after a clip</source>
+        <translation>hat keine Ja-Nein-Frage nach einem Clip</translation>
+    </message>
+    <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
         <translation>hat Zahlen mit anderen Ziffern als 0 bis 9 ({found})</translation>
     </message>
@@ -8516,6 +9383,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>enthält keine Abtastwerte</translation>
     </message>
     <message>
+        <source>holds no track {name!r}</source>
+        <translation>enthält keine Spur {name!r}</translation>
+    </message>
+    <message>
         <source>holds the force of a video, not the video</source>
         <translation>enthält die Kraft eines Videos, nicht das Video</translation>
     </message>
@@ -8540,6 +9411,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>installieren Sie hapticplayer[vision], oder wandeln Sie es nach H.264 um</translation>
     </message>
     <message>
+        <source>install the udev rule of packaging/ and plug it in again</source>
+        <translation>installieren Sie die udev-Regel aus packaging/, und stecken Sie ihn wieder an</translation>
+    </message>
+    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>ist eine FIT-Datei einer Sportuhr oder eines Fahrradcomputers</translation>
     </message>
@@ -8558,6 +9433,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is a zip with other bytes before it</source>
         <translation>ist ein ZIP mit anderen Bytes davor</translation>
+    </message>
+    <message>
+        <source>is an address, not a file of this machine</source>
+        <translation>ist eine Adresse, keine Datei auf diesem Rechner</translation>
     </message>
     <message>
         <source>is an archive that is not a zip</source>
@@ -8598,6 +9477,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>is not valid XML ({reason})</source>
         <translation>ist kein gültiges XML ({reason})</translation>
+    </message>
+    <message>
+        <source>is only used after a clip</source>
+        <translation>wird nur nach einem Clip verwendet</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>
@@ -8660,6 +9543,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sein Video kann nicht gelesen werden</translation>
     </message>
     <message>
+        <source>kept out of deep sleep while a force may be on</source>
+        <translation>bleiben ohne Tiefschlaf, solange eine Kraft an sein kann</translation>
+    </message>
+    <message>
         <source>kind of event</source>
         <translation>Ereignisart</translation>
     </message>
@@ -8676,8 +9563,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Achsen der Zuordnung müssen eine Drehung sein (orthogonal, Determinante +1)</translation>
     </message>
     <message>
+        <source>may sleep deeply: the loop wakes up some 20 us later</source>
+        <translation>dürfen tief schlafen: Die Schleife wacht etwa 20 µs später auf</translation>
+    </message>
+    <message>
         <source>method</source>
         <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>missing: {names}</source>
+        <translation>es fehlen: {names}</translation>
     </message>
     <message>
         <source>motion beside the force was left out ({count})</source>
@@ -8706,6 +9601,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>multiply its times by 1000</source>
         <translation>multiplizieren Sie seine Zeiten mit 1000</translation>
+    </message>
+    <message>
+        <source>must be a list of one or more of the choices</source>
+        <translation>muss eine Liste mit mindestens einer der möglichen Antworten sein</translation>
     </message>
     <message>
         <source>must be at least {limit}</source>
@@ -8740,12 +9639,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Name einer Spur, aus einer Datei</translation>
     </message>
     <message>
+        <source>name: must have 1 to {most} characters in one line</source>
+        <translation>name: muss 1 bis {most} Zeichen in einer Zeile haben</translation>
+    </message>
+    <message>
         <source>names a part of {axes}</source>
         <translation>nennt nur einen Teil von {axes}</translation>
     </message>
     <message>
         <source>needs a second sequence, whose force is felt</source>
         <translation>braucht eine zweite Sequenz, deren Kraft gespürt wird</translation>
+    </message>
+    <message>
+        <source>neither DISPLAY nor WAYLAND_DISPLAY is set</source>
+        <translation>weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt</translation>
+    </message>
+    <message>
+        <source>neither a sound server nor a sound card</source>
+        <translation>weder ein Tonserver noch eine Soundkarte</translation>
     </message>
     <message>
         <source>no device with such force feedback is plugged in; connect it, and see whether its driver is loaded</source>
@@ -8784,6 +9695,22 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>bei {address} hört niemand zu: Starten Sie die Software der Plattform</translation>
     </message>
     <message>
+        <source>none on USB</source>
+        <translation>keiner am USB</translation>
+    </message>
+    <message>
+        <source>normal: neither fifo nor short slices</source>
+        <translation>normal: weder fifo noch kurze Zeitscheiben</translation>
+    </message>
+    <message>
+        <source>normal: this system grants nothing else</source>
+        <translation>normal: Dieses System erlaubt nichts anderes</translation>
+    </message>
+    <message>
+        <source>not looked at: the list of them is not here ({file})</source>
+        <translation>nicht geprüft: Die Liste dazu fehlt hier ({file})</translation>
+    </message>
+    <message>
         <source>not read: {what} ({count})</source>
         <translation>nicht gelesen: {what} ({count})</translation>
     </message>
@@ -8798,6 +9725,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>offset {offset_s} s with rate {rate} is not a valid clock map; give finite numbers and a positive rate</source>
         <translation>Versatz {offset_s} s mit Rate {rate} ist keine Zuordnung der Uhren; geben Sie endliche Zahlen und eine positive Rate an</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
     </message>
     <message>
         <source>one gap</source>
@@ -8876,6 +9807,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Voreinstellung</translation>
     </message>
     <message>
+        <source>processors</source>
+        <translation>Prozessoren</translation>
+    </message>
+    <message>
         <source>rate-axes={axes} if the gyroscope is {how}</source>
         <translation>rate-axes={axes}, wenn das Gyroskop {how} ist</translation>
     </message>
@@ -8952,6 +9887,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>lockere</translation>
     </message>
     <message>
+        <source>remove one of them</source>
+        <translation>entfernen Sie eine davon</translation>
+    </message>
+    <message>
         <source>remove or complete the line</source>
         <translation>entfernen oder ergänzen Sie die Zeile</translation>
     </message>
@@ -8988,6 +9927,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>lassen Sie erst eine Person teilnehmen</translation>
     </message>
     <message>
+        <source>run the doctor of the source tree for this part</source>
+        <translation>rufen Sie für diesen Teil den doctor aus dem Quellbaum auf</translation>
+    </message>
+    <message>
         <source>samples have the shape {shape}, expected N x 3</source>
         <translation>die Abtastwerte haben die Form {shape}, erwartet N x 3</translation>
     </message>
@@ -9006,6 +9949,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>scene</source>
         <translation>Szene</translation>
+    </message>
+    <message>
+        <source>scheduling</source>
+        <translation>Zeitzuteilung</translation>
     </message>
     <message>
         <source>see whether the toy is connected and charged</source>
@@ -9060,6 +10007,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Betrag der Kraft, jede Millisekunde</translation>
     </message>
     <message>
+        <source>slice: short slices, as fifo is not allowed</source>
+        <translation>slice: kurze Zeitscheiben, da fifo nicht erlaubt ist</translation>
+    </message>
+    <message>
         <source>smooth noise below 0.5 Hz, with the RMS of the realistic force</source>
         <translation>glattes Rauschen unter 0,5 Hz mit dem Effektivwert der realistischen Kraft</translation>
     </message>
@@ -9072,12 +10023,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>sortieren Sie die Zeilen nach der Zeit, oder schneiden Sie die Aufnahme dort</translation>
     </message>
     <message>
+        <source>sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
         <source>sound above {limit_hz} Hz was left out</source>
         <translation>Ton über {limit_hz} Hz wurde weggelassen</translation>
     </message>
     <message>
+        <source>sound through PulseAudio or PipeWire</source>
+        <translation>Ton über PulseAudio oder PipeWire</translation>
+    </message>
+    <message>
         <source>specific force is acceleration plus the phone&apos;s gravity estimate</source>
         <translation>die spezifische Kraft ist die Beschleunigung plus die Schwerkraft, wie das Telefon sie angibt</translation>
+    </message>
+    <message>
+        <source>start from a desktop session</source>
+        <translation>starten Sie aus einer Desktop-Sitzung</translation>
     </message>
     <message>
         <source>starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s</source>
@@ -9108,6 +10071,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>schalten Sie die Platine auf Sensorausgabe (#osct bei Razor-AHRS)</translation>
     </message>
     <message>
+        <source>synchronising by frames is coarse, no motion is suggested from the frames</source>
+        <translation>Synchronisieren nach den Bildern ist grob, und aus den Bildern wird keine Bewegung vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>system packages</source>
+        <translation>Systempakete</translation>
+    </message>
+    <message>
         <source>take another sequence, or add &apos;estimated&apos; to feedbacks</source>
         <translation>nehmen Sie eine andere Sequenz, oder fügen Sie &apos;estimated&apos; zu feedbacks hinzu</translation>
     </message>
@@ -9122,6 +10093,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>text answers</source>
         <translation>Textantworten</translation>
+    </message>
+    <message>
+        <source>the Falcon</source>
+        <translation>der Falcon</translation>
     </message>
     <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
@@ -10208,10 +11183,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>ein Williams-Plan enthält jedes Paar von Nachbarn, auch derselben Sequenz</translation>
     </message>
     <message>
-        <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
-        <translation>kein Faktor darf {name!r} heißen, wie die Summe aller</translation>
-    </message>
-    <message>
         <source>a frame has the shape {shape}, expected {expected} of uint8</source>
         <translation>ein Bild hat die Form {shape}, erwartet wird {expected} aus uint8</translation>
     </message>
@@ -10302,6 +11273,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>download it and play the file</source>
         <translation>laden Sie sie herunter, und spielen Sie die Datei ab</translation>
+    </message>
+    <message>
+        <source>download it, and give the file</source>
+        <translation>laden Sie sie herunter, und geben Sie die Datei an</translation>
     </message>
     <message>
         <source>drawing the figures</source>
@@ -10670,14 +11645,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>move the grip to the centre first, then re-arm again</source>
         <translation>bringen Sie den Griff zuerst in die Mitte, und geben Sie die Kraft dann noch einmal frei</translation>
-    </message>
-    <message>
-        <source>must be a number from {least} to {most}</source>
-        <translation>braucht eine Zahl von {least} bis {most}</translation>
-    </message>
-    <message>
-        <source>must be a yes-no question</source>
-        <translation>ist keine Ja-Nein-Frage</translation>
     </message>
     <message>
         <source>must be one of the choices</source>
@@ -11060,6 +12027,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kamera bewegt sich nicht: es gibt nichts zu schätzen</translation>
     </message>
     <message>
+        <source>the camera in the frames does not turn as the gyroscope does, in any axes: a stabilised video, another offset, or the log of another clip</source>
+        <translation>die Kamera in den Bildern dreht sich nicht wie das Gyroskop, gleich in welchen Achsen: ein stabilisiertes Video, ein anderer Versatz oder das Protokoll eines anderen Clips</translation>
+    </message>
+    <message>
+        <source>the camera in the frames turns as the gyroscope does</source>
+        <translation>die Kamera in den Bildern dreht sich wie das Gyroskop</translation>
+    </message>
+    <message>
         <source>the camera turns too little to show the time</source>
         <translation>die Kamera dreht sich zu wenig, um die Zeit zu zeigen</translation>
     </message>
@@ -11128,6 +12103,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Datenträger bei {disk} ist voll</translation>
     </message>
     <message>
+        <source>the environment of the program</source>
+        <translation>die Umgebung des Programms</translation>
+    </message>
+    <message>
         <source>the extension {name!r} cannot be used: {reason}; update or uninstall it</source>
         <translation>die Erweiterung {name!r} kann nicht verwendet werden: {reason}; aktualisieren oder entfernen Sie sie</translation>
     </message>
@@ -11152,12 +12131,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Kraft ist abgeschaltet; geben Sie sie zuerst frei</translation>
     </message>
     <message>
+        <source>the frames show an offset of {offset_s:.3f} s</source>
+        <translation>die Bilder zeigen einen Versatz von {offset_s:.3f} s</translation>
+    </message>
+    <message>
         <source>the guard could not be started: {reason}</source>
         <translation>der Wächter konnte nicht gestartet werden: {reason}</translation>
     </message>
     <message>
         <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
         <translation>der Wächter des Haptikprozesses wurde beendet, die Kraft ist aus; wählen Sie das Gerät erneut</translation>
+    </message>
+    <message>
+        <source>the gyroscope&apos;s axes were not compared with the frames: the camera hardly turns</source>
+        <translation>die Achsen des Gyroskops wurden nicht mit den Bildern verglichen: Die Kamera dreht sich kaum</translation>
     </message>
     <message>
         <source>the haptics process did not become ready in time; try again, and run &apos;hapticplayer doctor&apos; if it fails again</source>
@@ -11180,6 +12167,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Art ist unbekannt</translation>
     </message>
     <message>
+        <source>the language</source>
+        <translation>die Programmiersprache</translation>
+    </message>
+    <message>
         <source>the last {count} samples are missing</source>
         <translation>die letzten {count} Werte fehlen</translation>
     </message>
@@ -11190,6 +12181,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the method frames needs a clip</source>
         <translation>das Verfahren frames braucht einen Clip</translation>
+    </message>
+    <message>
+        <source>the motion in clips of Sony and Insta360 is not read</source>
+        <translation>die Bewegung in Clips von Sony und Insta360 wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the point {at} has two labels</source>
+        <translation>der Punkt {at} hat zwei Beschriftungen</translation>
     </message>
     <message>
         <source>the quaternion Kalman filter of Sabatini 2006</source>
@@ -11212,6 +12211,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>der Server antwortet nicht</translation>
     </message>
     <message>
+        <source>the simulated device stands in</source>
+        <translation>das simulierte Gerät springt ein</translation>
+    </message>
+    <message>
         <source>the slow part of the specific force is gravity</source>
         <translation>der langsame Anteil der spezifischen Kraft ist die Schwerkraft</translation>
     </message>
@@ -11226,6 +12229,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>there are no participants</source>
         <translation>es gibt keine Teilnehmer</translation>
+    </message>
+    <message>
+        <source>there is a sound card</source>
+        <translation>es gibt eine Soundkarte</translation>
     </message>
     <message>
         <source>there is data after the end of the recording</source>
@@ -11244,16 +12251,16 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>es gibt keine Ausgabe {name!r}</translation>
     </message>
     <message>
+        <source>there is no page {page!r} in {step}</source>
+        <translation>in {step} gibt es keine Seite {page!r}</translation>
+    </message>
+    <message>
         <source>there is no valid motion in the clip to fit a gain to</source>
         <translation>im Clip gibt es keine gültige Bewegung, an die sich eine Verstärkung anpassen ließe</translation>
     </message>
     <message>
         <source>there is none yet</source>
         <translation>es gibt noch keine</translation>
-    </message>
-    <message>
-        <source>these are two videos: {names}</source>
-        <translation>das sind zwei Videos: {names}</translation>
     </message>
     <message>
         <source>this condition needs the sequence of the clip</source>
@@ -11344,12 +12351,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>dies ist nicht das Video, für das die Kraft gemacht wurde ({reason}): Es läuft ohne Kraft</translation>
     </message>
     <message>
+        <source>this system takes no request to keep them awake</source>
+        <translation>dieses System nimmt keine Anforderung an, sie wach zu halten</translation>
+    </message>
+    <message>
         <source>three channels were taken as x, y and z</source>
         <translation>drei Kanäle gelten als x, y und z</translation>
     </message>
     <message>
         <source>three taps on the camera, heard and felt</source>
         <translation>dreimaliges Klopfen auf die Kamera, gehört und gespürt</translation>
+    </message>
+    <message>
+        <source>timeSamples was not used where it is not that of the rows</source>
+        <translation>timeSamples wurde nicht verwendet, wo es nicht zu den Zeilen passt</translation>
     </message>
     <message>
         <source>times were taken as milliseconds</source>
@@ -11386,6 +12401,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>use L, R, V or A and a digit, such as V0</source>
         <translation>verwenden Sie L, R, V oder A und eine Ziffer, etwa V0</translation>
+    </message>
+    <message>
+        <source>use Python {oldest} or newer, as in Debian 12 and 13</source>
+        <translation>verwenden Sie Python {oldest} oder neuer, wie in Debian 12 und 13</translation>
     </message>
     <message>
         <source>use a name in /dev/input, such as event5</source>
@@ -11472,8 +12491,20 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Fenster reagierte nicht</translation>
     </message>
     <message>
+        <source>windows under Wayland</source>
+        <translation>Fenster unter Wayland</translation>
+    </message>
+    <message>
+        <source>windows under X11</source>
+        <translation>Fenster unter X11</translation>
+    </message>
+    <message>
         <source>with hapticplayer[vision] installed, the frames are compared with the gyro exactly, and those of H.265 too</source>
         <translation>mit hapticplayer[vision] werden die Bilder genau mit dem Gyroskop verglichen, auch die von H.265</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>ohne</translation>
     </message>
     <message>
         <source>write numbers without units or signs, or choose another log</source>
@@ -11556,6 +12587,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{count} Kanäle wirken entlang x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
     </message>
     <message>
+        <source>{count} records are missing, the first is number {number}</source>
+        <translation>{count} Datensätze fehlen, der erste ist Nummer {number}</translation>
+    </message>
+    <message>
         <source>{count} text answers were left out: they have not been reviewed</source>
         <translation>{count} Textantworten wurden weggelassen: Sie wurden nicht durchgesehen</translation>
     </message>
@@ -11608,6 +12643,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{key!r} ist der Name einer anderen Bedingung</translation>
     </message>
     <message>
+        <source>{key!r} is the name of another step</source>
+        <translation>{key!r} ist der Name eines anderen Schritts</translation>
+    </message>
+    <message>
+        <source>{key!r} is the name of the sum of questions</source>
+        <translation>{key!r} ist der Name der Summe von Fragen</translation>
+    </message>
+    <message>
         <source>{key} is not the condition of {step}</source>
         <translation>{key} ist nicht die Bedingung von {step}</translation>
     </message>
@@ -11638,10 +12681,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{kind} was read as lines</source>
         <translation>{kind} wurde als Geraden gelesen</translation>
-    </message>
-    <message>
-        <source>{log}: the taps fit, but the gyro explains only {explained:.0%} of the camera&apos;s rotation in the frames, in any axes: is it the log of this clip, and the video not stabilised? To take the taps alone, say so</source>
-        <translation>{log}: Das Klopfen passt, aber das Gyroskop erklärt in keinen Achsen mehr als {explained:.0%} der Drehung der Kamera in den Bildern: Gehört das Protokoll zu diesem Clip, und ist das Video nicht stabilisiert? Um das Klopfen allein zu nehmen, sagen Sie es</translation>
     </message>
     <message>
         <source>{modality}: amplitude 1 was taken as {full_n:.3g} N</source>
@@ -11768,12 +12807,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{name} muss streng steigen, aber in Zeile {row} stehen {time_s:.6f} s nach {last_s:.6f} s</translation>
     </message>
     <message>
+        <source>{name} reaches {farthest_s:.3g} s, beyond any clip</source>
+        <translation>{name} reicht bis {farthest_s:.3g} s, weiter als jeder Clip</translation>
+    </message>
+    <message>
+        <source>{name} reaches {largest_mps2:.3g} m/s2, beyond what sensors measure</source>
+        <translation>{name} erreicht {largest_mps2:.3g} m/s2, mehr als Sensoren messen</translation>
+    </message>
+    <message>
         <source>{name} was taken as {modality}</source>
         <translation>{name} gilt als {modality}</translation>
     </message>
     <message>
         <source>{name}: {kind} has no such parameter; it has {known}</source>
         <translation>{name}: {kind} hat keinen solchen Parameter, sondern {known}</translation>
+    </message>
+    <message>
+        <source>{node}, but this user may not open it</source>
+        <translation>{node}, aber dieser Benutzer darf es nicht öffnen</translation>
     </message>
     <message>
         <source>{norm:.2f} m/s2 at rest</source>
@@ -11812,6 +12863,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{output}: {what}</translation>
     </message>
     <message>
+        <source>{package} exists for Python up to {newest} only</source>
+        <translation>{package} gibt es nur für Python bis {newest}</translation>
+    </message>
+    <message>
         <source>{path}: cannot be restored ({reason})</source>
         <translation>{path}: kann nicht zurückgeholt werden ({reason})</translation>
     </message>
@@ -11826,10 +12881,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{path}: {reason}</source>
         <translation>{path}: {reason}</translation>
-    </message>
-    <message>
-        <source>{percent:.2g} % of the force samples reach the force limit</source>
-        <translation>{percent:.2g} % der Kraftwerte erreichen die Kraftgrenze</translation>
     </message>
     <message>
         <source>{percent} %</source>
@@ -11850,6 +12901,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} von {count} Sitzungen sind simuliert: Niemand saß dort</translation>
+    </message>
+    <message>
+        <source>{server} answers</source>
+        <translation>{server} antwortet</translation>
+    </message>
+    <message>
+        <source>{server} is silent</source>
+        <translation>{server} antwortet nicht</translation>
     </message>
     <message>
         <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it</source>
@@ -11940,6 +12999,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>{value} ist nicht erlaubt</translation>
     </message>
     <message>
+        <source>{what} ({limits})</source>
+        <translation>{what} ({limits})</translation>
+    </message>
+    <message>
+        <source>{what} ({proof})</source>
+        <translation>{what} ({proof})</translation>
+    </message>
+    <message>
         <source>{what}, with the axes that were given</source>
         <translation>{what}, mit den angegebenen Achsen</translation>
     </message>
@@ -12018,6 +13085,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{file}: {option} {key}={value} has no effect on a log of {form}: {why}; leave it out</source>
         <translation>{file}: {option} {key}={value} hat keine Wirkung auf ein Protokoll von {form}: {why}; lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>{log} is a motion log; choose the video that it belongs to</source>
+        <translation>{log} ist ein Bewegungsprotokoll; wählen Sie das Video, zu dem es gehört</translation>
+    </message>
+    <message>
+        <source>{log}: the taps fit, but the gyro explains only {explained:.0%} of the camera&apos;s rotation in the frames, in any axes: is it the log of this clip, and the video not stabilised? To take the taps alone, say so, or give their offset</source>
+        <translation>{log}: Das Klopfen passt, aber das Gyroskop erklärt nur {explained:.0%} der Drehung der Kamera in den Bildern, gleich in welchen Achsen: Gehört das Protokoll zu diesem Clip, und ist das Video nicht stabilisiert? Um das Klopfen allein zu nehmen, geben Sie das an, oder geben Sie seinen Versatz an</translation>
     </message>
     <message>
         <source>{reason}, or set {variable} to another path</source>

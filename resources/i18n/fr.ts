@@ -212,20 +212,104 @@
         <translation>Plateforme de &amp;mouvement simulée…</translation>
     </message>
     <message>
-        <source>Effect or cursor a frame back</source>
-        <translation>Effet ou curseur une image en arrière</translation>
+        <source>Effects, point or cursor a frame back</source>
+        <translation>Effets, point ou curseur une image en arrière</translation>
     </message>
     <message>
-        <source>Effect or cursor a frame forward</source>
-        <translation>Effet ou curseur une image en avant</translation>
+        <source>Effects, point or cursor a frame forward</source>
+        <translation>Effets, point ou curseur une image en avant</translation>
     </message>
     <message>
-        <source>Effect ten frames or cursor 1 s back</source>
-        <translation>Effet dix images ou curseur 1 s en arrière</translation>
+        <source>Effects or point ten frames, or cursor 1 s back</source>
+        <translation>Effets ou point de dix images, ou curseur de 1 s, en arrière</translation>
     </message>
     <message>
-        <source>Effect ten frames or cursor 1 s forward</source>
-        <translation>Effet dix images ou curseur 1 s en avant</translation>
+        <source>Effects or point ten frames, or cursor 1 s forward</source>
+        <translation>Effets ou point de dix images, ou curseur de 1 s, en avant</translation>
+    </message>
+    <message>
+        <source>Previous marker</source>
+        <translation>Marqueur précédent</translation>
+    </message>
+    <message>
+        <source>Next marker</source>
+        <translation>Marqueur suivant</translation>
+    </message>
+    <message>
+        <source>Select all effects</source>
+        <translation>Sélectionner tous les effets</translation>
+    </message>
+    <message>
+        <source>Select the next effect as well</source>
+        <translation>Sélectionner aussi l’effet suivant</translation>
+    </message>
+    <message>
+        <source>Select the previous effect as well</source>
+        <translation>Sélectionner aussi l’effet précédent</translation>
+    </message>
+    <message>
+        <source>Next fade or point of the effect</source>
+        <translation>Fondu ou point suivant de l’effet</translation>
+    </message>
+    <message>
+        <source>Previous fade or point of the effect</source>
+        <translation>Fondu ou point précédent de l’effet</translation>
+    </message>
+    <message>
+        <source>Raise the point</source>
+        <translation>Monter le point</translation>
+    </message>
+    <message>
+        <source>Lower the point</source>
+        <translation>Descendre le point</translation>
+    </message>
+    <message>
+        <source>Raise the point by ten steps</source>
+        <translation>Monter le point de dix pas</translation>
+    </message>
+    <message>
+        <source>Lower the point by ten steps</source>
+        <translation>Descendre le point de dix pas</translation>
+    </message>
+    <message>
+        <source>Add a control point at the cursor</source>
+        <translation>Ajouter un point de contrôle au curseur</translation>
+    </message>
+    <message>
+        <source>Switch the effects on or off</source>
+        <translation>Activer ou désactiver les effets</translation>
+    </message>
+    <message>
+        <source>Delete the effects, or the point</source>
+        <translation>Supprimer les effets, ou le point</translation>
+    </message>
+    <message>
+        <source>Duplicate the effects</source>
+        <translation>Dupliquer les effets</translation>
+    </message>
+    <message>
+        <source>Copy the effects</source>
+        <translation>Copier les effets</translation>
+    </message>
+    <message>
+        <source>Paste the effects at the cursor</source>
+        <translation>Coller les effets au curseur</translation>
+    </message>
+    <message>
+        <source>Go back without force; again for faster</source>
+        <translation>Reculer sans force&#xa0;; encore une fois pour aller plus vite</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play; again for faster</source>
+        <translation>Lire&#xa0;; encore une fois pour aller plus vite</translation>
+    </message>
+    <message>
+        <source>Set a marker at the cursor</source>
+        <translation>Poser un marqueur au curseur</translation>
     </message>
     <message>
         <source>End of the effect a frame back</source>
@@ -278,26 +362,6 @@
     <message>
         <source>Offer the effect of the event at the cursor</source>
         <translation>Proposer l’effet de l’événement au curseur</translation>
-    </message>
-    <message>
-        <source>Switch the effect on or off</source>
-        <translation>Activer ou désactiver l’effet</translation>
-    </message>
-    <message>
-        <source>Delete the effect</source>
-        <translation>Supprimer l’effet</translation>
-    </message>
-    <message>
-        <source>Duplicate the effect</source>
-        <translation>Dupliquer l’effet</translation>
-    </message>
-    <message>
-        <source>Copy the effect</source>
-        <translation>Copier l’effet</translation>
-    </message>
-    <message>
-        <source>Paste the effect at the cursor</source>
-        <translation>Coller l’effet au curseur</translation>
     </message>
     <message>
         <source>Undo the change of effects</source>
@@ -518,6 +582,13 @@
     <message>
         <source>Frame at the cursor</source>
         <translation>Image au curseur</translation>
+    </message>
+</context>
+<context>
+    <name>ColumnMap</name>
+    <message>
+        <source>Column {number}</source>
+        <translation>Colonne {number}</translation>
     </message>
 </context>
 <context>
@@ -742,10 +813,6 @@
         <translation>Libérer l’appareil</translation>
     </message>
     <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
         <source>Demonstration finished.</source>
         <translation>Démonstration terminée.</translation>
     </message>
@@ -783,6 +850,14 @@
     <message>
         <source>Platform of the rig</source>
         <translation>Plateau de la plateforme</translation>
+    </message>
+    <message>
+        <source>up {up} mm; roll {roll}, pitch {pitch}, yaw {yaw} degrees</source>
+        <translation>hauteur {up} mm&#xa0;; roulis {roll}, tangage {pitch}, lacet {yaw} degrés</translation>
+    </message>
+    <message>
+        <source>at the end of its reach</source>
+        <translation>en bout de course</translation>
     </message>
     <message>
         <source>Motion shown {factor}× larger</source>
@@ -867,6 +942,10 @@
         <translation>Il poussera doucement dans chaque direction pendant {seconds} s, jusqu’à {strength}.</translation>
     </message>
     <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
         <source>Starting</source>
         <translation>Démarrage</translation>
     </message>
@@ -947,6 +1026,33 @@
     </message>
 </context>
 <context>
+    <name>Dropping</name>
+    <message>
+        <source>Clips: {count}. Imported, those with motion can be felt.</source>
+        <translation>Clips&#xa0;: {count}. Une fois importés, ceux qui contiennent du mouvement peuvent être sentis.</translation>
+    </message>
+    <message>
+        <source>Import all…</source>
+        <translation>Tout importer…</translation>
+    </message>
+    <message>
+        <source>{name} contains motion data, which plays once it is imported.</source>
+        <translation>{name} contient des données de mouvement, jouées une fois importées.</translation>
+    </message>
+    <message>
+        <source>Import and feel it…</source>
+        <translation>Importer et sentir…</translation>
+    </message>
+    <message>
+        <source>{name} has no motion data; drop its log here, or let its frames suggest it.</source>
+        <translation>{name} n’a pas de données de mouvement&#xa0;; déposez ici son journal, ou laissez ses images suggérer un mouvement.</translation>
+    </message>
+    <message>
+        <source>Suggest motion from the frames…</source>
+        <translation>Suggérer un mouvement d’après les images…</translation>
+    </message>
+</context>
+<context>
     <name>Editing</name>
     <message>
         <source>Add</source>
@@ -965,12 +1071,44 @@
         <translation>Supprimer</translation>
     </message>
     <message>
+        <source>Fade</source>
+        <translation>Fondu</translation>
+    </message>
+    <message>
+        <source>Move the point</source>
+        <translation>Déplacer le point</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Ajouter un point</translation>
+    </message>
+    <message>
         <source>Change the order</source>
         <translation>Modifier l’ordre</translation>
     </message>
     <message>
+        <source>Marker {number}</source>
+        <translation>Marqueur {number}</translation>
+    </message>
+    <message>
+        <source>Set a marker</source>
+        <translation>Poser un marqueur</translation>
+    </message>
+    <message>
+        <source>Rename the marker</source>
+        <translation>Renommer le marqueur</translation>
+    </message>
+    <message>
+        <source>Remove the marker</source>
+        <translation>Retirer le marqueur</translation>
+    </message>
+    <message>
         <source>Duplicate</source>
         <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Delete the point</source>
+        <translation>Supprimer le point</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -988,12 +1126,20 @@
 <context>
     <name>EditingLanes</name>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>Ligne de temps</translation>
+    </message>
+    <message>
+        <source>{count} effects are selected</source>
+        <translation>{count} effets sont sélectionnés</translation>
     </message>
     <message>
         <source>off</source>
         <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>Delete the point</source>
+        <translation>Supprimer le point</translation>
     </message>
     <message>
         <source>Switch off</source>
@@ -1025,6 +1171,14 @@
     <message>
         <source>Edit effects</source>
         <translation>Modifier les effets</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effets</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
     </message>
     <message>
         <source>Save your changes to the effects?</source>
@@ -1072,6 +1226,10 @@
     <message>
         <source>No effect is selected</source>
         <translation>Aucun effet sélectionné</translation>
+    </message>
+    <message>
+        <source>{count} effects are selected</source>
+        <translation>{count} effets sont sélectionnés</translation>
     </message>
     <message>
         <source>Place in the order in which they are applied</source>
@@ -1136,10 +1294,6 @@
     <message>
         <source>Direction</source>
         <translation>Direction</translation>
-    </message>
-    <message>
-        <source>Fade</source>
-        <translation>Fondu</translation>
     </message>
     <message>
         <source>Change the numbers</source>
@@ -1457,6 +1611,14 @@
         <translation>Détection automatique</translation>
     </message>
     <message>
+        <source>&amp;How the log is read…</source>
+        <translation>&amp;Comment le journal est lu…</translation>
+    </message>
+    <message>
+        <source>Units, axes, signs and more, with a check against gravity</source>
+        <translation>Unités, axes, signes et plus encore, vérifiés d’après la pesanteur</translation>
+    </message>
+    <message>
         <source>&amp;Save as template…</source>
         <translation>Enregistrer comme &amp;modèle…</translation>
     </message>
@@ -1481,8 +1643,20 @@
         <translation>Choisir…</translation>
     </message>
     <message>
+        <source>Se&amp;veral clips…</source>
+        <translation>&amp;Plusieurs clips…</translation>
+    </message>
+    <message>
+        <source>Import clips one after the other</source>
+        <translation>Importer des clips l’un après l’autre</translation>
+    </message>
+    <message>
         <source>&amp;Format</source>
         <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>{log} is a motion log. Choose or drop the video of the ride.</source>
+        <translation>{log} est un journal de mouvement. Choisissez ou déposez la vidéo du trajet.</translation>
     </message>
     <message>
         <source>with sound</source>
@@ -1527,10 +1701,6 @@
     <message>
         <source>Templates (*.json)</source>
         <translation>Modèles (*.json)</translation>
-    </message>
-    <message>
-        <source>Choose a template</source>
-        <translation>Choisir un modèle</translation>
     </message>
 </context>
 <context>
@@ -1617,6 +1787,10 @@
         <translation>Utiliser la formulation publiée des questions quand elle existe</translation>
     </message>
     <message>
+        <source>Before a session</source>
+        <translation>Avant une séance</translation>
+    </message>
+    <message>
         <source>Require a real device before a session starts</source>
         <translation>Exiger un appareil réel avant le début d’une séance</translation>
     </message>
@@ -1627,6 +1801,58 @@
     <message>
         <source>Stream markers and force to other programs on this computer (LSL)</source>
         <translation>Diffuser marqueurs et force vers d’autres programmes de cet ordinateur (LSL)</translation>
+    </message>
+    <message>
+        <source>Free disk space</source>
+        <translation>Espace disque libre</translation>
+    </message>
+    <message>
+        <source>Scheduling of the haptic loop</source>
+        <translation>Ordonnancement de la boucle haptique</translation>
+    </message>
+    <message>
+        <source>real time (FIFO)</source>
+        <translation>temps réel (FIFO)</translation>
+    </message>
+    <message>
+        <source>short time slices</source>
+        <translation>tranches de temps courtes</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>A trial is marked as invalid above</source>
+        <translation>Un essai est marqué comme non valide au-delà de</translation>
+    </message>
+    <message>
+        <source>Dropped frames (share)</source>
+        <translation>Images sautées (part)</translation>
+    </message>
+    <message>
+        <source>Force to video or sound (median)</source>
+        <translation>Force par rapport à la vidéo ou au son (médiane)</translation>
+    </message>
+    <message>
+        <source>Missed periods of the haptic loop (share)</source>
+        <translation>Périodes manquées de la boucle haptique (part)</translation>
+    </message>
+    <message>
+        <source>Audio dropouts</source>
+        <translation>Lacunes dans le son</translation>
+    </message>
+    <message>
+        <source>conditions are compared by answers</source>
+        <translation>les conditions sont comparées d’après les réponses</translation>
+    </message>
+    <message>
+        <source>when force and video feel consistent</source>
+        <translation>quand la force et la vidéo sont ressenties comme concordantes</translation>
+    </message>
+    <message>
+        <source>Kept as they are: the template ({template}), what the trials are for ({trial}), and the identifier by which sessions belong to the study ({id}).</source>
+        <translation>Conservés tels quels&#xa0;: le modèle ({template}), le but des essais ({trial}) et l’identifiant qui rattache les séances à l’étude ({id}).</translation>
     </message>
     <message>
         <source>Languages</source>
@@ -2090,6 +2316,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <source>Cancel; nothing is kept</source>
         <translation>Annuler&#xa0;; rien n’est conservé</translation>
     </message>
+    <message>
+        <source>about {minutes} min left</source>
+        <translation>encore {minutes} min environ</translation>
+    </message>
+    <message>
+        <source>about {seconds} s left</source>
+        <translation>encore {seconds} s environ</translation>
+    </message>
 </context>
 <context>
     <name>KeysDialog</name>
@@ -2200,7 +2434,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Son</translation>
     </message>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>Ligne de temps</translation>
     </message>
     <message>
@@ -2210,6 +2444,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>No effects</source>
         <translation>Aucun effet</translation>
+    </message>
+    <message>
+        <source>Fade in {seconds} s</source>
+        <translation>Fondu d’entrée {seconds} s</translation>
+    </message>
+    <message>
+        <source>Fade out {seconds} s</source>
+        <translation>Fondu de sortie {seconds} s</translation>
+    </message>
+    <message>
+        <source>Point {number} of {count}: {time} s, {value}</source>
+        <translation>Point {number} sur {count}&#xa0;: {time} s, {value}</translation>
     </message>
 </context>
 <context>
@@ -2654,6 +2900,21 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>MarkerList</name>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>Enter goes there, F2 renames, Delete removes</source>
+        <translation>Entrée s’y rend, F2 renomme, Suppr retire</translation>
+    </message>
+    <message>
+        <source>No markers yet. M sets one at the cursor.</source>
+        <translation>Pas encore de marqueur. M en pose un au curseur.</translation>
+    </message>
+</context>
+<context>
     <name>MessageBar</name>
     <message>
         <source>Close</source>
@@ -2690,16 +2951,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Fixation</translation>
     </message>
     <message>
-        <source>For short recordings: the file with what a longer one of the same sensor tells of its errors</source>
-        <translation>Pour les enregistrements courts&#xa0;: le fichier de ce qu’un plus long du même capteur dit de ses erreurs</translation>
-    </message>
-    <message>
         <source>Title</source>
         <translation>Titre</translation>
     </message>
     <message>
         <source>Right {right}, front {front}, up {up}</source>
         <translation>Droite {right}, avant {front}, haut {up}</translation>
+    </message>
+    <message>
+        <source>As the frames show, when it is imported</source>
+        <translation>D’après les images, à l’importation</translation>
     </message>
     <message>
         <source>Change…</source>
@@ -2710,28 +2971,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Fixation</translation>
     </message>
     <message>
-        <source>Calibration</source>
-        <translation>Étalonnage</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Aucun</translation>
-    </message>
-    <message>
         <source>Choose another library folder</source>
         <translation>Choisir un autre dossier de bibliothèque</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>Choose a calibration</source>
-        <translation>Choisir un étalonnage</translation>
-    </message>
-    <message>
-        <source>&amp;Calibration</source>
-        <translation>Éta&amp;lonnage</translation>
     </message>
     <message>
         <source>&amp;Title</source>
@@ -2744,6 +2985,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>The drawing shows the recorder on the wearer, who faces forward; the dashed line shows which way was up, from gravity.</source>
         <translation>Le dessin montre l’enregistreur sur le porteur, qui regarde devant lui&#xa0;; la ligne pointillée indique le haut d’après la pesanteur.</translation>
+    </message>
+    <message>
+        <source>Taken from the frames if they show it clearly; else you are asked.</source>
+        <translation>Déterminée d’après les images si elles la montrent clairement&#xa0;; sinon, elle vous sera demandée.</translation>
     </message>
     <message>
         <source>The frames show this mounting (ratio {ratio} to the next best); gravity does not contradict it.</source>
@@ -3076,8 +3321,8 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>&amp;Boucle</translation>
     </message>
     <message>
-        <source>Repeat the selected effect, or what is in view without one</source>
-        <translation>Répéter l’effet choisi, ou sans choix ce qui est visible</translation>
+        <source>Repeat the selected effects, or what is in view without any</source>
+        <translation>Répéter les effets sélectionnés ou, sans sélection, la partie visible</translation>
     </message>
     <message>
         <source>&amp;Before</source>
@@ -3101,22 +3346,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Force stopped. {keys} re-arms it.</source>
         <translation>Force coupée. {keys} la réarme.</translation>
-    </message>
-    <message>
-        <source>{name} contains motion data, which plays once it is imported.</source>
-        <translation>{name} contient des données de mouvement, jouées une fois importées.</translation>
-    </message>
-    <message>
-        <source>Import and feel it…</source>
-        <translation>Importer et sentir…</translation>
-    </message>
-    <message>
-        <source>{name} has no motion data; a log, or its frames, can give it.</source>
-        <translation>{name} n’a pas de données de mouvement&#xa0;; un journal, ou ses images, peut en donner.</translation>
-    </message>
-    <message>
-        <source>Import or suggest motion…</source>
-        <translation>Importer ou suggérer un mouvement…</translation>
     </message>
     <message>
         <source>No next file</source>
@@ -3360,6 +3589,73 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>ProcessingFields</name>
+    <message>
+        <source>Gravity removal</source>
+        <translation>Retrait de la pesanteur</translation>
+    </message>
+    <message>
+        <source>Time constant, s</source>
+        <translation>Constante de temps, s</translation>
+    </message>
+    <message>
+        <source>from the motion</source>
+        <translation>d’après le mouvement</translation>
+    </message>
+    <message>
+        <source>Accelerations that last much longer than this count as gravity</source>
+        <translation>Les accélérations qui durent bien plus longtemps comptent comme pesanteur</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>For short recordings: the file with what a longer one of the same sensor tells of its errors</source>
+        <translation>Pour les enregistrements courts&#xa0;: le fichier contenant ce qu’un enregistrement plus long du même capteur révèle de ses erreurs</translation>
+    </message>
+    <message>
+        <source>Replace isolated s&amp;pikes</source>
+        <translation>Re&amp;mplacer les pics isolés</translation>
+    </message>
+    <message>
+        <source>Reconstruct short cli&amp;pped peaks</source>
+        <translation>Re&amp;construire les courts sommets écrêtés</translation>
+    </message>
+    <message>
+        <source>Average to, Hz</source>
+        <translation>Moyenne à, Hz</translation>
+    </message>
+    <message>
+        <source>Low-pass at, Hz</source>
+        <translation>Passe-bas à, Hz</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>sans</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Choisir un étalonnage</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>Éta&amp;lonnage</translation>
+    </message>
+    <message>
+        <source>Gra&amp;vity removal</source>
+        <translation>Retrait de la pesa&amp;nteur</translation>
+    </message>
+</context>
+<context>
     <name>Quality</name>
     <message>
         <source>Good: ready for use</source>
@@ -3430,6 +3726,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>estimé d’après l’image, rien ne l’a mesuré&#xa0;: balancement dans {sway}, rebond dans {bounce} du clip&#xa0;; gain {gain}</translation>
     </message>
     <message>
+        <source>{share} of the time; the peak is {n} N</source>
+        <translation>{share} du temps&#xa0;; la crête est de {n} N</translation>
+    </message>
+    <message>
         <source>The force would be stopped; lower the gain</source>
         <translation>La force serait coupée&#xa0;; réduisez le gain</translation>
     </message>
@@ -3486,10 +3786,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{share} du mouvement&#xa0;; {count}, la plus longue {s}&#xa0;s</translation>
     </message>
     <message>
-        <source>{share} of the samples; the peak is {n} N</source>
-        <translation>{share} des valeurs&#xa0;; la crête est de {n}&#xa0;N</translation>
-    </message>
-    <message>
         <source>relaxed hand</source>
         <translation>main détendue</translation>
     </message>
@@ -3543,20 +3839,36 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Ajouter</translation>
     </message>
     <message>
-        <source>Add a question to a page</source>
-        <translation>Ajouter une question à une page</translation>
-    </message>
-    <message>
         <source>Questions</source>
         <translation>Questions</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
     </message>
     <message>
         <source>(no wording yet)</source>
         <translation>(pas encore de formulation)</translation>
     </message>
     <message>
+        <source>Shown</source>
+        <translation>Affichée</translation>
+    </message>
+    <message>
+        <source>Text above the questions</source>
+        <translation>Texte au-dessus des questions</translation>
+    </message>
+    <message>
+        <source>All clips may be played again there</source>
+        <translation>Tous les clips peuvent y être rejoués</translation>
+    </message>
+    <message>
         <source>Wording</source>
         <translation>Formulation</translation>
+    </message>
+    <message>
+        <source>Help line</source>
+        <translation>Ligne d’aide</translation>
     </message>
     <message>
         <source>Kind of answer</source>
@@ -3567,12 +3879,56 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Une réponse est obligatoire</translation>
     </message>
     <message>
+        <source>Part of the sum QoE, which is analysed first</source>
+        <translation>Fait partie de la somme QoE, analysée en premier</translation>
+    </message>
+    <message>
         <source>Ask once for each kind of feedback</source>
         <translation>Demander une fois pour chaque type de retour</translation>
     </message>
     <message>
+        <source>Unit in the data</source>
+        <translation>Unité dans les données</translation>
+    </message>
+    <message>
+        <source>another range</source>
+        <translation>autre plage</translation>
+    </message>
+    <message>
+        <source>Label of {n}</source>
+        <translation>Libellé de {n}</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Remove this label</source>
+        <translation>Retirer ce libellé</translation>
+    </message>
+    <message>
+        <source>Add a label</source>
+        <translation>Ajouter un libellé</translation>
+    </message>
+    <message>
+        <source>another label</source>
+        <translation>autre libellé</translation>
+    </message>
+    <message>
+        <source>removal</source>
+        <translation>retrait</translation>
+    </message>
+    <message>
+        <source>another page</source>
+        <translation>autre page</translation>
+    </message>
+    <message>
         <source>Name in the data</source>
         <translation>Nom dans les données</translation>
+    </message>
+    <message>
+        <source>Add a question or a page</source>
+        <translation>Ajouter une question ou une page</translation>
     </message>
     <message>
         <source>In data and figures: a to z, 0 to 9, _ and -</source>
@@ -3595,18 +3951,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Nombre maximal de caractères</translation>
     </message>
     <message>
-        <source>Label of 1</source>
-        <translation>Libellé de 1</translation>
-    </message>
-    <message>
-        <source>Label of 5</source>
-        <translation>Libellé de 5</translation>
-    </message>
-    <message>
-        <source>All five-point scales of a study have the same labels.</source>
-        <translation>Toutes les échelles à cinq points d’une étude ont les mêmes libellés.</translation>
-    </message>
-    <message>
         <source>Answer {n}</source>
         <translation>Réponse {n}</translation>
     </message>
@@ -3617,10 +3961,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Remove this answer</source>
         <translation>Retirer cette réponse</translation>
-    </message>
-    <message>
-        <source>removal of an answer</source>
-        <translation>retrait d’une réponse</translation>
     </message>
     <message>
         <source>another question</source>
@@ -3636,10 +3976,402 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>QueuePage</name>
+    <message>
+        <source>Import several clips</source>
+        <translation>Importer plusieurs clips</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>Motion log</source>
+        <translation>Journal de mouvement</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Clips to import</source>
+        <translation>Clips à importer</translation>
+    </message>
+    <message>
+        <source>No clips yet: add some, or drop them here.</source>
+        <translation>Pas encore de clip&#xa0;: ajoutez-en, ou déposez-les ici.</translation>
+    </message>
+    <message>
+        <source>Each clip is imported with its own motion, or with the log of the same name, and tested. Clips that are in the library are only tested. A clip that needs an answer waits; the others go on.</source>
+        <translation>Chaque clip est importé avec son propre mouvement, ou avec le journal du même nom, puis vérifié. Les clips qui sont déjà dans la bibliothèque sont seulement vérifiés. Un clip qui demande une réponse attend&#xa0;; les autres continuent.</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop the queue; what is done is kept</source>
+        <translation>Arrêter la file&#xa0;; ce qui est fait est conservé</translation>
+    </message>
+    <message>
+        <source>&amp;Clips…</source>
+        <translation>&amp;Clips…</translation>
+    </message>
+    <message>
+        <source>Add clips and logs</source>
+        <translation>Ajouter des clips et des journaux</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Dossier…</translation>
+    </message>
+    <message>
+        <source>Add a folder of clips</source>
+        <translation>Ajouter un dossier de clips</translation>
+    </message>
+    <message>
+        <source>&amp;Answer…</source>
+        <translation>&amp;Répondre…</translation>
+    </message>
+    <message>
+        <source>Import the selected clip step by step</source>
+        <translation>Importer le clip sélectionné étape par étape</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lire</translation>
+    </message>
+    <message>
+        <source>Play the selected sequence</source>
+        <translation>Lire la séquence sélectionnée</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>Dé&amp;marrer</translation>
+    </message>
+    <message>
+        <source>Import what is not yet there</source>
+        <translation>Importer ce qui ne l’est pas encore</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Fermer cette fenêtre</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>en attente</translation>
+    </message>
+    <message>
+        <source>importing</source>
+        <translation>importation en cours</translation>
+    </message>
+    <message>
+        <source>● imported</source>
+        <translation>● importé</translation>
+    </message>
+    <message>
+        <source>● was there, intact</source>
+        <translation>● déjà là, intact</translation>
+    </message>
+    <message>
+        <source>▲ needs an answer</source>
+        <translation>▲ demande une réponse</translation>
+    </message>
+    <message>
+        <source>■ not imported</source>
+        <translation>■ non importé</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>arrêté</translation>
+    </message>
+    <message>
+        <source>imported: {count}</source>
+        <translation>importés&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>were there: {count}</source>
+        <translation>déjà là&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>need an answer: {count}</source>
+        <translation>demandent une réponse&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>not imported: {count}</source>
+        <translation>non importés&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>stopped: {count}</source>
+        <translation>arrêtés&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>importing: {count}</source>
+        <translation>en cours d’importation&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>waiting: {count}</source>
+        <translation>en attente&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>Clips: {count}</source>
+        <translation>Clips&#xa0;: {count}</translation>
+    </message>
+    <message>
+        <source>Choose clips and logs</source>
+        <translation>Choisir des clips et des journaux</translation>
+    </message>
+    <message>
+        <source>Choose a folder of clips</source>
+        <translation>Choisir un dossier de clips</translation>
+    </message>
+</context>
+<context>
+    <name>Reading</name>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>accelerometer {axis}</source>
+        <translation>accéléromètre {axis}</translation>
+    </message>
+    <message>
+        <source>gyroscope {axis}</source>
+        <translation>gyroscope {axis}</translation>
+    </message>
+    <message>
+        <source>magnetometer {axis}</source>
+        <translation>magnétomètre {axis}</translation>
+    </message>
+    <message>
+        <source>ignore</source>
+        <translation>ignorer</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>+1 g upwards</source>
+        <translation>+1 g vers le haut</translation>
+    </message>
+    <message>
+        <source>−1 g upwards</source>
+        <translation>−1 g vers le haut</translation>
+    </message>
+    <message>
+        <source>single values</source>
+        <translation>instantanées</translation>
+    </message>
+    <message>
+        <source>means over a window</source>
+        <translation>moyennées sur une fenêtre</translation>
+    </message>
+    <message>
+        <source>Time unit</source>
+        <translation>Unité de temps</translation>
+    </message>
+    <message>
+        <source>Accelerometer unit</source>
+        <translation>Unité de l’accéléromètre</translation>
+    </message>
+    <message>
+        <source>Gyroscope unit</source>
+        <translation>Unité du gyroscope</translation>
+    </message>
+    <message>
+        <source>Accelerometer reads</source>
+        <translation>L’accéléromètre mesure</translation>
+    </message>
+    <message>
+        <source>Values are</source>
+        <translation>Les valeurs sont</translation>
+    </message>
+    <message>
+        <source>Samples per second</source>
+        <translation>Mesures par seconde</translation>
+    </message>
+    <message>
+        <source>Magnetometer unit</source>
+        <translation>Unité du magnétomètre</translation>
+    </message>
+    <message>
+        <source>right {right}, front {front}, up {up}</source>
+        <translation>droite {right}, avant {front}, haut {up}</translation>
+    </message>
+    <message>
+        <source>not swapped</source>
+        <translation>non échangées</translation>
+    </message>
+    <message>
+        <source>accelerometer, gyroscope</source>
+        <translation>accéléromètre, gyroscope</translation>
+    </message>
+    <message>
+        <source>accelerometer, magnetometer</source>
+        <translation>accéléromètre, magnétomètre</translation>
+    </message>
+    <message>
+        <source>The wearer’s axes in the log</source>
+        <translation>Axes du porteur dans le journal</translation>
+    </message>
+    <message>
+        <source>Accelerometer x, y, z</source>
+        <translation>Accéléromètre x, y, z</translation>
+    </message>
+    <message>
+        <source>Gyroscope x, y, z</source>
+        <translation>Gyroscope x, y, z</translation>
+    </message>
+    <message>
+        <source>Gyroscope late by, s</source>
+        <translation>Retard du gyroscope, s</translation>
+    </message>
+    <message>
+        <source>Swapped columns</source>
+        <translation>Colonnes échangées</translation>
+    </message>
+    <message>
+        <source>If a sensor was stuck</source>
+        <translation>Si un capteur était bloqué</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>aucune force</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+</context>
+<context>
+    <name>ReadingPage</name>
+    <message>
+        <source>How the log is read</source>
+        <translation>Comment le journal est lu</translation>
+    </message>
+    <message>
+        <source>Filled in from</source>
+        <translation>Rempli d’après</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>Keep as</source>
+        <translation>Conserver sous</translation>
+    </message>
+    <message>
+        <source>a name, to use this for the next log</source>
+        <translation>un nom, pour servir au prochain journal</translation>
+    </message>
+    <message>
+        <source>From a &amp;file…</source>
+        <translation>Depuis un &amp;fichier…</translation>
+    </message>
+    <message>
+        <source>Load the answers from a template</source>
+        <translation>Charger les réponses depuis un modèle</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Keep what was answered before</source>
+        <translation>Garder les réponses précédentes</translation>
+    </message>
+    <message>
+        <source>&amp;Use this</source>
+        <translation>&amp;Utiliser</translation>
+    </message>
+    <message>
+        <source>Read the log with these answers</source>
+        <translation>Lire le journal avec ces réponses</translation>
+    </message>
+    <message>
+        <source>F&amp;illed in from</source>
+        <translation>Re&amp;mpli d’après</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as</source>
+        <translation>&amp;Conserver sous</translation>
+    </message>
+    <message>
+        <source>Say what each column of {name} holds and in which units. The check shows at once whether gravity agrees.</source>
+        <translation>Indiquez ce que contient chaque colonne de {name}, et dans quelles unités. La vérification montre aussitôt si la pesanteur concorde.</translation>
+    </message>
+    <message>
+        <source>{name} describes itself. Say here what it has wrong; the check shows at once whether gravity agrees.</source>
+        <translation>{name} décrit son propre contenu. Indiquez ici ce qui y est faux&#xa0;; la vérification montre aussitôt si la pesanteur concorde.</translation>
+    </message>
+    <message>
+        <source>Choose a template</source>
+        <translation>Choisir un modèle</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Vérification…</translation>
+    </message>
+    <message>
+        <source>Read: {rate} Hz, {duration}</source>
+        <translation>Lu&#xa0;: {rate} Hz, {duration}</translation>
+    </message>
+    <message>
+        <source>Never at rest: not compared with gravity (9.81 m/s²)</source>
+        <translation>Jamais au repos&#xa0;: pas de comparaison avec la pesanteur (9.81 m/s²)</translation>
+    </message>
+    <message>
+        <source>At rest {norm} m/s²; gravity is {gravity} m/s²</source>
+        <translation>Au repos {norm} m/s²&#xa0;; la pesanteur est de {gravity} m/s²</translation>
+    </message>
+    <message>
+        <source>Gravity hardly turns: the gyroscope cannot be compared</source>
+        <translation>La pesanteur tourne à peine&#xa0;: le gyroscope ne peut pas être comparé</translation>
+    </message>
+    <message>
+        <source>The gyroscope agrees with turning gravity</source>
+        <translation>Le gyroscope concorde avec la rotation de la pesanteur</translation>
+    </message>
+    <message>
+        <source>The gyroscope does not agree with turning gravity</source>
+        <translation>Le gyroscope ne concorde pas avec la rotation de la pesanteur</translation>
+    </message>
+    <message>
+        <source>Choose: {fields}</source>
+        <translation>Choisissez&#xa0;: {fields}</translation>
+    </message>
+</context>
+<context>
     <name>RecentMenu</name>
     <message>
         <source>Clear list</source>
         <translation>Vider la liste</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryBar</name>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Throw these changes away for good</source>
+        <translation>Abandonner définitivement ces modifications</translation>
+    </message>
+    <message>
+        <source>Changes to {name} from {moment} were not saved.</source>
+        <translation>Des modifications de {name}, du {moment}, n’ont pas été enregistrées.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Restaurer</translation>
     </message>
 </context>
 <context>
@@ -5237,14 +5969,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Avant chaque clip</translation>
     </message>
     <message>
-        <source>Above the questions after a clip</source>
-        <translation>Au-dessus des questions après un clip</translation>
-    </message>
-    <message>
-        <source>Above the last questions</source>
-        <translation>Au-dessus des dernières questions</translation>
-    </message>
-    <message>
         <source>Closing words</source>
         <translation>Mot de la fin</translation>
     </message>
@@ -5325,6 +6049,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Étude</translation>
     </message>
     <message>
+        <source>Page {n}</source>
+        <translation>Page {n}</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Questions</translation>
+    </message>
+    <message>
         <source>Sequences</source>
         <translation>Séquences</translation>
     </message>
@@ -5349,8 +6081,28 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Boutons et messages</translation>
     </message>
     <message>
-        <source>Labels of the scale</source>
-        <translation>Libellés de l’échelle</translation>
+        <source>A trial is marked as invalid above</source>
+        <translation>Un essai est marqué comme non valide au-delà de</translation>
+    </message>
+    <message>
+        <source>Help line</source>
+        <translation>Ligne d’aide</translation>
+    </message>
+    <message>
+        <source>Unit in the data</source>
+        <translation>Unité dans les données</translation>
+    </message>
+    <message>
+        <source>Labels of points</source>
+        <translation>Libellés des points</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Part of the sum QoE</source>
+        <translation>Fait partie de la somme QoE</translation>
     </message>
     <message>
         <source>Title</source>
@@ -5400,20 +6152,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <source>Parameters</source>
         <translation>Paramètres</translation>
     </message>
-    <message>
-        <source>Lower end</source>
-        <translation>Extrémité basse</translation>
-    </message>
-    <message>
-        <source>Upper end</source>
-        <translation>Extrémité haute</translation>
-    </message>
 </context>
 <context>
     <name>SuggestionBox</name>
     <message>
-        <source>S&amp;uggest motion from the picture (estimate)</source>
-        <translation>S&amp;uggérer un mouvement d’après l’image (estimation)</translation>
+        <source>S&amp;uggest motion from the frames (estimate)</source>
+        <translation>S&amp;uggérer le mouvement d’après les images (estimation)</translation>
     </message>
     <message>
         <source>Expect to feel turns of a vehicle, and steps when walking or riding; braking, knocks and potholes will be missing. Nothing measures this motion: set its strength by hand with the gain, and do not use it in a study without saying so. Slow motion and time lapse are taken as they play.</source>
@@ -5523,6 +6267,26 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Combien de fois la vidéo est plus lente que la prise de vue&#xa0;: 8 si 240 images par seconde sont lues à 30&#xa0;; moins de 1 pour un accéléré</translation>
     </message>
     <message>
+        <source>Clock drift</source>
+        <translation>Dérive de l’horloge</translation>
+    </message>
+    <message>
+        <source> ppm</source>
+        <translation> ppm</translation>
+    </message>
+    <message>
+        <source>By how much faster the video runs than the log&apos;s clock</source>
+        <translation>De combien la vidéo va plus vite que l’horloge du journal</translation>
+    </message>
+    <message>
+        <source>Sound delay of a camera</source>
+        <translation>Retard du son d’une caméra</translation>
+    </message>
+    <message>
+        <source>The sound delay that is kept for a camera</source>
+        <translation>Le retard du son enregistré pour une caméra</translation>
+    </message>
+    <message>
         <source>&amp;Whole clip</source>
         <translation>Clip &amp;entier</translation>
     </message>
@@ -5541,6 +6305,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>&amp;Offset</source>
         <translation>&amp;Décalage</translation>
+    </message>
+    <message>
+        <source>Clock &amp;drift</source>
+        <translation>Dérive de l’&amp;horloge</translation>
     </message>
     <message>
         <source>&amp;Method</source>
@@ -5569,6 +6337,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>gyro</source>
         <translation>gyroscope</translation>
+    </message>
+    <message>
+        <source>as kept for…</source>
+        <translation>comme pour…</translation>
     </message>
     <message>
         <source>{why}. Check below how much slower it plays than it was recorded (1: it does not), then enter the offset, or drag the log&apos;s curves.</source>
@@ -5805,6 +6577,21 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
 </context>
 <context>
+    <name>Unsaved</name>
+    <message>
+        <source>Changes from {moment} were not saved.</source>
+        <translation>Des modifications du {moment} n’ont pas été enregistrées.</translation>
+    </message>
+    <message>
+        <source>Changes from {moment} were not saved; the effects were changed since.</source>
+        <translation>Des modifications du {moment} n’ont pas été enregistrées&#xa0;; les effets ont été modifiés depuis.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Restaurer</translation>
+    </message>
+</context>
+<context>
     <name>VideoQuestion</name>
     <message>
         <source>Another video</source>
@@ -5905,14 +6692,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
 <context>
     <name>_Question</name>
     <message>
-        <source>Answer</source>
-        <translation>Réponse</translation>
-    </message>
-    <message>
-        <source>Or answer like those above</source>
-        <translation>Ou répondre comme ci-dessus</translation>
-    </message>
-    <message>
         <source>&amp;Answer</source>
         <translation>&amp;Répondre</translation>
     </message>
@@ -5921,12 +6700,12 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Lire le journal avec cette réponse</translation>
     </message>
     <message>
-        <source>&amp;Template…</source>
-        <translation>&amp;Modèle…</translation>
+        <source>Answer in a &amp;form…</source>
+        <translation>Répondre dans un f&amp;ormulaire…</translation>
     </message>
     <message>
-        <source>Load the answers from a template</source>
-        <translation>Charger les réponses depuis un modèle</translation>
+        <source>Units, axes, signs and more, with a check against gravity</source>
+        <translation>Unités, axes, signes et plus encore, vérifiés d’après la pesanteur</translation>
     </message>
 </context>
 <context>
@@ -5992,10 +6771,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la mémoire ne suffit pas</translation>
     </message>
     <message>
-        <source>Choice</source>
-        <translation>Choix</translation>
-    </message>
-    <message>
         <source>Connect its USB cable and its power supply. The settings choose another axis, or reverse the direction.</source>
         <translation>Branchez le câble USB et l’alimentation. Les réglages choisissent un autre axe ou inversent le sens.</translation>
     </message>
@@ -6038,10 +6813,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>File too large</source>
         <translation>le fichier est trop grand</translation>
-    </message>
-    <message>
-        <source>Five-point scale</source>
-        <translation>Échelle à cinq points</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -6326,10 +7097,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>accelerometer</source>
         <translation>accéléromètre</translation>
-    </message>
-    <message>
-        <source>add a question to {page!r}</source>
-        <translation>ajoutez une question à {page!r}</translation>
     </message>
     <message>
         <source>add it</source>
@@ -7612,6 +8379,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>/dev/input/{node}&#xa0;: pas de tel retour de force&#xa0;; appareils qui en ont&#xa0;: {known}</translation>
     </message>
     <message>
+        <source>./run sets them up in .venv</source>
+        <translation>./run les installe dans .venv</translation>
+    </message>
+    <message>
         <source>; </source>
         <translation>&#xa0;; </translation>
     </message>
@@ -7868,6 +8639,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Sur le dos, vers le haut</translation>
     </message>
     <message>
+        <source>MISSING</source>
+        <translation>MANQUE</translation>
+    </message>
+    <message>
         <source>MPEG haptics (ISO/IEC 23090-31), as JSON</source>
         <translation>Haptique MPEG (ISO/CEI 23090-31), en JSON</translation>
     </message>
@@ -7900,6 +8675,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Novint Falcon&#xa0;: sa poignée pousse et tire dans trois directions.</translation>
     </message>
     <message>
+        <source>One of several answers</source>
+        <translation>Une réponse parmi plusieurs</translation>
+    </message>
+    <message>
         <source>OpenCV is installed, but cannot be loaded: {why}</source>
         <translation>OpenCV est installé, mais ne peut pas être chargé&#xa0;: {why}</translation>
     </message>
@@ -7914,6 +8693,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Pulse</source>
         <translation>Impulsion</translation>
+    </message>
+    <message>
+        <source>Python packages</source>
+        <translation>Paquets Python</translation>
+    </message>
+    <message>
+        <source>Qt</source>
+        <translation>Qt</translation>
+    </message>
+    <message>
+        <source>Qt, with a font</source>
+        <translation>Qt, avec une police</translation>
     </message>
     <message>
         <source>RMS</source>
@@ -7936,12 +8727,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Saturation</translation>
     </message>
     <message>
+        <source>Scale of points</source>
+        <translation>Échelle de points</translation>
+    </message>
+    <message>
         <source>Scaled</source>
         <translation>Mise à l’échelle</translation>
     </message>
     <message>
         <source>Seed</source>
         <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Several answers</source>
+        <translation>Plusieurs réponses</translation>
     </message>
     <message>
         <source>Shaker</source>
@@ -8052,12 +8851,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Jusqu’à</translation>
     </message>
     <message>
+        <source>Visual analogue scale</source>
+        <translation>Échelle visuelle analogique</translation>
+    </message>
+    <message>
         <source>Wheel</source>
         <translation>Volant</translation>
     </message>
     <message>
         <source>Wheel or joystick with a motor: it exerts one axis of the force, by default sideways.</source>
         <translation>Volant ou joystick à moteur&#xa0;: il exerce un axe de la force, par défaut le latéral.</translation>
+    </message>
+    <message>
+        <source>a PulseAudio or PipeWire server answers</source>
+        <translation>un serveur PulseAudio ou PipeWire répond</translation>
     </message>
     <message>
         <source>a calibration is for the method smoother, not for {method}</source>
@@ -8108,8 +8915,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>l’accélération a été multipliée par {gain:.2g} N par m/s²</translation>
     </message>
     <message>
+        <source>add a page that is shown after each clip</source>
+        <translation>ajoutez une page affichée après chaque clip</translation>
+    </message>
+    <message>
         <source>add a sequence</source>
         <translation>ajoutez une séquence</translation>
+    </message>
+    <message>
+        <source>add an answer</source>
+        <translation>ajoutez une réponse</translation>
+    </message>
+    <message>
+        <source>add one: whether force and video went together</source>
+        <translation>ajoutez-en une&#xa0;: si la force et la vidéo allaient ensemble</translation>
+    </message>
+    <message>
+        <source>allow rtprio {n} and memlock in /etc/security/limits.d</source>
+        <translation>autorisez rtprio {n} et memlock dans /etc/security/limits.d</translation>
     </message>
     <message>
         <source>an array is missing or of the wrong kind ({reason})</source>
@@ -8128,8 +8951,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>au plus {most} effets dans une liste</translation>
     </message>
     <message>
+        <source>at most {most} markers in a list</source>
+        <translation>au plus {most} marqueurs dans une liste</translation>
+    </message>
+    <message>
         <source>audio of three channels, for transducers</source>
         <translation>audio de trois canaux, pour vibreurs</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>caméras</translation>
     </message>
     <message>
         <source>cannot be copied into {kind} without changing its video</source>
@@ -8200,6 +9031,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>choisissez l’autre type de fichier, ou convertissez d’abord le clip</translation>
     </message>
     <message>
+        <source>clips play silently, led by the system clock, until there is one</source>
+        <translation>les clips sont lus sans son, au rythme de l’horloge du système, tant qu’il n’y en a pas</translation>
+    </message>
+    <message>
         <source>close other programs</source>
         <translation>fermez d’autres programmes</translation>
     </message>
@@ -8236,8 +9071,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>copiez-la encore une fois depuis l’autre ordinateur&#xa0;; pour utiliser ce qui est intact, déplacez son dossier dans sessions</translation>
     </message>
     <message>
+        <source>copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d</source>
+        <translation>copiez packaging/udev/70-novint-falcon.rules dans /etc/udev/rules.d</translation>
+    </message>
+    <message>
         <source>copying the sequence</source>
         <translation>copie de la séquence</translation>
+    </message>
+    <message>
+        <source>correct the file, or remove it</source>
+        <translation>corrigez le fichier, ou supprimez-le</translation>
     </message>
     <message>
         <source>curve: its times must increase from 0 s</source>
@@ -8268,16 +9111,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>direction: doit être trois nombres qui ne sont pas tous nuls</translation>
     </message>
     <message>
+        <source>display</source>
+        <translation>affichage</translation>
+    </message>
+    <message>
         <source>does not declare its rate</source>
         <translation>n’indique pas sa fréquence</translation>
     </message>
     <message>
         <source>does not fit the definition of its session</source>
         <translation>ne correspond pas à la définition de sa séance</translation>
-    </message>
-    <message>
-        <source>drop one video with its log; import further ones after it</source>
-        <translation>déposez une vidéo avec son journal&#xa0;; importez les autres ensuite</translation>
     </message>
     <message>
         <source>durations were taken as seconds, as in PlaySEM</source>
@@ -8356,6 +9199,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le retour {feedback} n’a pas de paramètres</translation>
     </message>
     <message>
+        <source>fifo: priority {n} is granted</source>
+        <translation>fifo&#xa0;: la priorité {n} est accordée</translation>
+    </message>
+    <message>
         <source>finding events</source>
         <translation>recherche d’événements</translation>
     </message>
@@ -8400,12 +9247,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les images et le gyroscope ne concordent que sur un seul axe, comme cela arrive avec un autre trajet</translation>
     </message>
     <message>
+        <source>frames cannot be compared with the gyroscope at another speed</source>
+        <translation>les images ne peuvent pas être comparées au gyroscope à une autre vitesse</translation>
+    </message>
+    <message>
         <source>free some space or choose a folder on another disk</source>
         <translation>libérez de la place ou choisissez un dossier sur un autre disque</translation>
     </message>
     <message>
         <source>full scale was taken as {full_n:.3g} N</source>
         <translation>la pleine échelle a été prise comme {full_n:.3g} N</translation>
+    </message>
+    <message>
+        <source>gain_n_per_mps2 must be at most {most:g}</source>
+        <translation>gain_n_per_mps2 ne doit pas dépasser {most:g}</translation>
     </message>
     <message>
         <source>give &quot;realistic&quot; the parameter &quot;effects&quot;: &quot;off&quot;</source>
@@ -8434,6 +9289,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>give the unit of its numbers, or a recording of a sensor that worked</source>
         <translation>donnez l’unité de ses nombres, ou un enregistrement d’un capteur qui fonctionnait</translation>
+    </message>
+    <message>
+        <source>give times in seconds of media time</source>
+        <translation>donnez les temps en secondes du temps du média</translation>
+    </message>
+    <message>
+        <source>gravity turns by {turn_deg:.0f} degrees within 8 s in its accelerometer as its gyroscope does not show: an axis is dead, or the range of one or all another</source>
+        <translation>dans son accéléromètre, la pesanteur tourne de {turn_deg:.0f} degrés en 8 s, ce que son gyroscope ne montre pas&#xa0;: un axe est mort, ou la plage d’un axe ou de tous est une autre</translation>
     </message>
     <message>
         <source>grip at the edge of the workspace</source>
@@ -8476,6 +9339,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>n’a pas de valeur</translation>
     </message>
     <message>
+        <source>has no yes-or-no question after a clip</source>
+        <translation>n’a pas de question à réponse oui ou non après un clip</translation>
+    </message>
+    <message>
         <source>has numbers in other digits than 0 to 9 ({found})</source>
         <translation>a des nombres en d’autres chiffres que 0 à 9 ({found})</translation>
     </message>
@@ -8516,6 +9383,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ne contient pas d’échantillons</translation>
     </message>
     <message>
+        <source>holds no track {name!r}</source>
+        <translation>ne contient aucune piste {name!r}</translation>
+    </message>
+    <message>
         <source>holds the force of a video, not the video</source>
         <translation>contient la force d’une vidéo, pas la vidéo</translation>
     </message>
@@ -8540,6 +9411,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>installez hapticplayer[vision], ou convertissez-la en H.264</translation>
     </message>
     <message>
+        <source>install the udev rule of packaging/ and plug it in again</source>
+        <translation>installez la règle udev de packaging/ et rebranchez-le</translation>
+    </message>
+    <message>
         <source>is a FIT file of a sports watch or cycle computer</source>
         <translation>est un fichier FIT d’une montre de sport ou d’un compteur de vélo</translation>
     </message>
@@ -8558,6 +9433,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is a zip with other bytes before it</source>
         <translation>est un zip précédé d’autres octets</translation>
+    </message>
+    <message>
+        <source>is an address, not a file of this machine</source>
+        <translation>est une adresse, pas un fichier de cet ordinateur</translation>
     </message>
     <message>
         <source>is an archive that is not a zip</source>
@@ -8598,6 +9477,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>is not valid XML ({reason})</source>
         <translation>n’est pas du XML valide ({reason})</translation>
+    </message>
+    <message>
+        <source>is only used after a clip</source>
+        <translation>n’est utilisé qu’après un clip</translation>
     </message>
     <message>
         <source>is too large (limit: {most_bytes} bytes)</source>
@@ -8660,6 +9543,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>sa vidéo ne peut pas être lue</translation>
     </message>
     <message>
+        <source>kept out of deep sleep while a force may be on</source>
+        <translation>tenus à l’écart du sommeil profond tant qu’une force peut être active</translation>
+    </message>
+    <message>
         <source>kind of event</source>
         <translation>le type d’événement</translation>
     </message>
@@ -8676,8 +9563,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>les axes de la correspondance doivent être une rotation (orthogonale, déterminant +1)</translation>
     </message>
     <message>
+        <source>may sleep deeply: the loop wakes up some 20 us later</source>
+        <translation>peuvent dormir profondément&#xa0;: la boucle se réveille environ 20 µs plus tard</translation>
+    </message>
+    <message>
         <source>method</source>
         <translation>la méthode</translation>
+    </message>
+    <message>
+        <source>missing: {names}</source>
+        <translation>manquants&#xa0;: {names}</translation>
     </message>
     <message>
         <source>motion beside the force was left out ({count})</source>
@@ -8706,6 +9601,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>multiply its times by 1000</source>
         <translation>multipliez ses temps par 1000</translation>
+    </message>
+    <message>
+        <source>must be a list of one or more of the choices</source>
+        <translation>doit être une liste d’une ou de plusieurs des réponses proposées</translation>
     </message>
     <message>
         <source>must be at least {limit}</source>
@@ -8740,12 +9639,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>nom d’une piste, tiré d’un fichier</translation>
     </message>
     <message>
+        <source>name: must have 1 to {most} characters in one line</source>
+        <translation>name&#xa0;: doit avoir 1 à {most} caractères sur une seule ligne</translation>
+    </message>
+    <message>
         <source>names a part of {axes}</source>
         <translation>ne nomme qu’une partie de {axes}</translation>
     </message>
     <message>
         <source>needs a second sequence, whose force is felt</source>
         <translation>demande une deuxième séquence, dont la force est ressentie</translation>
+    </message>
+    <message>
+        <source>neither DISPLAY nor WAYLAND_DISPLAY is set</source>
+        <translation>ni DISPLAY ni WAYLAND_DISPLAY n’est défini</translation>
+    </message>
+    <message>
+        <source>neither a sound server nor a sound card</source>
+        <translation>ni serveur de son ni carte son</translation>
     </message>
     <message>
         <source>no device with such force feedback is plugged in; connect it, and see whether its driver is loaded</source>
@@ -8784,6 +9695,22 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>personne n’écoute à {address}&#xa0;: lancez le logiciel de la plateforme</translation>
     </message>
     <message>
+        <source>none on USB</source>
+        <translation>aucun sur USB</translation>
+    </message>
+    <message>
+        <source>normal: neither fifo nor short slices</source>
+        <translation>normal&#xa0;: ni fifo ni tranches courtes</translation>
+    </message>
+    <message>
+        <source>normal: this system grants nothing else</source>
+        <translation>normal&#xa0;: ce système n’accorde rien d’autre</translation>
+    </message>
+    <message>
+        <source>not looked at: the list of them is not here ({file})</source>
+        <translation>non vérifiés&#xa0;: leur liste n’est pas ici ({file})</translation>
+    </message>
+    <message>
         <source>not read: {what} ({count})</source>
         <translation>non lu&#xa0;: {what} ({count})</translation>
     </message>
@@ -8798,6 +9725,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>offset {offset_s} s with rate {rate} is not a valid clock map; give finite numbers and a positive rate</source>
         <translation>le décalage {offset_s} s avec la cadence {rate} ne met pas les horloges en correspondance&#xa0;; donnez des nombres finis et une cadence positive</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>OK</translation>
     </message>
     <message>
         <source>one gap</source>
@@ -8876,6 +9807,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le préréglage</translation>
     </message>
     <message>
+        <source>processors</source>
+        <translation>processeurs</translation>
+    </message>
+    <message>
         <source>rate-axes={axes} if the gyroscope is {how}</source>
         <translation>rate-axes={axes} si le gyroscope est {how}</translation>
     </message>
@@ -8952,6 +9887,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>détendue</translation>
     </message>
     <message>
+        <source>remove one of them</source>
+        <translation>retirez-en un</translation>
+    </message>
+    <message>
         <source>remove or complete the line</source>
         <translation>enlevez ou complétez la ligne</translation>
     </message>
@@ -8988,6 +9927,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>faites d’abord passer un participant</translation>
     </message>
     <message>
+        <source>run the doctor of the source tree for this part</source>
+        <translation>lancez le doctor de l’arborescence des sources pour cette partie</translation>
+    </message>
+    <message>
         <source>samples have the shape {shape}, expected N x 3</source>
         <translation>les échantillons ont la forme {shape}, attendu N x 3</translation>
     </message>
@@ -9006,6 +9949,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>scene</source>
         <translation>la scène</translation>
+    </message>
+    <message>
+        <source>scheduling</source>
+        <translation>ordonnancement</translation>
     </message>
     <message>
         <source>see whether the toy is connected and charged</source>
@@ -9060,6 +10007,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>norme de la force, chaque milliseconde</translation>
     </message>
     <message>
+        <source>slice: short slices, as fifo is not allowed</source>
+        <translation>slice&#xa0;: tranches courtes, car fifo n’est pas autorisé</translation>
+    </message>
+    <message>
         <source>smooth noise below 0.5 Hz, with the RMS of the realistic force</source>
         <translation>bruit lisse au-dessous de 0,5 Hz, de même valeur efficace que la force réaliste</translation>
     </message>
@@ -9072,12 +10023,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>triez les lignes par temps ou coupez l’enregistrement à cet endroit</translation>
     </message>
     <message>
+        <source>sound</source>
+        <translation>son</translation>
+    </message>
+    <message>
         <source>sound above {limit_hz} Hz was left out</source>
         <translation>le son au-dessus de {limit_hz} Hz a été omis</translation>
     </message>
     <message>
+        <source>sound through PulseAudio or PipeWire</source>
+        <translation>son par PulseAudio ou PipeWire</translation>
+    </message>
+    <message>
         <source>specific force is acceleration plus the phone&apos;s gravity estimate</source>
         <translation>la force spécifique est l’accélération plus la pesanteur que donne le téléphone</translation>
+    </message>
+    <message>
+        <source>start from a desktop session</source>
+        <translation>démarrez depuis une session de bureau</translation>
     </message>
     <message>
         <source>starts at {time_s:.3f} s, but the clip ends at {duration_s:.3f} s</source>
@@ -9108,6 +10071,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>mettez la carte en sortie de capteurs (#osct avec Razor-AHRS)</translation>
     </message>
     <message>
+        <source>synchronising by frames is coarse, no motion is suggested from the frames</source>
+        <translation>la synchronisation par les images est grossière, aucun mouvement n’est suggéré d’après les images</translation>
+    </message>
+    <message>
+        <source>system packages</source>
+        <translation>paquets système</translation>
+    </message>
+    <message>
         <source>take another sequence, or add &apos;estimated&apos; to feedbacks</source>
         <translation>prenez une autre séquence, ou ajoutez &apos;estimated&apos; à feedbacks</translation>
     </message>
@@ -9122,6 +10093,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>text answers</source>
         <translation>réponses en texte libre</translation>
+    </message>
+    <message>
+        <source>the Falcon</source>
+        <translation>le Falcon</translation>
     </message>
     <message>
         <source>the Falcon answered none of the frames; home it, try again</source>
@@ -10208,10 +11183,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>un plan de Williams contient chaque paire de voisins, même d’une seule séquence</translation>
     </message>
     <message>
-        <source>a factor must not be named {name!r}, the name of the sum of all factors</source>
-        <translation>aucun facteur ne peut s’appeler {name!r}, le nom de leur somme</translation>
-    </message>
-    <message>
         <source>a frame has the shape {shape}, expected {expected} of uint8</source>
         <translation>une image a la forme {shape}, attendu&#xa0;: {expected} en uint8</translation>
     </message>
@@ -10302,6 +11273,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>download it and play the file</source>
         <translation>téléchargez-le et lisez le fichier</translation>
+    </message>
+    <message>
+        <source>download it, and give the file</source>
+        <translation>téléchargez-le, et donnez le fichier</translation>
     </message>
     <message>
         <source>drawing the figures</source>
@@ -10670,14 +11645,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>move the grip to the centre first, then re-arm again</source>
         <translation>ramenez d’abord la poignée au centre, puis réarmez encore une fois</translation>
-    </message>
-    <message>
-        <source>must be a number from {least} to {most}</source>
-        <translation>demande un nombre de {least} à {most}</translation>
-    </message>
-    <message>
-        <source>must be a yes-no question</source>
-        <translation>n’est pas une question à répondre par oui ou non</translation>
     </message>
     <message>
         <source>must be one of the choices</source>
@@ -11060,6 +12027,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la caméra est immobile&#xa0;: rien à estimer</translation>
     </message>
     <message>
+        <source>the camera in the frames does not turn as the gyroscope does, in any axes: a stabilised video, another offset, or the log of another clip</source>
+        <translation>la caméra dans les images ne tourne pas comme le gyroscope, quels que soient les axes&#xa0;: vidéo stabilisée, autre décalage ou journal d’un autre clip</translation>
+    </message>
+    <message>
+        <source>the camera in the frames turns as the gyroscope does</source>
+        <translation>la caméra dans les images tourne comme le gyroscope</translation>
+    </message>
+    <message>
         <source>the camera turns too little to show the time</source>
         <translation>la caméra tourne trop peu pour indiquer le temps</translation>
     </message>
@@ -11128,6 +12103,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le disque sur {disk} est plein</translation>
     </message>
     <message>
+        <source>the environment of the program</source>
+        <translation>l’environnement du programme</translation>
+    </message>
+    <message>
         <source>the extension {name!r} cannot be used: {reason}; update or uninstall it</source>
         <translation>l’extension {name!r} ne peut pas être utilisée&#xa0;: {reason}&#xa0;; mettez-la à jour ou désinstallez-la</translation>
     </message>
@@ -11152,12 +12131,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>la force est coupée&#xa0;; réarmez-la d’abord</translation>
     </message>
     <message>
+        <source>the frames show an offset of {offset_s:.3f} s</source>
+        <translation>les images montrent un décalage de {offset_s:.3f} s</translation>
+    </message>
+    <message>
         <source>the guard could not be started: {reason}</source>
         <translation>le gardien n’a pas pu démarrer&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the guard of the haptics process has ended, so the force is off; choose the device again</source>
         <translation>le processus de garde s’est terminé, la force est coupée&#xa0;; choisissez de nouveau l’appareil</translation>
+    </message>
+    <message>
+        <source>the gyroscope&apos;s axes were not compared with the frames: the camera hardly turns</source>
+        <translation>les axes du gyroscope n’ont pas été comparés aux images&#xa0;: la caméra tourne à peine</translation>
     </message>
     <message>
         <source>the haptics process did not become ready in time; try again, and run &apos;hapticplayer doctor&apos; if it fails again</source>
@@ -11180,6 +12167,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le type est inconnu</translation>
     </message>
     <message>
+        <source>the language</source>
+        <translation>le langage</translation>
+    </message>
+    <message>
         <source>the last {count} samples are missing</source>
         <translation>les {count} derniers échantillons manquent</translation>
     </message>
@@ -11190,6 +12181,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the method frames needs a clip</source>
         <translation>la méthode frames a besoin d’un clip</translation>
+    </message>
+    <message>
+        <source>the motion in clips of Sony and Insta360 is not read</source>
+        <translation>le mouvement des clips de Sony et d’Insta360 n’est pas lu</translation>
+    </message>
+    <message>
+        <source>the point {at} has two labels</source>
+        <translation>le point {at} a deux libellés</translation>
     </message>
     <message>
         <source>the quaternion Kalman filter of Sabatini 2006</source>
@@ -11212,6 +12211,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le serveur ne répond pas</translation>
     </message>
     <message>
+        <source>the simulated device stands in</source>
+        <translation>l’appareil simulé le remplace</translation>
+    </message>
+    <message>
         <source>the slow part of the specific force is gravity</source>
         <translation>la partie lente de la force spécifique est la pesanteur</translation>
     </message>
@@ -11226,6 +12229,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>there are no participants</source>
         <translation>il n’y a aucun participant</translation>
+    </message>
+    <message>
+        <source>there is a sound card</source>
+        <translation>il y a une carte son</translation>
     </message>
     <message>
         <source>there is data after the end of the recording</source>
@@ -11244,16 +12251,16 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>il n’y a pas de sortie {name!r}</translation>
     </message>
     <message>
+        <source>there is no page {page!r} in {step}</source>
+        <translation>il n’y a pas de page {page!r} dans {step}</translation>
+    </message>
+    <message>
         <source>there is no valid motion in the clip to fit a gain to</source>
         <translation>le clip ne contient aucun mouvement valide auquel ajuster un gain</translation>
     </message>
     <message>
         <source>there is none yet</source>
         <translation>il n’y en a pas encore</translation>
-    </message>
-    <message>
-        <source>these are two videos: {names}</source>
-        <translation>ce sont deux vidéos&#xa0;: {names}</translation>
     </message>
     <message>
         <source>this condition needs the sequence of the clip</source>
@@ -11344,12 +12351,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>ce n’est pas la vidéo pour laquelle la force a été faite ({reason})&#xa0;: elle est lue sans force</translation>
     </message>
     <message>
+        <source>this system takes no request to keep them awake</source>
+        <translation>ce système n’accepte aucune demande de les garder éveillés</translation>
+    </message>
+    <message>
         <source>three channels were taken as x, y and z</source>
         <translation>trois canaux ont été pris comme x, y et z</translation>
     </message>
     <message>
         <source>three taps on the camera, heard and felt</source>
         <translation>trois tapotements sur la caméra, entendus et ressentis</translation>
+    </message>
+    <message>
+        <source>timeSamples was not used where it is not that of the rows</source>
+        <translation>timeSamples n’a pas été utilisé là où il n’est pas celui des lignes</translation>
     </message>
     <message>
         <source>times were taken as milliseconds</source>
@@ -11386,6 +12401,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>use L, R, V or A and a digit, such as V0</source>
         <translation>utilisez L, R, V ou A et un chiffre, par exemple V0</translation>
+    </message>
+    <message>
+        <source>use Python {oldest} or newer, as in Debian 12 and 13</source>
+        <translation>utilisez Python {oldest} ou plus récent, comme dans Debian 12 et 13</translation>
     </message>
     <message>
         <source>use a name in /dev/input, such as event5</source>
@@ -11472,8 +12491,20 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>fenêtre sans réponse</translation>
     </message>
     <message>
+        <source>windows under Wayland</source>
+        <translation>fenêtres sous Wayland</translation>
+    </message>
+    <message>
+        <source>windows under X11</source>
+        <translation>fenêtres sous X11</translation>
+    </message>
+    <message>
         <source>with hapticplayer[vision] installed, the frames are compared with the gyro exactly, and those of H.265 too</source>
         <translation>avec hapticplayer[vision] installé, les images sont comparées exactement au gyroscope, celles de H.265 aussi</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>sans</translation>
     </message>
     <message>
         <source>write numbers without units or signs, or choose another log</source>
@@ -11556,6 +12587,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{count} canaux agissent selon x {x:.2f}, y {y:.2f}, z {z:.2f}</translation>
     </message>
     <message>
+        <source>{count} records are missing, the first is number {number}</source>
+        <translation>{count} entrées manquent, la première est la numéro {number}</translation>
+    </message>
+    <message>
         <source>{count} text answers were left out: they have not been reviewed</source>
         <translation>{count} réponses en texte ont été omises&#xa0;: elles n’ont pas été relues</translation>
     </message>
@@ -11608,6 +12643,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{key!r} est le nom d’une autre condition</translation>
     </message>
     <message>
+        <source>{key!r} is the name of another step</source>
+        <translation>{key!r} est le nom d’une autre étape</translation>
+    </message>
+    <message>
+        <source>{key!r} is the name of the sum of questions</source>
+        <translation>{key!r} est le nom de la somme des questions</translation>
+    </message>
+    <message>
         <source>{key} is not the condition of {step}</source>
         <translation>{key} n’est pas la condition de {step}</translation>
     </message>
@@ -11638,10 +12681,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{kind} was read as lines</source>
         <translation>{kind} a été lu comme des droites</translation>
-    </message>
-    <message>
-        <source>{log}: the taps fit, but the gyro explains only {explained:.0%} of the camera&apos;s rotation in the frames, in any axes: is it the log of this clip, and the video not stabilised? To take the taps alone, say so</source>
-        <translation>{log}&#xa0;: les tapotements conviennent, mais le gyroscope n’explique que {explained:.0%} de la rotation de la caméra dans les images, quels que soient les axes&#xa0;: est-ce le journal de ce clip, et la vidéo n’est-elle pas stabilisée&#xa0;? Pour prendre les tapotements seuls, dites-le</translation>
     </message>
     <message>
         <source>{modality}: amplitude 1 was taken as {full_n:.3g} N</source>
@@ -11768,12 +12807,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{name} doit croître strictement, mais la ligne {row} a {time_s:.6f} s après {last_s:.6f} s</translation>
     </message>
     <message>
+        <source>{name} reaches {farthest_s:.3g} s, beyond any clip</source>
+        <translation>{name} atteint {farthest_s:.3g} s, au-delà de tout clip</translation>
+    </message>
+    <message>
+        <source>{name} reaches {largest_mps2:.3g} m/s2, beyond what sensors measure</source>
+        <translation>{name} atteint {largest_mps2:.3g} m/s2, au-delà de ce que mesurent les capteurs</translation>
+    </message>
+    <message>
         <source>{name} was taken as {modality}</source>
         <translation>{name} a été pris comme {modality}</translation>
     </message>
     <message>
         <source>{name}: {kind} has no such parameter; it has {known}</source>
         <translation>{name}: {kind} n’a pas ce paramètre&#xa0;; il a {known}</translation>
+    </message>
+    <message>
+        <source>{node}, but this user may not open it</source>
+        <translation>{node}, mais cet utilisateur ne peut pas l’ouvrir</translation>
     </message>
     <message>
         <source>{norm:.2f} m/s2 at rest</source>
@@ -11812,6 +12863,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{output}&#xa0;: {what}</translation>
     </message>
     <message>
+        <source>{package} exists for Python up to {newest} only</source>
+        <translation>{package} n’existe que pour Python jusqu’à {newest}</translation>
+    </message>
+    <message>
         <source>{path}: cannot be restored ({reason})</source>
         <translation>{path}&#xa0;: ne peut pas être récupéré ({reason})</translation>
     </message>
@@ -11826,10 +12881,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{path}: {reason}</source>
         <translation>{path}&#xa0;: {reason}</translation>
-    </message>
-    <message>
-        <source>{percent:.2g} % of the force samples reach the force limit</source>
-        <translation>{percent:.2g} % des valeurs de force atteignent la limite de force</translation>
     </message>
     <message>
         <source>{percent} %</source>
@@ -11850,6 +12901,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{scripted} of {count} sessions are simulated</source>
         <translation>{scripted} séances sur {count} sont simulées&#xa0;: personne n’y était</translation>
+    </message>
+    <message>
+        <source>{server} answers</source>
+        <translation>{server} répond</translation>
+    </message>
+    <message>
+        <source>{server} is silent</source>
+        <translation>{server} ne répond pas</translation>
     </message>
     <message>
         <source>{source}: sound, but none of the known images ({known}; SHA-256 {sha256}...); it would run the motors: say that you want it</source>
@@ -11940,6 +12999,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>{value} n’est pas permis</translation>
     </message>
     <message>
+        <source>{what} ({limits})</source>
+        <translation>{what} ({limits})</translation>
+    </message>
+    <message>
+        <source>{what} ({proof})</source>
+        <translation>{what} ({proof})</translation>
+    </message>
+    <message>
         <source>{what}, with the axes that were given</source>
         <translation>{what}, avec les axes donnés</translation>
     </message>
@@ -12018,6 +13085,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{file}: {option} {key}={value} has no effect on a log of {form}: {why}; leave it out</source>
         <translation>{file}&#xa0;: {option} {key}={value} est sans effet sur un journal de {form}&#xa0;: {why}&#xa0;; omettez-le</translation>
+    </message>
+    <message>
+        <source>{log} is a motion log; choose the video that it belongs to</source>
+        <translation>{log} est un journal de mouvement&#xa0;; choisissez la vidéo à laquelle il appartient</translation>
+    </message>
+    <message>
+        <source>{log}: the taps fit, but the gyro explains only {explained:.0%} of the camera&apos;s rotation in the frames, in any axes: is it the log of this clip, and the video not stabilised? To take the taps alone, say so, or give their offset</source>
+        <translation>{log}&#xa0;: les tapotements correspondent, mais le gyroscope n’explique que {explained:.0%} de la rotation de la caméra dans les images, quels que soient les axes&#xa0;: est-ce le journal de ce clip, et la vidéo n’est-elle pas stabilisée&#xa0;? Pour ne prendre que les tapotements, indiquez-le, ou donnez leur décalage</translation>
     </message>
     <message>
         <source>{reason}, or set {variable} to another path</source>
