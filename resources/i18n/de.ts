@@ -4178,7 +4178,7 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>Accelerometer unit</source>
-        <translation>Einheit des Beschleunigungssensors</translation>
+        <translation>Einheit der Beschleunigung</translation>
     </message>
     <message>
         <source>Gyroscope unit</source>
@@ -4210,15 +4210,15 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     </message>
     <message>
         <source>accelerometer, gyroscope</source>
-        <translation>Beschleunigungssensor, Gyroskop</translation>
+        <translation>Beschleunigung, Gyroskop</translation>
     </message>
     <message>
         <source>accelerometer, magnetometer</source>
-        <translation>Beschleunigungssensor, Magnetometer</translation>
+        <translation>Beschleunigung, Magnetometer</translation>
     </message>
     <message>
         <source>The wearer’s axes in the log</source>
-        <translation>Achsen der Person im Protokoll</translation>
+        <translation>Achsen der Person</translation>
     </message>
     <message>
         <source>Accelerometer x, y, z</source>

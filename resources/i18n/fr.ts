@@ -6200,11 +6200,11 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>use for this camera</source>
-        <translation>utiliser pour cette caméra</translation>
+        <translation>pour cette caméra</translation>
     </message>
     <message>
         <source>I have checked the offset by eye and ear</source>
-        <translation>J’ai vérifié le décalage à l’œil et à l’oreille</translation>
+        <translation>Décalage vérifié à l’œil et à l’oreille</translation>
     </message>
     <message>
         <source>&amp;Listen</source>
@@ -6308,7 +6308,7 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     </message>
     <message>
         <source>Clock &amp;drift</source>
-        <translation>Dérive de l’&amp;horloge</translation>
+        <translation>Déri&amp;ve</translation>
     </message>
     <message>
         <source>&amp;Method</source>

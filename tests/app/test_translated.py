@@ -184,7 +184,7 @@ def test_a_question_about_a_log_is_asked_in_german(german, qtbot, tmp_path):
     assert asked.text.text() == "log.csv: die Einheiten sind nicht bekannt"
     (answer,) = asked.answers.buttons()
     assert answer.text() == (
-        "Einheit des Beschleunigungssensors: 9.5, um auf die Schwerkraft zu skalieren"
+        "Einheit der Beschleunigung: 9.5, um auf die Schwerkraft zu skalieren"
     )
     answer.click()
     with qtbot.waitSignal(asked.answered) as answered:
