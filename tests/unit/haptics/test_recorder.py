@@ -337,9 +337,9 @@ def test_a_recording_that_cannot_start_is_reported(ring, loop, tmp_path, monkeyp
 
     monkeypatch.setattr(RecordWriter, "begin", fail)
     handle.start(loop.pid, {})
-    assert "No space left" in handle.problem
+    assert "is full" in handle.problem
     handle.finish()
-    assert "No space left" in handle.problem
+    assert "is full" in handle.problem
 
 
 def test_a_recording_never_replaces_a_file_and_leaks_nothing(ring, tmp_path):
