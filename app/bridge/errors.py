@@ -45,12 +45,15 @@ class ErrorGateway:
 
     What the engine refused (`HapticPlayerError`) is a sentence to show. Anything else
     is a fault of this program: the force stops and the playback pauses first (`halt`,
-    which must not raise).
+    which must not raise). `has_report` means that the menu Help saves what is noted.
     """
 
-    def __init__(self, show: Show, halt: Callable[[], None]) -> None:
+    def __init__(
+        self, show: Show, halt: Callable[[], None], *, has_report: bool = False
+    ) -> None:
         self._show = show
         self._halt = halt
+        self._has_report = has_report
         self._known: set[str] = set()
         self.noted: deque[Noted] = deque(maxlen=_KEPT)
         self._from_threads: deque[BaseException] = deque(maxlen=16)
@@ -102,9 +105,17 @@ class ErrorGateway:
         text = QCoreApplication.translate(
             "ErrorGateway",
             "Internal error ({kind}: {text}). The force was stopped and "
-            "playback paused. See the terminal for details.",
-        )
-        self._show(text.format(kind=type(problem).__name__, text=problem), None)
+            "playback paused.",
+        ).format(kind=type(problem).__name__, text=problem)
+        if self._has_report:
+            more = QCoreApplication.translate(
+                "ErrorGateway", "Help > Report a problem saves the details."
+            )
+        else:
+            more = QCoreApplication.translate(
+                "ErrorGateway", "See the terminal for details."
+            )
+        self._show(f"{text} {more}", None)
 
     def _uncaught(
         self,

@@ -47,7 +47,7 @@ class Session(QObject):
     def __init__(self, player: Player, show: Show) -> None:
         super().__init__()
         self.player = player
-        self.gateway = ErrorGateway(show, self.halt)
+        self.gateway = ErrorGateway(show, self.halt, has_report=True)
         self._opening = Attempts()
         self._is_opening_over: IsOver = self._opening.begin()
         self.jobs = Jobs(lambda problem: self.report(problem, self._is_opening_over))

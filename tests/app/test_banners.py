@@ -191,6 +191,7 @@ def test_a_fault_of_this_program_stays_until_it_is_closed(window, capsys):
     window.session.gateway.report(ValueError("a fault of ours"))
     QTest.qWait(300)
     assert "a fault of ours" in window.messages.text()
+    assert "Help > Report a problem" in window.messages.text()
     window.messages.close_button.click()
     assert window.messages.text() == ""
     assert "ValueError" in capsys.readouterr().err

@@ -207,6 +207,7 @@ def test_a_fault_halts_first_and_is_told_once(gateway, calls, capsys):
             gateway.report(problem)
     assert [kind for kind, _ in calls] == ["halt", "show", "halt", "halt"]
     assert "inside" in calls[1][1]
+    assert "See the terminal" in calls[1][1]
     assert capsys.readouterr().err.count("Traceback") == 1
 
 

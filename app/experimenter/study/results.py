@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QHeaderView,
     QMessageBox,
     QTableWidgetItem,
     QTabWidget,
@@ -36,6 +37,7 @@ from app.widgets.tables import plain_table
 from app.widgets.texts import date_text
 from hapticplayer.clock import SystemClock
 from hapticplayer.errors import HapticPlayerError, Message, Progress, joined
+from hapticplayer.study.definition import When
 from hapticplayer.study.merging import Merged, merge_sessions
 from hapticplayer.study.overview import (
     SessionSummary,
@@ -46,6 +48,7 @@ from hapticplayer.study.overview import (
     traces_of,
 )
 from hapticplayer.study.session_folder import SessionState
+from hapticplayer.study.steps import position_of
 from hapticplayer.study.study_export import export_study
 from hapticplayer.study.study_folder import (
     delete_participant,
@@ -87,10 +90,12 @@ class StudyResults(JobDialog):
         super().__init__(_SIZE_PX, parent)
         self.folder = folder
         self.overview: StudyOverview | None = None
-        title = open_study(folder).definition.title
+        self._definition = open_study(folder).definition
+        title = self._definition.title
         self.setWindowTitle(self.tr("Sessions \u2013 {title}").format(title=title))
         self.tabs, self.status = QTabWidget(), StatusLine()
         self.summary, self.details = paragraph(), paragraph()
+        self.texts_state = paragraph("", theme.DIM)
         self.sessions = plain_table(
             self.tr("Sessions"),
             [
@@ -109,6 +114,8 @@ class StudyResults(JobDialog):
         mode = QAbstractItemView.SelectionMode.ExtendedSelection
         self.texts.setSelectionMode(mode)
         self.texts.setWordWrap(True)
+        header = self.texts.horizontalHeader()
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         self.sessions.itemSelectionChanged.connect(self._on_chosen)
         self.texts.itemSelectionChanged.connect(self._on_chosen)
         self.progress = JobRow(text_button(self.tr("Stop"), self.tr("Cancel")))
@@ -173,12 +180,8 @@ class StudyResults(JobDialog):
             margins=margins,
             of=sessions,
         )
-        text = self.tr(
-            "Answers in words may name a person. Read them; only those that you approve "
-            "are exported."
-        )
         column_of(
-            paragraph(text, theme.DIM),
+            self.texts_state,
             (self.texts, 1),
             row_of(STRETCH, self.buttons["approve"]),
             margins=margins,
@@ -202,6 +205,8 @@ class StudyResults(JobDialog):
     def show_overview(self, found: StudyOverview) -> None:
         """Show the state of the study."""
         held = self.chosen()
+        for table in (self.sessions, self.texts):
+            table.clearSelection()  # before the rows that are selected may be gone
         self.overview = found
         self._fill_sessions(found, held.code if held else "")
         self._fill_texts(found)
@@ -223,7 +228,6 @@ class StudyResults(JobDialog):
         return "\n".join([text, *map(translated, found.notices)])
 
     def _fill_sessions(self, found: StudyOverview, held: str) -> None:
-        self.sessions.clearSelection()
         self.sessions.setRowCount(len(found.sessions))
         for row, one in enumerate(found.sessions):
             cells = (
@@ -256,9 +260,32 @@ class StudyResults(JobDialog):
     def _fill_texts(self, found: StudyOverview) -> None:
         self.texts.setRowCount(len(found.unreviewed))
         for row, one in enumerate(found.unreviewed):
-            for column, text in enumerate(one):
+            cells = one.code, self._question_text(one.question), one.text
+            for column, text in enumerate(cells):
                 self.texts.setItem(row, column, QTableWidgetItem(text))
         self.texts.resizeRowsToContents()
+        self.texts_state.setText(self._texts_state(found))
+
+    def _texts_state(self, found: StudyOverview) -> str:
+        if found.unreviewed:
+            return self.tr(
+                "Answers in words may name a person. Read them; only those that you "
+                "approve are exported."
+            )
+        if any(one.answered for one in found.sessions):
+            return self.tr("All answers in words are approved.")
+        return self.tr("No answers in words yet.")
+
+    def _question_text(self, name: str) -> str:
+        """The question's wording, and what an answer of this name is about."""
+        key, _, of = name.partition("@")
+        asked = (q for q in self._definition.questions_at(*When) if q.key == key)
+        if (question := next(asked, None)) is None:
+            return name  # of a session whose study was changed since
+        text = self._definition.wording(question, self._definition.languages[0])
+        if position := position_of(of):
+            of = self.tr("trial {n}").format(n=position)
+        return f"{text} ({of})" if of else text
 
     def chosen(self) -> SessionSummary | None:
         """The session that is selected."""

@@ -1,6 +1,7 @@
 """After the sessions: who took part, texts, deleted participants, merged and exported data."""
 
 import shutil
+from dataclasses import replace
 
 import pytest
 from PySide6.QtWidgets import QMessageBox
@@ -12,7 +13,7 @@ from hapticplayer.clock import SystemClock
 from hapticplayer.simulation.sessions import write_scripted_session
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.journal import Journal
-from hapticplayer.study.overview import study_overview
+from hapticplayer.study.overview import UnreviewedText, study_overview
 from hapticplayer.study.plan import describe
 from hapticplayer.study.session_folder import SessionState
 from hapticplayer.study.study_export import study_exporters
@@ -20,6 +21,8 @@ from hapticplayer.study.study_folder import begin_session, open_study
 
 VALUES = {"realism": 4, "sensory": 3, "comfort": 5, "satisfaction": 4}
 WORDS = {"tiring": "no, Anna", "label@random": "wobbly"}
+TIRING = "Did anything tire you? What was it?"
+LABEL = "Give it a name of your own, or describe it in a few words. (random)"
 
 
 def half_session(study):
@@ -99,17 +102,37 @@ def test_sessions_tell_state_device_and_completeness(page, codes):
 
 
 def test_texts_are_read_and_approved(page, study, wait_for):
-    assert texts(page) == {"tiring": "no, Anna", "label@random": "wobbly"}
+    assert texts(page) == {TIRING: "no, Anna", LABEL: "wobbly"}
     assert page.tabs.tabText(1) == "Text answers (2)"
     page.tabs.setCurrentIndex(1)
     assert not page.buttons["approve"].isEnabled()
     rows = [page.texts.item(row, 1).text() for row in range(2)]
-    page.texts.selectRow(rows.index("label@random"))
+    page.texts.selectRow(rows.index(LABEL))
     assert page.buttons["approve"].isEnabled()
     page.buttons["approve"].click()
     assert page.status.text() == ""
-    wait_for(lambda: texts(page) == {"tiring": "no, Anna"})
+    wait_for(lambda: texts(page) == {TIRING: "no, Anna"})
     assert [t.question for t in study_overview(study.folder).unreviewed] == ["tiring"]
+
+
+def test_all_texts_are_approved_at_once(page, study, codes, wait_for):
+    assert "Read them" in page.texts_state.text()
+    choose(page, codes[1])
+    page.tabs.setCurrentIndex(1)
+    page.texts.selectAll()
+    page.buttons["approve"].click()
+    wait_for(lambda: not texts(page) and not page.jobs.is_busy)
+    assert not study_overview(study.folder).unreviewed
+    assert page.texts_state.text() == "All answers in words are approved."
+    assert not page.buttons["approve"].isEnabled()
+
+
+def test_texts_of_trials_and_removed_questions_are_named(page):
+    about = [
+        UnreviewedText("CDFGHJ", name, "words") for name in ("tiring@trial-03", "gone")
+    ]
+    page.show_overview(replace(page.overview, unreviewed=tuple(about)))
+    assert list(texts(page)) == [f"{TIRING} (trial 3)", "gone"]
 
 
 def test_a_participant_is_deleted_after_saying_what_goes(
@@ -188,6 +211,7 @@ def test_a_study_that_nobody_took_part_in_says_so(application, qtbot, study, wai
     qtbot.addWidget(page)
     wait_for(lambda: not page.jobs.is_busy)
     assert "Nobody has taken part" in page.summary.text()
+    assert page.texts_state.text() == "No answers in words yet."
     assert not page.buttons["export"].isEnabled()
     assert page.buttons["merge"].isEnabled()
     page.close()
