@@ -62,6 +62,8 @@ class Choice(QComboBox):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         if field := self.lineEdit():
             field.setAccessibleName(name)
+            field.setPlaceholderText(translate("Reading", "choose or type"))
+            self.put("")
         self.currentIndexChanged.connect(lambda _row: self.changed.emit())
         self.editTextChanged.connect(lambda _text: self.changed.emit())
 
@@ -74,7 +76,7 @@ class Choice(QComboBox):
         """Show an answer."""
         if self.findData(value) < 0 and not self.isEditable():
             self.addItem(value, value)
-        row = self.findData(value)
+        row = -1 if self.isEditable() and not value else self.findData(value)
         self.setCurrentIndex(row)
         if row < 0:
             self.setEditText(value)
@@ -182,6 +184,12 @@ class ColumnMap(QScrollArea):
             for combo, word in zip(names, words, strict=False):
                 combo.setCurrentIndex(max(0, combo.findData(word.strip())))
 
+    def fits(self, value: str) -> bool:
+        """Whether an answer names each column of each table; so does none."""
+        wanted = [len(names) for names in self.names]
+        given = [len(part.split(",")) for part in value.split(BETWEEN_TABLES)]
+        return not value or given == wanted
+
     def kinds_of(self, name: str) -> set[str]:
         """The kinds of the columns with a name; "" for a table that has none."""
         found = set()
@@ -231,6 +239,7 @@ def _units() -> Fields:
 
     def units(name: str, known: Mapping[str, float]) -> Choice:
         texts = {one: one.replace("s2", "s\u00b2") for one in known}
+        texts |= {one: f"\u00b5{one[1:]}" for one in known if one[0] == "u"}
         return Choice(name, texts, is_open=True)
 
     signs = {

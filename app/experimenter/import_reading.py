@@ -387,7 +387,8 @@ class ReadingPage(JobDialog):
                 widget.deleteLater()
         for answer in answers:
             words = words_of(answer)
-            if any(key in self.fields for key in words):
+            is_fitting = self.columns.fits(words.get("columns", ""))
+            if is_fitting and any(key in self.fields for key in words):
                 button = text_button(named(words), in_words(answer))
                 button.clicked.connect(lambda _on=False, w=words: self._propose(w))
                 self._proposals.addWidget(button)

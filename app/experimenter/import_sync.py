@@ -4,22 +4,23 @@ import contextlib
 import dataclasses
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from app.bridge.jobs import Job
 from app.bridge.languages import translated
-from app.experimenter.numbers import NumberBox
+from app.experimenter.numbers import NumberBox, spin_box
 from app.experimenter.sync_strip import (
     OF_CLIP,
     OF_LOG,
     STEP_S,
     ClipFrame,
     Lane,
+    Sides,
     SyncStrip,
 )
 from app.widgets import theme
 from app.widgets.buttons import text_button
-from app.widgets.layout import STRETCH, captioned, column_of, indent, paragraph, row_of
+from app.widgets.layout import STRETCH, captioned, column_of, paragraph, row_of
 from app.widgets.texts import local
 from hapticplayer.capture.clock_lag import ClockLag
 from hapticplayer.capture.sync import methods
@@ -55,18 +56,20 @@ class SyncPage(QWidget):
         self._sound: Job[Samples] | None = None
         self._recognised: ImportPreview | None = None
         self.verdict, self.problem = paragraph(), paragraph("", theme.BAD)
-        self.offset = _spin(_LONGEST_OFFSET_S, 3, STEP_S, self.tr(" s"))
+        self.sides = Sides()
+        self.sides.chosen.connect(self._choose_method)
+        self.offset = spin_box(_LONGEST_OFFSET_S, 3, STEP_S, self.tr(" s"))
         self.offset.setAccessibleName(self.tr("Offset"))
         self.offset.setToolTip(
             self.tr("Media time at which the log's clock reads zero")
         )
-        self.skew = _spin(_LARGEST_SKEW_MS, 0, 1.0, self.tr(" ms"))
+        self.skew = spin_box(_LARGEST_SKEW_MS, 0, 1.0, self.tr(" ms"))
         self.skew.setAccessibleName(self.tr("Sound delay"))
         self.skew.setToolTip(
             self.tr("How much later than the video the camera records its sound")
         )
         self._make_drift_and_camera()
-        self.slow = _spin(_SLOWEST, 3, 1.0, self.tr(" \u00d7"))
+        self.slow = spin_box(_SLOWEST, 3, 1.0, self.tr(" \u00d7"))
         self.slow.setMinimum(1.0 / _SLOWEST)
         self.slow.setAccessibleName(self.tr("Slow motion"))
         self.slow.setToolTip(
@@ -100,8 +103,9 @@ class SyncPage(QWidget):
     def _make_drift_and_camera(self) -> None:
         name, unit = self.tr("Clock drift"), self.tr(" ppm")
         self.drift = NumberBox(name, DRIFT_PPM, 3, 1.0, unit)
-        tip = self.tr("By how much faster the video runs than the log's clock")
-        self.drift.setToolTip(tip)
+        self.drift.setToolTip(
+            self.tr("By how much faster the video runs than the log's clock")
+        )
         self.drift.setKeyboardTracking(False)
         self.camera = QComboBox()
         self.camera.setAccessibleName(self.tr("Sound delay of a camera"))
@@ -133,7 +137,7 @@ class SyncPage(QWidget):
         how = captioned(self.tr("&Method"), self.method)
         slow = captioned(self.tr("Slow mo&tion"), self.slow)
         buttons = (whole, self.near, self.hear)
-        hint = paragraph(
+        self.hint = paragraph(
             self.tr(
                 "Drag the log's curves until they line up with the clip's; the "
                 "arrow keys move them by 1 ms, with Shift 10 ms, with Ctrl 100 "
@@ -143,7 +147,7 @@ class SyncPage(QWidget):
             theme.DIM,
         )
         texts = column_of(
-            hint,
+            self.hint,
             row_of(*buttons, *offset, STRETCH, spacing=4),
             self._sound_delay,
             row_of(*how, *drift, STRETCH),
@@ -153,12 +157,17 @@ class SyncPage(QWidget):
         self._body = QWidget()
         aside = column_of(self.frame, row_of(*slow), STRETCH)
         column_of((self.strip, 1), row_of((texts, 1), aside), of=self._body)
-        column_of(self.verdict, (self._body, 1), of=self).addStretch(0)
+        said = row_of((self.verdict, 1), self.sides)
+        column_of(said, (self._body, 1), of=self).addStretch(0)
 
     def _show_method(self, row: int) -> None:
         name = self.method.itemData(row)
         text = next(one.text for one in methods.sync_methods() if one.name == name)
         self.method_text.setText(translated(text))
+
+    def _choose_method(self, name: str) -> None:
+        self.method.setCurrentIndex(self.method.findData(name))
+        self.method_chosen.emit()
 
     # --- what there is -------------------------------------------------------
 
@@ -205,10 +214,16 @@ class SyncPage(QWidget):
         begin_s, end_s = self.strip.view_s
         middle_s = is_near * 0.5 * (begin_s + end_s)
         self.strip.point_at(middle_s if is_by_turns or not pats_s else pats_s[0])
-        self._sound_delay.setVisible(not found.knows_clip_clock)
-        is_followed = bool(len(found.turned[0]))
-        self._body.setVisible(is_followed or not found.knows_clip_clock)
+        self._show_needed(found)
         self._show_verdict()
+
+    def _show_needed(self, found: ImportPreview) -> None:
+        """Hide what there is nothing to do with."""
+        is_own = found.knows_clip_clock
+        self._sound_delay.setVisible(not is_own)
+        self._body.setVisible(bool(len(found.turned[0])) or not is_own)
+        self.hint.setHidden(is_own and self._is_sure())
+        self.sides.setVisible(bool(found.found and found.found.is_torn))
 
     def _lanes(self, found: ImportPreview) -> list[Lane]:
         return [
@@ -415,11 +430,7 @@ class SyncPage(QWidget):
     def _verdict_of(self, sync: Synchronisation) -> tuple[str, str]:
         confidence = local(f"{sync.clock_map.confidence:.2f}")
         method = translated(methods.title_of(sync.method))
-        if (
-            sync.second is not None
-            and sync.second.is_confident
-            and not sync.is_confident
-        ):
+        if sync.second is not None and sync.is_torn:
             text = self.tr(
                 "The tap marks and the frames disagree ({method}: {offset} s, {other}: "
                 "{other_offset} s). Check which is right."
@@ -486,14 +497,3 @@ class SyncPage(QWidget):
         if sync.is_coarse:
             shown = f"{shown} {translated(COARSE_NOTE)}"
         return shown, theme.GOOD if sync.is_confident else theme.WARN
-
-
-def _spin(largest: float, digits: int, step: float, suffix: str) -> QDoubleSpinBox:
-    spin = QDoubleSpinBox()
-    spin.setRange(-largest, largest)
-    spin.setDecimals(digits)
-    spin.setSingleStep(step)
-    spin.setSuffix(suffix)
-    spin.setKeyboardTracking(False)
-    indent(spin)
-    return spin

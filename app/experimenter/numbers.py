@@ -40,6 +40,18 @@ class NumberBox(QDoubleSpinBox):
         return QLocale().toString(round(value, self.decimals()), "g", 8)
 
 
+def spin_box(largest: float, digits: int, step: float, suffix: str) -> QDoubleSpinBox:
+    """A number from -`largest` to it, taken when it is complete."""
+    spin = QDoubleSpinBox()
+    spin.setRange(-largest, largest)
+    spin.setDecimals(digits)
+    spin.setSingleStep(step)
+    spin.setSuffix(suffix)
+    spin.setKeyboardTracking(False)
+    indent(spin)
+    return spin
+
+
 class ThreeNumbers(QWidget):
     """Three numbers side by side, each below its name."""
 

@@ -123,6 +123,10 @@ def value_of(one: Finding) -> str:
     percent = f"{100.0 * value:.3g}\u00a0%"
     if one.name == "sync":
         text = translate("Quality", "residual {ms} ms, confidence {confidence} ({how})")
+        if more.get("is_confirmed"):  # a figure of the doubt that was resolved
+            text = translate(
+                "Quality", "residual {ms} ms, confirmed by a person ({how})"
+            )
         return text.format(
             ms=f"{1e3 * value:.1f}",
             confidence=f"{more['confidence']:.2f}",
@@ -182,14 +186,18 @@ def _advice(one: Finding) -> str:
             "Check the synchronisation; next time tap the recorder three times",
         ),
         "drift": translate("Quality", "In long recordings, tap at the end as well"),
-        "rate": translate("Quality", "Record at 100 Hz or more"),
-        "leak": translate("Quality", "Keep still for a few seconds at the start"),
-        "sensor": translate("Quality", "Choose a larger accelerometer range"),
+        "rate": translate("Quality", "Next time: record at 100 Hz or more"),
+        "leak": translate(
+            "Quality", "Next time: keep still for a few seconds at the start"
+        ),
+        "sensor": translate(
+            "Quality", "Next time: choose a larger accelerometer range"
+        ),
         "gaps": translate(
             "Quality", "There is no force in the gaps; try another memory card"
         ),
         "cover": translate(
-            "Quality", "Start the log before the clip and stop it after"
+            "Quality", "Next time: start the log before the clip and stop it after"
         ),
         "force": translate("Quality", "Lower the gain"),
         "workspace": translate("Quality", "Lower the gain"),

@@ -22,7 +22,8 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from app.bridge.jobs import Job
 from app.widgets import theme
-from app.widgets.layout import column_of
+from app.widgets.buttons import text_button
+from app.widgets.layout import column_of, row_of
 from app.widgets.texts import local, time_text
 from hapticplayer.media.thumbnails import Thumbnail, thumbnails
 from hapticplayer.model import ClockMap
@@ -91,6 +92,23 @@ class ClipFrame(QWidget):
             self.frame.setPixmap(shown)
             self.time.setText(time_text(one.media_s, digits=3))
             self.shown_s = one.media_s
+
+
+class Sides(QWidget):
+    """A choice between taps and frames, shown where they disagree."""
+
+    chosen = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        taps = self.tr("Synchronise by the tap marks alone")
+        frames = self.tr("Synchronise by the frames alone")
+        self.taps = text_button(self.tr("Use the taps"), taps)
+        self.frames = text_button(self.tr("Use the frames"), frames)
+        self.taps.clicked.connect(lambda _on=False: self.chosen.emit("pats"))
+        self.frames.clicked.connect(lambda _on=False: self.chosen.emit("frames"))
+        row_of(self.taps, self.frames, of=self)
+        self.hide()
 
 
 STEP_S = 0.001

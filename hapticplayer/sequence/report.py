@@ -146,7 +146,8 @@ def _sync(found: Mapping[str, Any], clock: ClockMap | None) -> Finding | None:
         mark = max(mark, Mark.DOUBTFUL if confidence > 0.0 else Mark.BAD)
     elif method == "offset" and not is_seen:
         mark = max(mark, Mark.DOUBTFUL)  # not confirmed by the recording
-    more = {"method": method, "confidence": confidence}
+    is_confirmed = is_seen and (confidence < ENOUGH_CONFIDENCE or method == "offset")
+    more = {"method": method, "confidence": confidence, "is_confirmed": is_confirmed}
     return Finding("sync", mark, residual_s, more)
 
 

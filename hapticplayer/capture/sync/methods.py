@@ -38,7 +38,7 @@ AUTO = "auto"
 
 _HERE = "hapticplayer.capture.sync.synchronize"
 SYNC_METHODS: tuple[SyncMethod, ...] = (
-    SyncMethod(AUTO, Message("the offset if given, the recording's own clock if it is the clip's, otherwise taps and frames"), f"{_HERE}:automatic", Message("Automatic")),
+    SyncMethod(AUTO, Message("the offset you give, if any; else the clock that clip and log share; else taps and frames"), f"{_HERE}:automatic", Message("Automatic")),
     SyncMethod("pats", Message("three taps on the camera, heard and felt"), f"{_HERE}:by_pats", Message("Tap marks")),
     SyncMethod("variance", Message("the first sudden rise of sound and motion, as in the paper"), f"{_HERE}:by_variance", Message("First sudden rise")),
     SyncMethod("embedded", Message("the recording's own clock"), f"{_HERE}:by_own_clock", Message("Own clock")),

@@ -226,6 +226,12 @@ class Synchronisation:
         return self.clock_map.confidence >= ENOUGH_CONFIDENCE
 
     @property
+    def is_torn(self) -> bool:
+        """Whether another method is sure of another offset."""
+        is_other_sure = self.second is not None and self.second.is_confident
+        return is_other_sure and not self.is_confident
+
+    @property
     def is_coarse(self) -> bool:
         """Whether frames count in it that were compared coarsely."""
         own = self.frames is not None and self.frames.is_coarse

@@ -175,7 +175,7 @@ def _question(layouts: list[Layout], where: str) -> LogQuestion:
         Message(
             "are {count} tables ({shown}) without a description",
             count=len(layouts),
-            shown=joined("; ", [layout.shown for layout in layouts]),
+            shown=joined(" / ", [layout.shown for layout in layouts]),
         ),
         (_proposal(layouts, "columns=time,ax,ay,az/time,gx,gy,gz"),),
         where,

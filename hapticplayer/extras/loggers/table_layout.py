@@ -108,7 +108,7 @@ class Layout(NamedTuple):
     @property
     def shown(self) -> str:
         """The columns, for people."""
-        names = self.separator.join(self.header)[:120]
+        names = "; ".join(self.header)[:120]
         return names or Message("without names")
 
 

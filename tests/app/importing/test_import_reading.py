@@ -197,6 +197,32 @@ def test_an_unknown_table_is_checked_while_it_is_answered(form, case, wait_for):
     assert page.take.isEnabled()
 
 
+@pytest.mark.parametrize(("columns", "offered"), [(7, 1), (8, 0)])
+def test_an_example_is_offered_where_it_fits(form, tmp_path, columns, offered):
+    log = tmp_path / "log.csv"
+    rows = [[f"{at}.5"] * columns for at in range(50)]
+    header = [f"col{at}" for at in range(columns)]
+    log.write_text("\n".join(",".join(row) for row in [header, *rows]))
+    page = form(log)
+    assert "; ".join(header) in page.check.accessibleName()
+    assert len(page.proposals()) == offered
+
+
+def test_a_unit_can_be_chosen_typed_or_left(form, case):
+    page = form(case(f"{TEXTS}/witmotion.txt"))
+    unit = page.fields["time-unit"]
+    assert (unit.currentText(), unit.value()) == ("", "")
+    assert unit.lineEdit().placeholderText() == "choose or type"
+    unit.setCurrentIndex(unit.findText("\u00b5s"))
+    assert unit.value() == "us"
+    unit.setEditText("us")
+    assert unit.value() == "us"
+    unit.put("us")
+    assert unit.currentText() == "\u00b5s"
+    unit.put("")
+    assert (unit.currentText(), unit.value()) == ("", "")
+
+
 def test_a_gyroscope_in_wrong_axes_is_seen_at_once(form, case, wait_for):
     columns = "time,-,ax,ay,az,gy,gx,gz"
     answers = {**LOGS["witmotion"][1], "columns": columns}

@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 
 from app.experimenter.import_wizard import REPORT, SYNC
+from app.experimenter.quality_view import QualityView, value_of
 from app.experimenter.sync_strip import (
     OF_CLIP,
     OF_LOG,
@@ -23,6 +24,7 @@ from hapticplayer.capture.sync.result import FrameEvidence, Synchronisation
 from hapticplayer.model import ClockMap
 from hapticplayer.sequence import open_sequence
 from hapticplayer.sequence.import_preview import preview_import
+from hapticplayer.sequence.report import Finding, Mark
 from hapticplayer.sequence.synchronizing import stored_skews
 from tests.app.importing.conftest import SECONDS
 
@@ -282,6 +284,45 @@ def test_the_lag_of_an_own_clock_is_shown_and_can_be_dragged(wizard, ride):
     assert not page.may_go_on()
     page.looked.setChecked(True)
     assert page.may_go_on()
+    assert page.hint.isHidden()  # there was nothing to drag
+
+
+def test_a_disagreement_is_settled_by_a_button(wizard, ride, wait_for):
+    folder, _ = ride
+    wizard.take([folder / "ride.mp4", folder / "log.csv"])
+    wait_for(wizard.next.isEnabled)
+    wizard.go_to(SYNC)
+    page = wizard.sync
+    assert page.sides.isHidden()
+    assert not page.hint.isHidden()
+    taps = Synchronisation(ClockMap(4.028, confidence=0.9), "pats")
+    torn = Synchronisation(ClockMap(4.0, confidence=0.0), "frames", second=taps)
+    found = preview_import(folder / "ride.mp4", folder / "log.csv")
+    wizard.on_found(dataclasses.replace(found, found=torn))
+    assert "Check which is right" in page.verdict.text()
+    assert not page.may_go_on()
+    page.sides.taps.click()
+    assert page.method.currentData() == "pats"
+    wait_for(lambda: not wizard.jobs.is_busy)
+    assert page.sides.isHidden()
+    assert page.choice().method == "pats"
+
+
+def test_a_confirmed_offset_is_not_called_unlikely(application):
+    more = {"method": "frames", "confidence": 0.0, "is_confirmed": True}
+    text = value_of(Finding("sync", Mark.GOOD, 0.0006, more))
+    assert text.startswith("residual 0.6 ms, confirmed by a person (")
+    text = value_of(Finding("sync", Mark.BAD, 0.0006, more | {"is_confirmed": False}))
+    assert "confidence 0.00" in text
+
+
+def test_advice_for_the_next_recording_says_so(application, qtbot):
+    view = QualityView()
+    qtbot.addWidget(view)
+    found = [Finding(name, Mark.DOUBTFUL, 1.0, {}) for name in ("leak", "rate")]
+    view.show_findings(found)
+    assert "Next time: keep still" in view.toPlainText()
+    assert "Next time: record at 100 Hz" in view.toPlainText()
 
 
 def test_a_low_window_cuts_no_text_off(wizard, ride, application):

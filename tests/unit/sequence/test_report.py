@@ -129,6 +129,28 @@ def test_a_result_that_a_person_checked_is_not_doubted():
         assert found["sync"] is Mark.GOOD
 
 
+@pytest.mark.parametrize(
+    ("method", "confidence", "is_seen", "is_confirmed"),
+    [
+        ("frames", 0.0, True, True),
+        ("offset", 1.0, True, True),
+        ("frames", 0.9, True, False),  # its own confidence says it
+        ("frames", 0.0, False, False),
+    ],
+)
+def test_a_person_counts_as_proof_where_nothing_else_is(
+    method, confidence, is_seen, is_confirmed
+):
+    found = quality_report(
+        described(
+            clock_map__confidence=confidence,
+            provenance__synchronisation={"method": method, "seen_by_person": is_seen},
+        )
+    )
+    sync = next(one for one in found if one.name == "sync")
+    assert sync.more["is_confirmed"] is is_confirmed
+
+
 def test_a_bad_rendering_asks_for_no_other_recording():
     share = {"feedbacks__realistic__saturated_share": 0.1}
     assert not needs_recording(quality_report(described(**share)))

@@ -20,7 +20,7 @@ def table(tmp_path):
 def test_an_unknown_table_asks_what_its_columns_are(table):
     with pytest.raises(UsageError, match="table of 8 columns") as caught:
         read_recording(table)
-    assert "counter;t_us;Ax;Ay;Az;Gx;Gy;Gz" in str(caught.value)
+    assert "counter; t_us; Ax; Ay; Az; Gx; Gy; Gz" in str(caught.value)
     assert "--read-as columns=time,ax,ay,az,gx,gy,gz" in str(caught.value)
 
 
@@ -184,7 +184,7 @@ def test_a_table_for_each_sensor_is_one_log(tmp_path, unit, unit_s, begin):
     paths = write_two(tmp_path, unit_s, begin)
     with pytest.raises(UsageError, match="are 2 tables") as caught:
         read_recording(paths)
-    assert "t;x;y;z; t;x;y;z" in str(caught.value)
+    assert "t; x; y; z / t; x; y; z" in str(caught.value)
     assert "columns=time,ax,ay,az/time,gx,gy,gz" in str(caught.value)
     imu = read_recording(paths, parse_choices([*TWO, f"time-unit={unit}"])).imu
     assert imu.source.endswith("acc.csv + gyr.csv")
