@@ -41,12 +41,16 @@ _READ, _ANALYSED = 0.3, 0.7  # of the work
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """Text whose figures (PNG, by name) are referred to as SCHEME and their names."""
+    """Text whose figures (PNG, by name) are referred to as SCHEME and their names.
+
+    `is_empty`: no answer can be used.
+    """
 
     answers: Answers
     html: str
     figures: dict[str, bytes]
     dpi: float
+    is_empty: bool
 
 
 def made_report(answers: Answers, *, progress: Progress) -> Report:
@@ -61,7 +65,7 @@ def made_report(answers: Answers, *, progress: Progress) -> Report:
     progress(_ANALYSED, Message("drawing the figures"))
     figures = {name: image(figure) for name, figure in parts.draw().items()}
     html = body(parts.blocks, lambda name: SCHEME + name)
-    return Report(answers, html, figures, DPI)
+    return Report(answers, html, figures, DPI, parts.is_empty)
 
 
 def answers_with_force(folder: Path, *, progress: Progress) -> Answers:
@@ -118,6 +122,7 @@ class AnalysisPage(QWidget):
         self.jobs = Jobs(lambda problem: say(message_of(problem)))
         self.job_bar = JobBar()
         self.job_bar.cancelled.connect(self.jobs.cancel)
+        self.note = paragraph(self.tr("The report is in English."), theme.DIM)
         self.text = QTextBrowser()
         self.text.setOpenLinks(False)
         self.text.document().setDefaultStyleSheet(_style())
@@ -170,11 +175,10 @@ class AnalysisPage(QWidget):
 
     def _lay_out(self) -> None:
         self._heading = ElidedLabel(self._title)
-        text = self.tr("The report is in English, ready for publication.")
         buttons = (self.save_button, self.analyse_button)
         top = row_of((self._heading, 1), *buttons, spacing=8)
         self.job_bar.lie_over(self.text)
-        parts = (top, paragraph(text, theme.DIM), (self.text, 1))
+        parts = (top, self.note, (self.text, 1))
         column_of(*parts, spacing=8, margins=(12, 10, 12, 12), of=self)
 
     def _work(self, progress: Progress) -> Report:
@@ -191,6 +195,13 @@ class AnalysisPage(QWidget):
     def _show(self, report: Report) -> None:
         """Show it in steps: a figure is decoded in 12 ms, a part laid out in 10."""
         self._report = report
+        if report.is_empty:
+            self.note.setText(
+                self.tr("No valid answer yet: there is nothing to publish.")
+            )
+        else:
+            text = self.tr("The report is in English, ready for publication.")
+            self.note.setText(text)
         self._steps = self._showing(report)
 
     def _showing(self, report: Report) -> Iterator[None]:

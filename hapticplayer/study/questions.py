@@ -87,7 +87,8 @@ class _Number(AnswerKind):
     def _prepare(self) -> None:
         text = "must be a number from {least} to {most}"
         self.refusal = Message(text, least=self.least, most=self.most)
-        levels = {str(one.at): one.text for one in self.asked.labels}
+        labels = sorted(self.asked.labels, key=lambda one: one.at)
+        levels = {str(one.at): one.text for one in labels}
         self.columns = [AnswerColumn(levels=levels or None, unit=self.asked.unit)]
 
     def faults(self) -> Iterator[Fault]:

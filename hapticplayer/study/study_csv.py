@@ -209,7 +209,7 @@ def participants(data: StudyData) -> DataTable:
     """Return the table of participants, with their answers before and after the clips."""
     own = (
         DataColumn("complete", "the session was completed", "true|false"),
-        DataColumn("simulated", "simulated participant", "true|false"),
+        DataColumn("simulated", "simulated participant (not the device)", "true|false"),
     )
     given = answer_columns(data.definition, When.BEFORE, When.AFTER, taken=(_WHO, *own))
     rows = [

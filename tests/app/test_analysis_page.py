@@ -1,4 +1,5 @@
 import threading
+from dataclasses import replace
 
 import pytest
 
@@ -44,6 +45,7 @@ def test_the_report_is_shown_with_its_figures_and_can_be_saved(
     wait_for(lambda: not page.is_busy)
     shown = page.text.toPlainText()
     assert "6 participants" in shown
+    assert "ready for publication" in page.note.text()
     assert "Kendall's W" in shown
     assert shown.count("\ufffc") == 2  # an embedded picture
     page.resize(800, 600)
@@ -52,6 +54,18 @@ def test_the_report_is_shown_with_its_figures_and_can_be_saved(
     wait_for(lambda: not page.is_busy)
     assert (tmp_path / "report" / "report.pdf").stat().st_size > 10_000
     assert failures == []
+
+
+def test_a_report_without_a_valid_answer_is_not_to_be_published(make_page, wait_for):
+    made = simulated_answers(6, seed=1)
+    ratings = tuple(replace(one, value=None) for one in made.ratings)
+    page = make_page(lambda _progress: replace(made, ratings=ratings))
+    assert "publi" not in page.note.text()
+    page.analyse_button.click()
+    wait_for(lambda: not page.is_busy)
+    assert page.note.text() == "No valid answer yet: there is nothing to publish."
+    assert page.text.toPlainText().startswith("No valid answer yet: ")
+    assert "\ufffc" not in page.text.toPlainText()
 
 
 @pytest.fixture(scope="module")

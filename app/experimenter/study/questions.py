@@ -4,13 +4,18 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtWidgets import QComboBox, QMenu, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QMenu, QWidget
 
 from app.bridge.languages import translated
 from app.experimenter.study.document import Place, StudyDocument
 from app.experimenter.study.lists import EntryList, Row
 from app.experimenter.study.preview import PagePreview, ShownPage
-from app.experimenter.study.words import group_names, page_words, text_in
+from app.experimenter.study.words import (
+    group_names,
+    label_words,
+    page_words,
+    text_in,
+)
 from app.widgets.buttons import text_button
 from app.widgets.layout import row_of
 from hapticplayer.study.definition import (
@@ -19,7 +24,7 @@ from hapticplayer.study.definition import (
     TrialKind,
     When,
 )
-from hapticplayer.study.pages import PageKind, number_text
+from hapticplayer.study.pages import PageKind
 from hapticplayer.study.questions import (
     ANSWER_KINDS,
     MAX_POINTS,
@@ -198,16 +203,32 @@ class QuestionList(EntryList):
         self.document.set(at[:-1], asked, self.tr("another range"))
 
     def _fill_labels(self, place: Place) -> None:
-        for number, one in enumerate(self.document.at((*place, "labels")) or []):
-            at = (*place, "labels", number)
-            label = self.tr("Label of {n}").format(n=number_text(one.get("at", 0)))
-            least, most = self._limits(place)
-            point = self.fields.lone_number(self.tr("Point"), (*at, "at"), least, most)
-            remove = self.tr("Remove this label")
-            self.fields.row(label, self._text_row(at, label, point, remove))
+        labels = self.document.at((*place, "labels")) or []
+        for number in sorted(range(len(labels)), key=lambda n: labels[n].get("at", 0)):
+            self._fill_label((*place, "labels", number))
         add = text_button(self.tr("Add a label"), "")
         add.clicked.connect(lambda: self._add_label(place))
         self.fields.row("", add)
+
+    def _fill_label(self, at: Place) -> None:
+        label = label_words(self.document.at((*at, "at")) or 0)
+        least, most = self._limits(at[:-2])
+        point = self.fields.lone_number(self.tr("Point"), (*at, "at"), least, most)
+        row = self._text_row(at, label, point, self.tr("Remove this label"))
+        self.fields.row(label, row)
+        told = self.fields.rows.labelForField(row)
+        assert isinstance(told, QLabel)
+
+        def show() -> None:
+            told.setText(label_words(self.document.at((*at, "at")) or 0))
+            for language in self.document.languages:
+                line = self.fields.by_place[(*at, "text", language)]
+                assert isinstance(line, QLineEdit)
+                name = self.fields.in_language(told.text(), language)
+                line.setAccessibleName(name)
+                line.setPlaceholderText(name)
+
+        self.fields.bind(at, row, show)
 
     def _limits(self, place: Place) -> tuple[int, int]:
         asked = self.document.at(place)

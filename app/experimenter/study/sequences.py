@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QListWidget,
     QListWidgetItem,
+    QSizePolicy,
     QWidget,
 )
 
@@ -85,6 +86,9 @@ class SequenceList(EntryList):
         choose.clicked.connect(lambda: self._ask(self.use, is_one=True))
         is_here = QLabel()
         is_here.setWordWrap(True)
+        policy = is_here.sizePolicy()  # as wide as its row, with a height for its width
+        policy.setHorizontalPolicy(QSizePolicy.Policy.Expanding)
+        is_here.setSizePolicy(policy)
 
         def show() -> None:
             entry = self._entry(str(self.document.at(folder) or ""))

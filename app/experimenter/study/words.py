@@ -11,6 +11,7 @@ from app.player.choices import feedback_words
 from app.widgets.texts import quoted, titled
 from hapticplayer.rendering import ChosenFeedback
 from hapticplayer.study.definition import When
+from hapticplayer.study.pages import number_text
 
 translate = QCoreApplication.translate
 
@@ -56,6 +57,11 @@ def word_names() -> dict[str, str]:
         "stopped": translate("StudyWords", "Page: ended early"),
         "problem": translate("StudyWords", "Page: answers cannot be saved"),
     }
+
+
+def label_words(point: int) -> str:
+    """What the label of a point of a scale is called."""
+    return translate("StudyWords", "Label of {n}").format(n=number_text(point))
 
 
 def condition_words(entry: str | Mapping[str, Any]) -> str:
@@ -113,6 +119,10 @@ def _question_words(content: Content, place: Place) -> str:
         asked = entry_at(content, place[:4])
         parts.append(_entry_words(content, "pages", asked, int(rest[1])))
         rest = rest[2:]
+        if len(rest) > 1 and rest[0] == "labels":  # by its point, as its row is named
+            point = entry_at(content, (*place[:4], *rest[:2], "at"))
+            parts.append(label_words(point or 0))
+            rest = rest[2:]
     parts += [word for one in rest if (word := _part_words("pages", one))]
     return " \u203a ".join(parts)
 

@@ -3,7 +3,7 @@
 import dataclasses
 import importlib.metadata
 import platform
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -218,8 +218,19 @@ def missing(analysis: Analysis) -> dict[str, Any]:
     }
 
 
+def nothing_valid(found: Mapping[str, Any]) -> str:
+    """What is said first where no answer can be used, from the counts of `missing`."""
+    return (
+        f"No valid answer yet: {found['answers_missing']} of {found['answers_planned']} "
+        f"answers are missing, {found['of_these_invalid']} of them because the playback "
+        "was not valid. There is nothing to analyse."
+    )
+
+
 def warnings_of(analysis: Analysis) -> list[str]:
     """Return warnings about missing data and violated assumptions."""
+    if analysis.scores.is_empty:
+        return [*analysis.answers.notices, nothing_valid(missing(analysis))]
     return [
         *analysis.answers.notices,
         *_missing_warnings(analysis),

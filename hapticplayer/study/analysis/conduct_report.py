@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 
 from hapticplayer import __version__
+from hapticplayer.devices import find_device
+from hapticplayer.errors import DeviceError
 from hapticplayer.study.analysis.blocks import (
     Heading,
     Paragraph,
@@ -36,7 +38,7 @@ SYNC = {
 
 
 def identity(answers: Answers) -> Iterator[ReportBlock]:
-    """The identity of the study, its dates and its software."""
+    """The identity of the study, its dates, its software and its devices."""
     conduct = answers.conduct
     parts = []
     if conduct.identifier:
@@ -45,9 +47,24 @@ def identity(answers: Answers) -> Iterator[ReportBlock]:
         parts.append(f"Sessions of {' to '.join(dict.fromkeys(conduct.dates))} (UTC)")
         parts[-1] += f", recorded with {listed(conduct.programs)}."
     parts.append(f"Analysed with hapticplayer {__version__}.")
+    if devices := tuple(_devices(conduct.playbacks)):
+        parts.append(
+            f"{'Device' if len(devices) == 1 else 'Devices'}: {listed(devices)}."
+        )
     if mark := simulated_mark(answers.participants):
         parts.append(f"{mark.capitalize()}.")
     yield Paragraph(" ".join(parts))
+
+
+def _devices(trials: Iterable[AnsweredPlayback]) -> Iterator[str]:
+    """Yield the devices of playbacks as people call them, and their names."""
+    listed_names = (trial.figures.get("outputs") for trial in trials)
+    lists = (names for names in listed_names if isinstance(names, list))
+    for name in dict.fromkeys(str(name) for names in lists for name in names):
+        try:
+            yield f"{find_device(name).label} ({name})"
+        except DeviceError:  # of a package that this machine lacks
+            yield name
 
 
 def people(answers: Answers) -> Iterator[ReportBlock]:

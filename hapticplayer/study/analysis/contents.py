@@ -7,6 +7,7 @@ from hapticplayer.study.analysis.analysis import (
     Analysis,
     AnalysisOptions,
     missing,
+    nothing_valid,
     warnings_of,
 )
 from hapticplayer.study.analysis.blocks import (
@@ -59,6 +60,9 @@ def contents(analysis: Analysis) -> Iterator[ReportBlock]:
 
 
 def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
+    is_empty = analysis.scores.is_empty
+    if is_empty:
+        yield Paragraph(nothing_valid(missing(analysis)))
     yield from identity(analysis.answers)
     yield from people(analysis.answers)
     yield from feedback_conditions(analysis.answers)
@@ -68,23 +72,33 @@ def _contents(analysis: Analysis) -> Iterator[ReportBlock]:
     warned = warnings_of(analysis)
     for text in warned or ["No warnings."]:
         yield Paragraph(text)
-    described = tuple(methods(analysis))
+    described = () if is_empty else tuple(methods(analysis))
     yield from described
+    if not is_empty:
+        yield from _results(analysis)
+    yield from playback(analysis.answers, analysis.scores.feedbacks)
+    yield from trial_force_blocks(analysis.answers, analysis.scores.feedbacks)
+    if not is_empty:
+        yield from _assumptions()
+        yield from references(works(), described)
+    yield from reproducibility(analysis.options)
+
+
+def _results(analysis: Analysis) -> Iterator[ReportBlock]:
     yield Heading("Means and standard deviations")
     yield from _figures(analysis)
     yield from _means(analysis)
     yield Heading("Tests")
     tables = [_table(one, analysis.found[name]) for name, one in STATISTICS.items()]
     yield from (table for table in tables if table.rows)
-    yield from playback(analysis.answers, analysis.scores.feedbacks)
-    yield from trial_force_blocks(analysis.answers, analysis.scores.feedbacks)
+
+
+def _assumptions() -> Iterator[ReportBlock]:
     yield Heading("Assumptions of the tests")
     yield Paragraph(_MEANS)
     for statistic in STATISTICS.values():
         if statistic.assumes:
             yield Paragraph(statistic.assumes)
-    yield from references(works(), described)
-    yield from reproducibility(analysis.options)
 
 
 def reproducibility(options: AnalysisOptions) -> Iterator[ReportBlock]:
@@ -108,7 +122,7 @@ def _answers(analysis: Analysis) -> Iterator[ReportBlock]:
         f"({found['of_these_invalid']} because the playback was not valid); "
         f"{found['replaced_by_repetition']} were replaced by a repetition."
     )
-    if not found["answers_missing"]:
+    if not found["answers_missing"] or scores.is_empty:
         return
     rows = (
         (

@@ -36,6 +36,10 @@ from hapticplayer.study.analysis.statistic import (
 
 MOST_STEPS = 100_000_000
 """Most additions for an exact p (about 0.2 s)."""
+_UNDEFINED = {
+    0: "there are no ratings of all of them",
+    1: "one participant alone has ratings of all of them",
+}
 
 
 def friedman(values: Floats, resampling: Resampling, label: str) -> Found:
@@ -186,9 +190,8 @@ def _warnings(found: dict[str, Found]) -> list[str]:
     warned = []
     for measure, one in found.items():
         if one["chi2"] is None:
-            warned.append(
-                f"{measure}: the feedbacks cannot be compared (all ratings are tied)."
-            )
+            why = _UNDEFINED.get(one["n"], "all ratings are tied")
+            warned.append(f"{measure}: the feedbacks cannot be compared ({why}).")
         elif (one["p"] < ALPHA) != (one["p_exact"] < ALPHA):
             warned.append(
                 f"{measure}: p of Friedman's chi-square ({one['df']} df) is "

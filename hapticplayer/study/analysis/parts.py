@@ -25,6 +25,7 @@ class ReportParts:
         blocks: of the text.
         draw: returns the figures by name.
         tables: rows by name of the CSV file.
+        is_empty: whether no answer can be used: there is nothing to publish.
     """
 
     answers: Answers
@@ -34,6 +35,7 @@ class ReportParts:
     blocks: tuple[ReportBlock, ...]
     draw: Callable[[], dict[str, "Figure"]]
     tables: Mapping[str, Iterable[list[Any]]]
+    is_empty: bool = False
 
 
 Analyse = Callable[[Answers, AnalysisOptions | None, Progress], ReportParts]

@@ -46,18 +46,20 @@ def analyse_study(
 
 def parts_of(found: Analysis) -> ReportParts:
     mark = simulated_mark(found.answers.participants)
+    is_empty = found.scores.is_empty
     return ReportParts(
         found.answers,
         mark,
         rounded(summary(found)),
-        tuple(_lines(found)),
+        () if is_empty else tuple(_lines(found)),
         tuple(contents.contents(found)),
-        lambda: figures.marked(figures.figures(found), mark),
+        lambda: {} if is_empty else figures.marked(figures.figures(found), mark),
         {
             "conditions.csv": _condition_rows(found),
             "tests.csv": _test_rows(found),
             "scores.csv": _score_rows(found),
         },
+        is_empty,
     )
 
 

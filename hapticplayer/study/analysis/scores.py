@@ -78,6 +78,11 @@ class Scores:
         """Number of missing answers."""
         return int(np.isnan(self.ratings).sum())
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether ratings were planned and not one can be used."""
+        return self.ratings.size > 0 and self.missing == self.ratings.size
+
     def of(self, measure: str) -> Floats:
         """Return a measure (P, S, F); QoE is missing where any of its factors is."""
         if measure == QOE:

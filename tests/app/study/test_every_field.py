@@ -213,6 +213,37 @@ def test_the_label_of_an_end_goes_with_it(edit, tmp_path):
     assert editor.document.at((*place, "most")) == 5
 
 
+def test_rows_of_labels_are_named_and_ordered_by_point(edit, tmp_path):
+    editor = edit(create_study(tmp_path / "s").folder)
+    questions, place = editor.questions, ("pages", 1, "questions", 0)
+    fields, labels = questions.fields, (*place, "labels")
+    editor.tabs.setCurrentWidget(questions)
+    questions.select(place)
+    fields.by_place[(*place, "most")].setValue(7)
+
+    def told(number):
+        return fields.rows.labelForField(fields.by_place[(*labels, number)]).text()
+
+    assert [told(0), told(1)] == ["Label of 1", "Label of 7"]
+    line = fields.by_place[(*labels, 1, "text", "en")]
+    assert line.accessibleName() == line.placeholderText() == "Label of 7 (English)"
+    questions._add_label(place)
+    fields.by_place[(*labels, 2, "at")].setValue(4)
+    assert told(2) == "Label of 4"
+    questions.select(("pages", 1, "questions", 1))
+    questions.select(place)
+    rows = [
+        fields.rows.getWidgetPosition(fields.by_place[(*labels, n)])[0]
+        for n in (0, 2, 1)
+    ]
+    assert rows == sorted(rows)
+    editor.keep()
+    shown = editor.problem_list
+    said = [shown.item(row).text() for row in range(shown.count())]
+    assert any("\u203a Label of 4 \u203a Wording" in one for one in said)
+    assert not any("Labels of points" in one for one in said)
+
+
 def test_the_preview_has_the_duration_of_the_editor(edit, tmp_path):
     editor = edit(create_study(tmp_path / "s", languages=["en"]).folder)
     page = editor.texts

@@ -10,7 +10,13 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QLabel,
+)
 
 from app.experimenter.study.document import place_of
 from app.experimenter.study.editor import StudyEditor
@@ -18,7 +24,7 @@ from app.experimenter.study.new_study import NewStudyDialog
 from app.experimenter.study.sequences import LibraryChoice, free_key
 from app.participant.pages import QuestionsPage
 from hapticplayer.cli.study import status
-from hapticplayer.sequence.library import entries
+from hapticplayer.sequence.library import entries, read_entry
 from hapticplayer.study.creation import create_study
 from hapticplayer.study.definition import OrderMethod, QuestionKind
 from hapticplayer.study.drafts import DRAFT, problems_of
@@ -195,6 +201,21 @@ def test_sequences_are_renamed_put_in_order_and_removed(editor):
     for _ in range(4):
         page.remove_button.click()
     assert len(editor.document.value["sequences"]) == 1  # the last one stays
+
+
+def test_a_recording_is_told_on_one_line(editor, library):
+    page = show(editor, editor.sequences)
+    page.select(("sequences", 0))
+    page.use([read_entry(library / "ride-0")])
+    choose = field(page, "sequences", 0, "folder")
+    rows = page.fields.rows
+    row, _ = rows.getWidgetPosition(choose)
+    told = rows.itemAt(row - 1, QFormLayout.ItemRole.FieldRole).widget()
+    QApplication.processEvents()
+    needed = told.fontMetrics().horizontalAdvance(told.text())
+    assert TITLES[0] in told.text()
+    assert needed <= told.width()
+    assert told.height() >= told.heightForWidth(told.width())
 
 
 def test_names_in_the_data_are_made_of_titles():

@@ -11,8 +11,9 @@ from hapticplayer.errors import StudyError
 from hapticplayer.study.analysis.report import analyse_study
 from hapticplayer.study.answers import read_answers
 from hapticplayer.study.creation import change_definition
-from hapticplayer.study.definition import QuestionKind, When
+from hapticplayer.study.definition import PointLabel, Question, QuestionKind, When
 from hapticplayer.study.pages import PageKind, check_answers
+from hapticplayer.study.questions import kind_of
 from hapticplayer.study.study_folder import open_study
 from tests.every_kind import drawn, with_every_kind
 from tests.unit.study.test_runner import RunningSession
@@ -175,15 +176,32 @@ def test_the_csv_export_has_every_kind_with_its_type(running, tmp_path):
             chosen = [row[f"choices_{when}.{key}"] for key in ("sea", "air", "land")]
             assert chosen == ["true", "false", "true"]
             assert not any("Anna" in cell for cell in row.values())
-    said = {
-        row["column"]: row["unit_or_levels"]
-        for row in table(tmp_path / "csv" / "data_dictionary.csv")
-    }
+    dictionary = table(tmp_path / "csv" / "data_dictionary.csv")
+    meanings = {row["column"]: row["meaning"] for row in dictionary}
+    assert meanings["simulated"] == "simulated participant (not the device)"
+    said = {row["column"]: row["unit_or_levels"] for row in dictionary}
     assert said["scale_before"] == "from -3 to 3 (-3: bad en, 0: so en, 3: good en)"
     assert said["visual_before"] == "from 0 to 100 (0: none en, 100: most en)"
     assert said["number_before"] == "from -5 to 5 kg"
     assert said["choice_before"] == "car|bike"
     assert said["choices_before.sea"] == said["yes-no_before"] == "true|false"
+
+
+def test_labels_in_the_data_are_in_the_order_of_points():
+    labels = [
+        PointLabel(at=at, text={"en": word})
+        for at, word in ((1, "in danger"), (7, "safe"), (4, "neither"))
+    ]
+    asked = Question(
+        key="safety",
+        kind=QuestionKind.SCALE,
+        text={"en": "How safe?"},
+        least=1,
+        most=7,
+        labels=tuple(labels),
+    )
+    (column,) = kind_of(asked).columns
+    assert list(column.levels) == ["1", "4", "7"]
 
 
 def test_the_texts_after_a_clip_are_exported_once_reviewed(running, tmp_path):

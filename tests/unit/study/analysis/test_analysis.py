@@ -6,7 +6,7 @@ import pytest
 
 from hapticplayer.errors import Cancelled, InputError
 from hapticplayer.study.analysis import AnalysisOptions, MissingPolicy, analyse
-from hapticplayer.study.analysis.analysis import summary
+from hapticplayer.study.analysis.analysis import summary, warnings_of
 from hapticplayer.study.analysis.scores import sample_of, scores_of
 
 
@@ -141,6 +141,14 @@ def test_a_study_in_which_everybody_says_the_same_is_analysed(answers, choices):
     assert found["wilcoxon"]["qoe"]["none-random"]["p"] is None
     assert found["shapiro"]["qoe"]["none"] == {"w": None, "p": None}
     assert any("all ratings are tied" in text for text in found["warnings"])
+
+
+def test_ratings_that_are_not_there_are_not_called_tied(answers, choices):
+    holed = without(answers, feedback="random")
+    told = warnings_of(analyse(holed, choices))
+    assert not any("tied" in text for text in told)
+    why = "the feedbacks cannot be compared (there are no ratings of all of them)."
+    assert f"qoe: {why}" in told
 
 
 def test_a_study_without_any_answer_is_analysed(answers, choices):

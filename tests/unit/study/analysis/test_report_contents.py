@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 from hapticplayer.clock import SystemClock
+from hapticplayer.devices import find_device
 from hapticplayer.simulation.participants import simulated_answers
 from hapticplayer.simulation.sessions import write_answers
 from hapticplayer.study.analysis import AnalysisOptions, Resampling, analyse
 from hapticplayer.study.analysis.analysis import STATISTICS
 from hapticplayer.study.analysis.blocks import Paragraph, ReportFigure, ReportTable
-from hapticplayer.study.analysis.conduct_report import playback
+from hapticplayer.study.analysis.conduct_report import identity, playback
 from hapticplayer.study.analysis.pdf import write_pdf
 from hapticplayer.study.analysis.report import parts_of, write_report
 from hapticplayer.study.answers import Participant, collect_answers
@@ -100,6 +101,35 @@ def test_the_report_says_which_study_when_and_with_what(made):
     first = made.blocks[0].text
     for said in ("abc123", "2026-01-02 to 2026-02-03", "0.0.9", "Partly simulated"):
         assert said in first
+
+
+def test_the_report_names_the_devices_of_its_sessions(answers):
+    used = [["simulated"], ["falcon", "simulated"], "odd", ["gone:7"], None]
+    trials = tuple(
+        AnsweredPlayback("none", 1, True, 1.0, {"outputs": one}) for one in used
+    )
+    conduct = replace(answers.conduct, playbacks=trials)
+    (first,) = identity(replace(answers, conduct=conduct))
+    labels = [find_device(one).label for one in ("simulated", "falcon")]
+    said = f"Devices: {labels[0]} (simulated), {labels[1]} (falcon) and gone:7."
+    assert said in first.text
+
+
+def test_a_report_without_a_valid_answer_says_so_first(answers, tmp_path):
+    ratings = tuple(replace(one, is_valid=False) for one in answers.ratings)
+    found = parts(replace(answers, ratings=ratings))
+    count = len(ratings)
+    assert found.is_empty
+    assert found.blocks[0].text.startswith(
+        f"No valid answer yet: {count} of {count} answers are missing, {count} of them"
+    )
+    assert found.draw() == {}
+    assert found.lines == ()
+    assert found.numbers["warnings"] == [found.blocks[0].text]
+    titles = [one.title for one in found.blocks if isinstance(one, ReportTable)]
+    assert not any("Means" in one or "test" in one for one in titles)
+    write_report(found, tmp_path / "report", "Rides")
+    assert (tmp_path / "report" / "report.pdf").exists()
 
 
 def test_the_report_describes_the_participants(made):
