@@ -34,7 +34,8 @@ from app.widgets.layout import (
     scrolling,
 )
 from app.widgets.messages import MessageBar
-from hapticplayer.errors import UsageError, message_of
+from hapticplayer.errors import StudyError, UsageError, message_of
+from hapticplayer.study.overview import SessionSummary, session_summary
 from hapticplayer.study.pages import PageKind
 from hapticplayer.study.runner import SessionRunner
 
@@ -89,6 +90,7 @@ class Mirror(QWidget):
 
 
 translate = QCoreApplication.translate
+_AT_END = ("results", "close")  # buttons
 WIDTH_PX, HEIGHT_PX = 1280, 720  # the health line is whole
 
 
@@ -100,6 +102,7 @@ class SessionControl(QMainWindow):
 
     closing = Signal()
     page_wanted = Signal()
+    results_wanted = Signal()
 
     def __init__(self, start: StartPanel, mirror: Mirror, *, shows_force: bool) -> None:
         super().__init__()
@@ -116,8 +119,11 @@ class SessionControl(QMainWindow):
         self._runner: SessionRunner | None = None
         self._changed: Callable[[], None] = lambda: None
         self.where, self.played, self.volume = QLabel(), QLabel(), QLabel()
-        for label in (self.where, self.played, self.volume):
+        self.invalid, self._is_summed_up = QLabel(), False
+        self._labels = (self.where, self.played, self.invalid, self.volume)
+        for label in self._labels:
             label.setWordWrap(True)
+        self.invalid.hide()
         self.where.setFont(theme.scaled(self.font(), 1.4, bold=True))
         self.notes = QPlainTextEdit()
         self.notes.setReadOnly(True)
@@ -151,6 +157,12 @@ class SessionControl(QMainWindow):
                 self.tr("Show the participant's page over this panel"),
                 "primary",
             ),
+            "results": (
+                self.tr("Sessions and data"),
+                self.tr("Show what came of this session and those before"),
+                "primary",
+            ),
+            "close": (self.tr("Close"), self.tr("Close the session"), ""),
             "retry": (self.tr("Try again"), self.tr("Retry saving"), ""),
             "stop": (self.tr("STOP"), self.tr("Stop the force (Esc)"), "stop"),
         }
@@ -169,13 +181,16 @@ class SessionControl(QMainWindow):
         for name, action in actions.items():
             buttons[name].clicked.connect(lambda _on, action=action: self._do(action))
         buttons["page"].clicked.connect(self.page_wanted)
-        buttons["page"].hide()
+        buttons["results"].clicked.connect(self.results_wanted)
+        buttons["close"].clicked.connect(self.close)
+        for name in ("page", *_AT_END):
+            buttons[name].hide()
         return buttons
 
     def _panel(self) -> QWidget:
         panel = QWidget()
         texts, above, row = QVBoxLayout(), QHBoxLayout(), QHBoxLayout()
-        for label in (self.where, self.played, self.volume):
+        for label in self._labels:
             texts.addWidget(label)
         texts.addStretch(1)
         above.addLayout(texts, 1)
@@ -235,8 +250,49 @@ class SessionControl(QMainWindow):
         for name in ("pause", "repeat", "skip"):
             self.buttons[name].setEnabled(not runner.is_over and not is_stuck)
         self.buttons["end"].setEnabled(not runner.is_over)
+        if runner.is_over and not self._is_summed_up:
+            self._show_end()
         if is_stuck and self.messages.text() != translated(runner.problem):
             self.show_message(runner.problem)
+
+    def _show_end(self) -> None:
+        self._is_summed_up = (
+            True  # before: what fails is not tried thirty times a second
+        )
+        for name in ("pause", "repeat", "skip", "end"):
+            self.buttons[name].hide()
+        for name in _AT_END:
+            self.buttons[name].show()
+        self.played.hide()  # all trials are summed up in its place
+        self.sum_up()
+
+    def sum_up(self) -> None:
+        """Show which trials so far are invalid; reads the records."""
+        if self._runner is None:
+            return
+        try:
+            session = self._runner.study.session(self._runner.plan.code)
+        except StudyError as problem:
+            self.show_message(message_of(problem))
+        else:
+            self.invalid.setText(self._invalid_text(session_summary(session)))
+            self.invalid.show()
+
+    def _invalid_text(self, found: SessionSummary) -> str:
+        """How many trials are invalid, and those of each reason; no conditions."""
+        text = self.tr("Invalid trials: {k} of {n}")
+        text = text.format(k=len(found.invalid), n=found.answered)
+        positions: dict[str, list[str]] = {}
+        for trial in found.invalid:
+            for reason in trial.reasons:
+                positions.setdefault(reason, []).append(str(trial.position))
+        more = (
+            self.tr("{reason} (trial {numbers})").format(
+                reason=reason_text(reason), numbers=", ".join(numbers)
+            )
+            for reason, numbers in positions.items()
+        )
+        return " \u2013 ".join(filter(None, (text, "; ".join(more))))
 
     def _where_text(self, runner: SessionRunner) -> str:
         page = runner.page

@@ -9,7 +9,7 @@ from functools import partial
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication, QKeySequence
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMainWindow
 
 from app.bridge.collector import Collector
 from app.bridge.errors import ErrorGateway
@@ -27,6 +27,7 @@ from app.participant.window import (
 from app.player.application import make_application
 from app.player.controls import OUTPUT
 from app.player.video_surface import SurfaceSink, VideoSurface
+from app.widgets.job_dialog import JobDialog
 from app.widgets.layout import is_seen
 from hapticplayer.clock import Clock, SystemClock
 from hapticplayer.errors import HapticPlayerError
@@ -96,6 +97,7 @@ class StudySession:
         self.participant.refused.connect(self.gateway.report)
         self.participant.operator_wanted.connect(self._show_operator)
         self.control.page_wanted.connect(self._return_to_page)
+        self.control.results_wanted.connect(self._show_results)
         self._is_windowed = False
         self.undisturbed = IdleInhibitor(services=EVERYTHING)
         self._watch_cadence, self._slow_turn = Cadence(WATCH_HZ), Cadence(SLOW_HZ)
@@ -157,8 +159,23 @@ class StudySession:
         self.control.buttons["page"].show()
         self.participant.hide()
         self.control.refresh()
+        self.control.sum_up()
         self.control.raise_()
         self.control.activateWindow()
+
+    def _show_results(self) -> None:
+        """Show the sessions of the study; beside a session nothing of it is loaded."""
+        from app.experimenter.study.results import StudyResults
+
+        results = StudyResults(self.study.folder, self.control)
+        results.analysis_wanted.connect(self._analyse)
+        results.finished.connect(results.deleteLater)
+        results.show()
+
+    def _analyse(self) -> None:
+        from app.experimenter.analysis import AnalysisWindow
+
+        AnalysisWindow(self.study, self._clock, self.control).begin()
 
     # --- before the session ------------------------------------------------------
 
@@ -286,6 +303,10 @@ class StudySession:
         if self._is_over:
             return
         self._is_over = True
+        for dialog in self.control.findChildren(JobDialog):
+            dialog.done(0)
+        for report in self.control.findChildren(QMainWindow):
+            report.close()
         self.pump.stop()
         self.player.close()
         self._tell_force()  # those since the last call

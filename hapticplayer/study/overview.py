@@ -89,7 +89,7 @@ def study_overview(folder: Path, *, progress: Progress = no_progress) -> StudyOv
     study = open_study(folder)
     sessions, notices = study.sessions()
     return StudyOverview(
-        sessions=tuple(_summary(session) for session in sessions),
+        sessions=tuple(session_summary(session) for session in sessions),
         deleted=study.deleted_count(),
         unreviewed=tuple(unreviewed_texts(study)),
         missing=tuple(missing_sequences(study)),
@@ -98,7 +98,8 @@ def study_overview(folder: Path, *, progress: Progress = no_progress) -> StudyOv
     )
 
 
-def _summary(session: StoredSession) -> SessionSummary:
+def session_summary(session: StoredSession) -> SessionSummary:
+    """What the records of a session contain."""
     last = {trial.position: trial for trial in answered_trials(session.records)}
     outputs = [trial.playback.get("outputs") for trial in last.values()]
     named = [name for names in outputs if isinstance(names, list) for name in names]

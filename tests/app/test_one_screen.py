@@ -3,8 +3,11 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMainWindow
+from shiboken6 import isValid
 from sitting import Person
 
+from app.experimenter.study.results import StudyResults
 from app.participant import application as running
 from app.participant.application import StudySession
 from app.participant.window import WAY_BACK
@@ -45,11 +48,36 @@ def test_three_keys_bring_the_panel_back_and_pause_the_clip(session, wait_for):
     assert session.runner.page.kind is PageKind.PAUSED
     button = session.control.buttons["page"]
     assert button.isVisible()
+    assert session.control.invalid.text() == "Invalid trials: 0 of 0"
     button.click()
     wait_for(session.participant.isVisible)
     assert not button.isVisible()
     person.key(Qt.Key.Key_Enter)
     person.wait_page(PageKind.READY)
+
+
+def test_after_the_last_page_the_panel_tells_the_next_step(session, wait_for):
+    session.begin_session("", "en")
+    buttons = session.control.buttons
+    person = Person(session, wait_for)
+    assert not buttons["results"].isVisibleTo(session.control)
+    session.runner.stop("time is up")
+    person.wait_page(PageKind.STOPPED)
+    QTest.keyClick(session.participant.windowHandle(), Qt.Key.Key_F10, CHORD)
+    wait_for(lambda: not session.participant.isVisible())
+    assert session.control.invalid.text() == "Invalid trials: 0 of 0"
+    assert session.control.invalid.isVisible()
+    assert not buttons["end"].isVisible()
+    buttons["results"].click()
+    (results,) = session.control.findChildren(StudyResults)
+    wait_for(results.buttons["analyse"].isEnabled)
+    assert results.sessions.rowCount() == 1
+    results.buttons["analyse"].click()
+    (report,) = session.control.findChildren(QMainWindow)
+    buttons["close"].click()
+    assert not isValid(report) or not report.isVisible()
+    assert not isValid(results) or not results.isVisible()
+    assert not session.control.isVisible()
 
 
 @pytest.mark.parametrize(

@@ -292,6 +292,9 @@ def test_a_faulty_second_output_is_in_record_and_report(make_study, sit, wait_fo
     person.wait_page(PageKind.READY, "trial-02")
     wait_for(lambda: rig in session.control.played.text())
     assert "an output did not play (rig:" in session.control.played.text()
+    session.runner.stop("time is up")
+    told = f"Invalid trials: 1 of 1 \u2013 an output did not play ({rig}) (trial 1)"
+    wait_for(lambda: session.control.invalid.text() == told)
     said = "nobody listens at 127.0.0.1:"
     trial = session.runner.last_trial
     assert trial.playback["output_faults"][rig].startswith(said)
