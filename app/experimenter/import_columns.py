@@ -62,7 +62,9 @@ class Choice(QComboBox):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         if field := self.lineEdit():
             field.setAccessibleName(name)
-            field.setPlaceholderText(translate("Reading", "choose or type"))
+            hint = translate("Reading", "choose or type")
+            field.setPlaceholderText(hint)
+            self.setPlaceholderText(f"{hint}\u2003")  # never seen: makes room for it
             self.put("")
         self.currentIndexChanged.connect(lambda _row: self.changed.emit())
         self.editTextChanged.connect(lambda _text: self.changed.emit())

@@ -222,8 +222,9 @@ class SyncPage(QWidget):
         is_own = found.knows_clip_clock
         self._sound_delay.setVisible(not is_own)
         self._body.setVisible(bool(len(found.turned[0])) or not is_own)
-        self.hint.setHidden(is_own and self._is_sure())
-        self.sides.setVisible(bool(found.found and found.found.is_torn))
+        is_torn = bool(found.found and found.found.is_torn)
+        self.hint.setHidden(is_torn or (is_own and self._is_sure()))
+        self.sides.setVisible(is_torn)
 
     def _lanes(self, found: ImportPreview) -> list[Lane]:
         return [

@@ -212,7 +212,10 @@ def test_a_unit_can_be_chosen_typed_or_left(form, case):
     page = form(case(f"{TEXTS}/witmotion.txt"))
     unit = page.fields["time-unit"]
     assert (unit.currentText(), unit.value()) == ("", "")
-    assert unit.lineEdit().placeholderText() == "choose or type"
+    field = unit.lineEdit()
+    assert field.placeholderText() == "choose or type"
+    wanted_px = field.fontMetrics().horizontalAdvance(field.placeholderText())
+    assert field.width() >= wanted_px + 2 * 4  # the margins of a field
     unit.setCurrentIndex(unit.findText("\u00b5s"))
     assert unit.value() == "us"
     unit.setEditText("us")
