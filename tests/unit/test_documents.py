@@ -19,6 +19,13 @@ ITEM = re.compile(r"^ *(?:[-*]|\d+\.) ", re.MULTILINE)
 CELL_END = re.compile(r"(?<!\\)\|")
 TYPED = re.compile(r"\b\d+\.\d+ ?(?:us|ms|s|mN|N|MB|kbit/s|%|times)\b")
 """As measured figures look: the conditions of a benchmark are whole numbers."""
+FIGURE = re.compile(
+    r"(?<![\w.,])\d+(?:[.,]\d+)? ?(?:us|µs|ms|s|mN|N|[kMG]B|kbit/s|%|times)(?!\w)"
+)
+MEASURED = re.compile(
+    r"\b(?:median|measured|p9\d|on average|faster|slower|of a core|better than)\b",
+    re.IGNORECASE,
+)
 WRITTEN = (performance_page.PAGE, numerics_page.PAGE)
 """Whole pages that a tool writes from results."""
 
@@ -60,6 +67,23 @@ def test_a_figure_of_a_benchmark_is_not_typed(page):
     blocks = re.split(r"\n\s*\n", text)
     measured = [one for one in blocks if "benchmarks." in one and "```" not in one]
     assert not [found for one in measured for found in TYPED.findall(one)]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_a_sentence_on_a_measurement_has_no_typed_figure(page):
+    if page in WRITTEN or page.name == "CHANGELOG.md":  # which tells what was
+        return
+    sentences = itertools.chain.from_iterable(
+        re.split(
+            r"(?<=[.:;])\s+", tables.FIGURE.sub("written", tables.MARKED.sub("", one))
+        )
+        for one in prose(page)
+    )
+    assert not [
+        one
+        for one in sentences
+        if FIGURE.search(one) and MEASURED.search(one) and "written" not in one
+    ]
 
 
 @pytest.mark.parametrize("tool", [performance_page, numerics_page])
