@@ -435,6 +435,10 @@
         <translation>Bericht, Abbildungen und Daten in einen neuen Ordner schreiben</translation>
     </message>
     <message>
+        <source>No valid answer yet: there is nothing to publish.</source>
+        <translation>Noch keine gültige Antwort: Es gibt nichts zu veröffentlichen.</translation>
+    </message>
+    <message>
         <source>The report is in English, ready for publication.</source>
         <translation>Der Bericht ist auf Englisch, fertig zur Veröffentlichung.</translation>
     </message>
@@ -449,6 +453,10 @@
     <message>
         <source>&amp;Save report…</source>
         <translation>Bericht &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>The report is in English.</source>
+        <translation>Der Bericht ist auf Englisch.</translation>
     </message>
     <message>
         <source>Analysing</source>
@@ -1393,8 +1401,16 @@
 <context>
     <name>ErrorGateway</name>
     <message>
-        <source>Internal error ({kind}: {text}). The force was stopped and playback paused. See the terminal for details.</source>
-        <translation>Interner Fehler ({kind}: {text}). Die Kraft wurde abgeschaltet und die Wiedergabe angehalten. Einzelheiten stehen im Terminal.</translation>
+        <source>Internal error ({kind}: {text}). The force was stopped and playback paused.</source>
+        <translation>Interner Fehler ({kind}: {text}). Die Kraft wurde abgeschaltet und die Wiedergabe angehalten.</translation>
+    </message>
+    <message>
+        <source>Help &gt; Report a problem saves the details.</source>
+        <translation>Hilfe &gt; Problem melden speichert die Einzelheiten.</translation>
+    </message>
+    <message>
+        <source>See the terminal for details.</source>
+        <translation>Einzelheiten stehen im Terminal.</translation>
     </message>
 </context>
 <context>
@@ -3722,6 +3738,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Erwärmung der Motoren</translation>
     </message>
     <message>
+        <source>residual {ms} ms, confirmed by a person ({how})</source>
+        <translation>Rest {ms}&#xa0;ms, von einer Person bestätigt ({how})</translation>
+    </message>
+    <message>
         <source>estimated from the picture, nothing measured it: sway in {sway}, bounce in {bounce} of the clip; gain {gain}</source>
         <translation>aus dem Bild geschätzt, nichts hat sie gemessen: Schwanken in {sway}, Auf und Ab in {bounce} des Clips; Verstärkung {gain}</translation>
     </message>
@@ -3750,20 +3770,24 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Klopfen Sie bei langen Aufnahmen auch am Ende</translation>
     </message>
     <message>
-        <source>Keep still for a few seconds at the start</source>
-        <translation>Halten Sie am Anfang einige Sekunden still</translation>
+        <source>Next time: record at 100 Hz or more</source>
+        <translation>Nächstes Mal: mit 100 Hz oder mehr aufnehmen</translation>
     </message>
     <message>
-        <source>Choose a larger accelerometer range</source>
-        <translation>Wählen Sie einen größeren Messbereich des Beschleunigungssensors</translation>
+        <source>Next time: keep still for a few seconds at the start</source>
+        <translation>Nächstes Mal: am Anfang einige Sekunden still halten</translation>
+    </message>
+    <message>
+        <source>Next time: choose a larger accelerometer range</source>
+        <translation>Nächstes Mal: einen größeren Messbereich des Beschleunigungssensors wählen</translation>
+    </message>
+    <message>
+        <source>Next time: start the log before the clip and stop it after</source>
+        <translation>Nächstes Mal: das Protokoll vor dem Clip starten und danach beenden</translation>
     </message>
     <message>
         <source>There is no force in the gaps; try another memory card</source>
         <translation>In den Lücken gibt es keine Kraft; versuchen Sie eine andere Speicherkarte</translation>
-    </message>
-    <message>
-        <source>Start the log before the clip and stop it after</source>
-        <translation>Starten Sie das Protokoll vor dem Clip und beenden Sie es danach</translation>
     </message>
     <message>
         <source>Gaps</source>
@@ -3796,10 +3820,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>firm hand</source>
         <translation>feste Hand</translation>
-    </message>
-    <message>
-        <source>Record at 100 Hz or more</source>
-        <translation>Mit 100 Hz oder mehr aufnehmen</translation>
     </message>
     <message>
         <source>Lower the gain</source>
@@ -3893,10 +3913,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>another range</source>
         <translation>anderer Bereich</translation>
-    </message>
-    <message>
-        <source>Label of {n}</source>
-        <translation>Beschriftung von {n}</translation>
     </message>
     <message>
         <source>Point</source>
@@ -4135,6 +4151,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>not stated</source>
         <translation>keine Angabe</translation>
+    </message>
+    <message>
+        <source>choose or type</source>
+        <translation>wählen oder eintippen</translation>
     </message>
     <message>
         <source>accelerometer {axis}</source>
@@ -4930,6 +4950,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Die Seite der Person über diesem Bedienfeld zeigen</translation>
     </message>
     <message>
+        <source>Sessions and data</source>
+        <translation>Sitzungen und Daten</translation>
+    </message>
+    <message>
+        <source>Show what came of this session and those before</source>
+        <translation>Die Ergebnisse dieser und früherer Sitzungen zeigen</translation>
+    </message>
+    <message>
+        <source>Close the session</source>
+        <translation>Die Sitzung schließen</translation>
+    </message>
+    <message>
         <source>Retry saving</source>
         <translation>Speichern erneut versuchen</translation>
     </message>
@@ -4944,6 +4976,14 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Resume</source>
         <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Invalid trials: {k} of {n}</source>
+        <translation>Ungültige Durchgänge: {k} von {n}</translation>
+    </message>
+    <message>
+        <source>{reason} (trial {numbers})</source>
+        <translation>{reason} (Durchgang {numbers})</translation>
     </message>
     <message>
         <source>No trial played yet</source>
@@ -5407,6 +5447,25 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>{number} MB</source>
         <translation>{number} MB</translation>
+    </message>
+</context>
+<context>
+    <name>Sides</name>
+    <message>
+        <source>Synchronise by the tap marks alone</source>
+        <translation>Nur nach den Klopfzeichen synchronisieren</translation>
+    </message>
+    <message>
+        <source>Synchronise by the frames alone</source>
+        <translation>Nur nach den Bildern synchronisieren</translation>
+    </message>
+    <message>
+        <source>Use the taps</source>
+        <translation>Klopfzeichen nehmen</translation>
+    </message>
+    <message>
+        <source>Use the frames</source>
+        <translation>Bilder nehmen</translation>
     </message>
 </context>
 <context>
@@ -5878,6 +5937,18 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>Beschädigte Aufzeichnungen: {n}</translation>
     </message>
     <message>
+        <source>All answers in words are approved.</source>
+        <translation>Alle Antworten in Worten sind freigegeben.</translation>
+    </message>
+    <message>
+        <source>No answers in words yet.</source>
+        <translation>Noch keine Antworten in Worten.</translation>
+    </message>
+    <message>
+        <source>trial {n}</source>
+        <translation>Durchgang {n}</translation>
+    </message>
+    <message>
         <source>End the session</source>
         <translation>Die Sitzung beenden</translation>
     </message>
@@ -6043,6 +6114,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>Page: answers cannot be saved</source>
         <translation>Seite: Antworten lassen sich nicht speichern</translation>
+    </message>
+    <message>
+        <source>Label of {n}</source>
+        <translation>Beschriftung von {n}</translation>
     </message>
     <message>
         <source>Study</source>
@@ -10691,10 +10766,6 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
         <translation>die Zahl der simulierten Studien muss zwischen {least} und {most} liegen</translation>
     </message>
     <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, otherwise taps and frames</source>
-        <translation>der Versatz, wenn gegeben; die eigene Uhr der Aufnahme, wenn sie die des Clips ist; sonst Klopfen und Bilder</translation>
-    </message>
-    <message>
         <source>the other axes are in {names}</source>
         <translation>die anderen Achsen sind in {names}</translation>
     </message>
@@ -12185,6 +12256,10 @@ Ziehen oder Pfeiltasten drehen die Ansicht, Rad oder + und − zoomen, Doppelkli
     <message>
         <source>the motion in clips of Sony and Insta360 is not read</source>
         <translation>die Bewegung in Clips von Sony und Insta360 wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the offset you give, if any; else the clock that clip and log share; else taps and frames</source>
+        <translation>der angegebene Versatz, falls es einen gibt; sonst die gemeinsame Uhr von Clip und Protokoll; sonst Klopfzeichen und Bilder</translation>
     </message>
     <message>
         <source>the point {at} has two labels</source>

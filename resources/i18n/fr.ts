@@ -435,6 +435,10 @@
         <translation>Écrire le rapport, les figures et les données dans un nouveau dossier</translation>
     </message>
     <message>
+        <source>No valid answer yet: there is nothing to publish.</source>
+        <translation>Aucune réponse valide pour l’instant&#xa0;: il n’y a rien à publier.</translation>
+    </message>
+    <message>
         <source>The report is in English, ready for publication.</source>
         <translation>Le rapport est en anglais, prêt à être publié.</translation>
     </message>
@@ -449,6 +453,10 @@
     <message>
         <source>&amp;Save report…</source>
         <translation>Enregi&amp;strer le rapport…</translation>
+    </message>
+    <message>
+        <source>The report is in English.</source>
+        <translation>Le rapport est en anglais.</translation>
     </message>
     <message>
         <source>Analysing</source>
@@ -1393,8 +1401,16 @@
 <context>
     <name>ErrorGateway</name>
     <message>
-        <source>Internal error ({kind}: {text}). The force was stopped and playback paused. See the terminal for details.</source>
-        <translation>Erreur interne ({kind}&#xa0;: {text}). La force a été coupée et la lecture mise en pause. Détails dans le terminal.</translation>
+        <source>Internal error ({kind}: {text}). The force was stopped and playback paused.</source>
+        <translation>Erreur interne ({kind}&#xa0;: {text}). La force a été coupée et la lecture mise en pause.</translation>
+    </message>
+    <message>
+        <source>Help &gt; Report a problem saves the details.</source>
+        <translation>Aide &gt; Signaler un problème enregistre les détails.</translation>
+    </message>
+    <message>
+        <source>See the terminal for details.</source>
+        <translation>Détails dans le terminal.</translation>
     </message>
 </context>
 <context>
@@ -3722,6 +3738,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Échauffement des moteurs</translation>
     </message>
     <message>
+        <source>residual {ms} ms, confirmed by a person ({how})</source>
+        <translation>reste {ms}&#xa0;ms, confirmé par une personne ({how})</translation>
+    </message>
+    <message>
         <source>estimated from the picture, nothing measured it: sway in {sway}, bounce in {bounce} of the clip; gain {gain}</source>
         <translation>estimé d’après l’image, rien ne l’a mesuré&#xa0;: balancement dans {sway}, rebond dans {bounce} du clip&#xa0;; gain {gain}</translation>
     </message>
@@ -3750,20 +3770,24 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Pour un long enregistrement, tapez aussi à la fin</translation>
     </message>
     <message>
-        <source>Keep still for a few seconds at the start</source>
-        <translation>Restez immobile quelques secondes au début</translation>
+        <source>Next time: record at 100 Hz or more</source>
+        <translation>La prochaine fois&#xa0;: enregistrez à 100 Hz ou plus</translation>
     </message>
     <message>
-        <source>Choose a larger accelerometer range</source>
-        <translation>Choisissez une plus grande plage d’accéléromètre</translation>
+        <source>Next time: keep still for a few seconds at the start</source>
+        <translation>La prochaine fois&#xa0;: restez immobile quelques secondes au début</translation>
+    </message>
+    <message>
+        <source>Next time: choose a larger accelerometer range</source>
+        <translation>La prochaine fois&#xa0;: choisissez une plus grande plage d’accéléromètre</translation>
+    </message>
+    <message>
+        <source>Next time: start the log before the clip and stop it after</source>
+        <translation>La prochaine fois&#xa0;: démarrez le journal avant le clip et arrêtez-le après</translation>
     </message>
     <message>
         <source>There is no force in the gaps; try another memory card</source>
         <translation>Pas de force dans les lacunes&#xa0;; essayez une autre carte mémoire</translation>
-    </message>
-    <message>
-        <source>Start the log before the clip and stop it after</source>
-        <translation>Démarrez le journal avant le clip et arrêtez-le après</translation>
     </message>
     <message>
         <source>Gaps</source>
@@ -3796,10 +3820,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>firm hand</source>
         <translation>main ferme</translation>
-    </message>
-    <message>
-        <source>Record at 100 Hz or more</source>
-        <translation>Enregistrez à 100 Hz ou plus</translation>
     </message>
     <message>
         <source>Lower the gain</source>
@@ -3893,10 +3913,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>another range</source>
         <translation>autre plage</translation>
-    </message>
-    <message>
-        <source>Label of {n}</source>
-        <translation>Libellé de {n}</translation>
     </message>
     <message>
         <source>Point</source>
@@ -4135,6 +4151,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>not stated</source>
         <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>choose or type</source>
+        <translation>choisir ou saisir</translation>
     </message>
     <message>
         <source>accelerometer {axis}</source>
@@ -4930,6 +4950,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Montrer la page du participant par-dessus ce panneau</translation>
     </message>
     <message>
+        <source>Sessions and data</source>
+        <translation>Séances et données</translation>
+    </message>
+    <message>
+        <source>Show what came of this session and those before</source>
+        <translation>Afficher les résultats de cette séance et des précédentes</translation>
+    </message>
+    <message>
+        <source>Close the session</source>
+        <translation>Fermer la séance</translation>
+    </message>
+    <message>
         <source>Retry saving</source>
         <translation>Réessayer d’enregistrer</translation>
     </message>
@@ -4944,6 +4976,14 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Resume</source>
         <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Invalid trials: {k} of {n}</source>
+        <translation>Essais non valides&#xa0;: {k} sur {n}</translation>
+    </message>
+    <message>
+        <source>{reason} (trial {numbers})</source>
+        <translation>{reason} (essai {numbers})</translation>
     </message>
     <message>
         <source>No trial played yet</source>
@@ -5407,6 +5447,25 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>{number} MB</source>
         <translation>{number} Mo</translation>
+    </message>
+</context>
+<context>
+    <name>Sides</name>
+    <message>
+        <source>Synchronise by the tap marks alone</source>
+        <translation>Synchroniser d’après les tapotements seuls</translation>
+    </message>
+    <message>
+        <source>Synchronise by the frames alone</source>
+        <translation>Synchroniser d’après les images seules</translation>
+    </message>
+    <message>
+        <source>Use the taps</source>
+        <translation>Prendre les tapotements</translation>
+    </message>
+    <message>
+        <source>Use the frames</source>
+        <translation>Prendre les images</translation>
     </message>
 </context>
 <context>
@@ -5878,6 +5937,18 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>Enregistrements endommagés&#xa0;: {n}</translation>
     </message>
     <message>
+        <source>All answers in words are approved.</source>
+        <translation>Toutes les réponses en texte libre sont approuvées.</translation>
+    </message>
+    <message>
+        <source>No answers in words yet.</source>
+        <translation>Pas encore de réponses en texte libre.</translation>
+    </message>
+    <message>
+        <source>trial {n}</source>
+        <translation>essai {n}</translation>
+    </message>
+    <message>
         <source>End the session</source>
         <translation>Terminer la séance</translation>
     </message>
@@ -6043,6 +6114,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>Page: answers cannot be saved</source>
         <translation>Page&#xa0;: les réponses ne peuvent pas être enregistrées</translation>
+    </message>
+    <message>
+        <source>Label of {n}</source>
+        <translation>Libellé de {n}</translation>
     </message>
     <message>
         <source>Study</source>
@@ -10691,10 +10766,6 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
         <translation>le nombre d’études simulées doit être compris entre {least} et {most}</translation>
     </message>
     <message>
-        <source>the offset if given, the recording&apos;s own clock if it is the clip&apos;s, otherwise taps and frames</source>
-        <translation>le décalage s’il est donné, l’horloge de l’enregistrement si c’est celle du clip, sinon tapotements et images</translation>
-    </message>
-    <message>
         <source>the other axes are in {names}</source>
         <translation>les autres axes sont dans {names}</translation>
     </message>
@@ -12185,6 +12256,10 @@ Glisser ou flèches du clavier pour tourner, molette ou + et − pour zoomer, do
     <message>
         <source>the motion in clips of Sony and Insta360 is not read</source>
         <translation>le mouvement des clips de Sony et d’Insta360 n’est pas lu</translation>
+    </message>
+    <message>
+        <source>the offset you give, if any; else the clock that clip and log share; else taps and frames</source>
+        <translation>le décalage indiqué, s’il y en a un&#xa0;; sinon l’horloge commune du clip et du journal&#xa0;; sinon tapotements et images</translation>
     </message>
     <message>
         <source>the point {at} has two labels</source>
