@@ -1,5 +1,6 @@
 """What a press on the lanes has begun: each gesture is one step, or taken back."""
 
+from abc import ABC, abstractmethod
 from typing import Protocol
 
 from PySide6.QtCore import QPointF, QRectF
@@ -22,7 +23,7 @@ class Timeline(Protocol):
     def effects_in(self, area: QRectF) -> list[int]: ...
 
 
-class Drag:
+class Drag(ABC):
     """A gesture that goes on; `text` says what it has come to."""
 
     text = ""
@@ -43,15 +44,15 @@ class Drag:
             self.follow(at)
             self._seen = self.editing.document.value
 
-    def follow(self, at: QPointF) -> None:
-        raise NotImplementedError
+    @abstractmethod
+    def follow(self, at: QPointF) -> None: ...
 
     def cancel(self) -> None:
         """Leave everything as it was."""
         if not self.is_over:
             self.editing.take_back(self.before, self.gesture)
 
-    def end(self, *, has_moved: bool) -> None:
+    def end(self, *, has_moved: bool) -> None:  # noqa: B027, which most leave empty
         """Let go."""
 
     def _by_s(self, at: QPointF) -> float:

@@ -3,6 +3,7 @@
 How a kind looks to a participant is in `app.participant.questions.ROWS`.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from typing import Any, ClassVar, NamedTuple
 
@@ -41,7 +42,7 @@ class AnswerColumn(NamedTuple):
         return value if value is None or not self.of else self.of in value
 
 
-class AnswerKind:
+class AnswerKind(ABC):
     """How a question is answered; each kind is a class of its own.
 
     Attributes:
@@ -65,13 +66,13 @@ class AnswerKind:
         """What is wrong with a question of this kind."""
         yield from ()
 
+    @abstractmethod
     def allows(self, value: Any) -> bool:
         """Whether the question can be answered like this."""
-        raise NotImplementedError
 
+    @abstractmethod
     def drawn(self, rng: np.random.Generator) -> Any:
         """An answer at random, for simulated participants."""
-        raise NotImplementedError
 
 
 class _Number(AnswerKind):

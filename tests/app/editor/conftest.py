@@ -2,6 +2,7 @@
 
 import shutil
 
+import numpy as np
 import pytest
 from faces import make_player
 
@@ -43,3 +44,19 @@ def make_page(application, qtbot, settings, wait_for):
     yield make
     for page in made:
         page.reject()
+
+
+@pytest.fixture
+def felt(make_page, folder, wait_for):
+    """The editor and its player, whose force is felt."""
+    page = make_page(folder, "simulated")
+    player = page.playing.session.player
+    wait_for(lambda: player.snapshot().leading.tick is not None)
+    page.playing.toggle()
+
+    def is_felt():
+        force_n = player.ticks_since(-np.inf)["force_n"]
+        return bool((np.linalg.norm(force_n, axis=1) > 0.5).any())
+
+    wait_for(is_felt)
+    return page, player

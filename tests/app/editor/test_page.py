@@ -107,21 +107,13 @@ def test_space_plays_and_escape_stops_before_it_closes(make_page, folder, wait_f
 
 
 @pytest.mark.realtime
-def test_a_playing_force_is_felt_and_escape_ends_it(make_page, folder, wait_for):
-    page = make_page(folder, "simulated")
-    player = page.playing.session.player
-    wait_for(lambda: player.snapshot().leading.tick is not None)
-    page.playing.toggle()
-
-    def felt():
-        ticks = player.ticks_since(-np.inf)
-        return np.linalg.norm(ticks["force_n"], axis=1).max() if len(ticks) else 0.0
+def test_a_playing_force_is_felt_and_escape_ends_it(felt, wait_for):
+    page, player = felt
 
     def after_stop():
         ticks = player.ticks_since(-np.inf)
         return ticks["force_n"][ticks["mode"] == Mode.TRIPPED]
 
-    wait_for(lambda: felt() > 0.5)
     QTest.keyClick(page.windowHandle(), Qt.Key.Key_Escape)
     assert player.snapshot().leading.mode is Mode.TRIPPED  # before its first tick
     wait_for(lambda: len(after_stop()) > 0)

@@ -8,7 +8,6 @@ from typing import Union, get_args, get_origin, get_type_hints
 import pytest
 from msgspec import Struct
 
-from app.experimenter.study.editor import StudyEditor
 from app.experimenter.study.lists import EntryList
 from hapticplayer import cli
 from hapticplayer.study.creation import change_definition, create_study
@@ -25,22 +24,6 @@ from tests.every_kind import with_every_kind
 KEPT = {("schema",), ("version",), ("id",), ("template",), ("trial",)}
 """Kept as they are; the last three are told on the first page."""
 SMALL_PX = 800, 500  # 1600 x 1000 at 200 %
-
-
-@pytest.fixture
-def edit(application, qtbot, tmp_path):
-    made = []
-
-    def open_editor(folder) -> StudyEditor:
-        editor = StudyEditor(folder, lambda: tmp_path)
-        qtbot.addWidget(editor)
-        editor.show()
-        made.append(editor)
-        return editor
-
-    yield open_editor
-    for editor in made:
-        editor.close_jobs()
 
 
 def parts_of(kind) -> list[object]:

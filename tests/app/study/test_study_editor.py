@@ -44,23 +44,6 @@ def library(clip, tmp_path_factory) -> Path:
 
 
 @pytest.fixture
-def edit(application, qtbot, library):
-    """Open the editor of a study."""
-    made = []
-
-    def open_editor(folder) -> StudyEditor:
-        editor = StudyEditor(folder, lambda: library)
-        qtbot.addWidget(editor)
-        editor.show()
-        made.append(editor)
-        return editor
-
-    yield open_editor
-    for editor in made:
-        editor.close_jobs()
-
-
-@pytest.fixture
 def editor(edit, tmp_path):
     return edit(create_study(tmp_path / "s", languages=["en", "de"]).folder)
 
