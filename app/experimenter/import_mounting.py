@@ -82,14 +82,14 @@ class Triad(QWidget):
         self._paint_words(painter)
         self._paint_box(painter, turn)
         arrows = [(turn[:, k], "xyz"[k], theme.AXIS_COLOURS[k]) for k in range(3)]
-        for way, name, colour in sorted(arrows, key=lambda arrow: -_seen(arrow[0])[2]):
+        for way, name, colour in sorted(arrows, key=lambda arrow: -seen(arrow[0])[2]):
             self._paint_arrow(painter, way, name, QColor(colour))
         if self._up is not None:
             self._paint_gravity(painter, turn @ np.array(self._up))
         painter.end()
 
     def _at(self, place: Floats) -> QPointF:
-        x, y, _ = _seen(place)
+        x, y, _ = seen(place)
         scale = 0.29 * self.height()
         return QPointF(0.5 * self.width() + scale * x, 0.55 * self.height() - scale * y)
 
@@ -121,7 +121,7 @@ class Triad(QWidget):
         fill.setAlpha(190)
         painter.setBrush(fill)
         sides = [(axis, sign) for axis in range(3) for sign in (-1.0, 1.0)]
-        for axis, sign in sorted(sides, key=lambda s: -_seen(turn[:, s[0]] * s[1])[2]):
+        for axis, sign in sorted(sides, key=lambda s: -seen(turn[:, s[0]] * s[1])[2]):
             painter.drawPolygon(
                 QPolygonF([self._at(turn @ c) for c in _side(axis, sign)])
             )
@@ -168,7 +168,7 @@ def _side(axis: int, sign: float) -> list[Floats]:
     return corners
 
 
-def _seen(place: Floats) -> Floats:
+def seen(place: Floats) -> Floats:
     """Return right, up and depth on the screen of a place in frame A."""
     x, y, z = place
     right = np.cos(_TURN) * x + np.sin(_TURN) * y
