@@ -15,7 +15,6 @@ import json
 import os
 import platform
 import re
-import shlex
 import shutil
 import socket
 import sys
@@ -23,34 +22,41 @@ from collections.abc import Callable, Collection
 from importlib.machinery import PathFinder
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
 if not __package__:  # a program of its own
-    sys.path.append(str(ROOT))
+    sys.path.append(str(Path(__file__).resolve().parent.parent))
 
-from hapticplayer.errors import Message, joined  # noqa: E402
+from hapticplayer.errors import Message, joined
+from hapticplayer.installation import (
+    EXTRAS,
+    ROOT,
+    UDEV_RULE,
+    Extra,
+    how_to_get,
+    is_beside_venv,
+    shipped,
+)
 
-APT_LIST = ROOT / "packaging" / "apt-packages.txt"
+APT_LIST = shipped("packaging/apt-packages.txt")
 APT_INSTALL = "apt-get install --no-install-recommends"
 OLDEST_PYTHON = (3, 11)
-RUN_GROUPS = ("base", "qt", "window", "wayland", "sound", "device")
+RUN_GROUPS = (
+    *["base"] * (ROOT / "packaging").is_dir(),  # to set up a source tree
+    *("qt", "window", "wayland", "sound", "device"),
+)
 CHECKS_GROUP = "checks"
 
 # What is imported, and the Python package that brings it.
 PYTHON_PACKAGES = {
     "PySide6": "PySide6-Essentials",
-    "fpdf": "fpdf2",
     "usb": "pyusb",
     **{
         name: name
         for name in (
-            *("av", "defusedxml", "jeepney", "matplotlib", "msgspec", "numpy"),
+            *("av", "defusedxml", "jeepney", "msgspec", "numpy"),
             *("pyqtgraph", "scipy", "sounddevice", "vqf"),
         )
     },
 }
-OPENCV = "opencv-python-headless"  # of the extra vision
-CAMERAS = "telemetry-parser"  # of the extra cameras
-NEWEST_FOR_CAMERAS = (3, 12)
 
 LOOP_PRIORITY = 80  # what the haptics process asks for
 OLDEST_SLICE_KERNEL = (6, 12)  # first Linux that grants a time slice on request
@@ -94,11 +100,7 @@ class MachineCheck:
 
 
 def read_apt_list() -> list[AptPackage]:
-    """Read the list of system packages.
-
-    Raises:
-        OSError: it is not here, as in an installation from a wheel.
-    """
+    """The list of system packages."""
     packages = []
     for line in APT_LIST.read_text(encoding="utf-8").splitlines():
         if line.strip() and not line.startswith("#"):
@@ -153,16 +155,7 @@ def check() -> list[MachineCheck]:
         _check_python(),
         *_check_apt(),
         _check_python_packages(),
-        _check_optional(
-            *("OpenCV", "cv2", OPENCV, f"{_pip_install(OPENCV)} (150 MB)"),
-            Message(
-                "synchronising by frames is coarse, no motion is suggested from the frames"
-            ),
-        ),
-        _check_optional(
-            *(Message("cameras"), "telemetry_parser", CAMERAS, how_to_get_cameras()),
-            Message("the motion in clips of Sony and Insta360 is not read"),
-        ),
+        *map(_check_extra, EXTRAS.values()),
         _check_display(),
         _check_sound(),
         _check_scheduling(),
@@ -185,20 +178,6 @@ def _check_python() -> MachineCheck:
 
 
 def _check_apt() -> list[MachineCheck]:
-    try:
-        packages = read_apt_list()
-    except OSError:
-        return [
-            MachineCheck(
-                Message("system packages"),
-                ok=True,
-                detail=Message(
-                    "not looked at: the list of them is not here ({file})",
-                    file=APT_LIST,
-                ),
-                remedy=Message("run the doctor of the source tree for this part"),
-            )
-        ]
     return [
         MachineCheck(
             package.name,
@@ -209,14 +188,9 @@ def _check_apt() -> list[MachineCheck]:
             ),
             remedy=f"{APT_INSTALL} {package.name}",
         )
-        for package in packages
+        for package in read_apt_list()
         if package.group in RUN_GROUPS
     ]
-
-
-def _is_beside_venv() -> bool:
-    """Whether this Python is not the one of the environment that ./run makes."""
-    return sys.prefix == sys.base_prefix and (ROOT / ".venv").is_dir()
 
 
 def _version(module: str, name: str) -> str | None:
@@ -224,7 +198,7 @@ def _version(module: str, name: str) -> str | None:
     import importlib.metadata  # with all of email's: a start must not wait for it
 
     paths = sys.path
-    if _is_beside_venv():
+    if is_beside_venv():
         paths = [str(path) for path in ROOT.glob(".venv/lib/python3*/site-packages")]
     if PathFinder.find_spec(module, paths) is None:
         return None
@@ -251,29 +225,20 @@ def _check_python_packages() -> MachineCheck:
     )
 
 
-def _check_optional(
-    name: str, module: str, package: str, remedy: str, without: str
-) -> MachineCheck:
-    version = _version(module, package)
-    detail = without if version is None else f"{package} {version}"
-    return MachineCheck(name, version is not None, detail=detail, remedy=remedy)
-
-
-def _pip_install(package: str) -> str:
-    python = ROOT / ".venv/bin/python" if _is_beside_venv() else sys.executable
-    return shlex.join([str(python), "-m", "pip", "install", package])
-
-
-def how_to_get_cameras() -> str:
-    """What reads the motion of cameras beyond GoPro, as a remedy."""
-    if sys.version_info[:2] > NEWEST_FOR_CAMERAS:
-        newest = "{}.{}".format(*NEWEST_FOR_CAMERAS)
-        return Message(
-            "{package} exists for Python up to {newest} only",
-            package=CAMERAS,
-            newest=newest,
-        )
-    return _pip_install(CAMERAS)
+def _check_extra(extra: Extra) -> MachineCheck:
+    versions = {name: _version(at, name) for at, name in extra.packages.items()}
+    ok = all(versions.values())
+    remedy = how_to_get(extra.name)
+    if extra.size_mb:
+        remedy = Message("{how} ({size} MB)", how=remedy, size=extra.size_mb)
+    return MachineCheck(
+        f"[{extra.name}]",
+        ok,
+        detail=", ".join(f"{name} {found}" for name, found in versions.items())
+        if ok
+        else extra.without,
+        remedy=remedy,
+    )
 
 
 def _answers(family: int, address: str | tuple[str, int]) -> bool:
@@ -409,9 +374,7 @@ def _check_wakefulness() -> MachineCheck:
         Message("processors"),
         ok,
         detail=detail,
-        remedy=Message(
-            "copy packaging/udev/70-novint-falcon.rules to /etc/udev/rules.d"
-        ),
+        remedy=Message("copy {file} to /etc/udev/rules.d", file=UDEV_RULE),
     )
 
 
@@ -435,7 +398,9 @@ def _check_falcon() -> MachineCheck:
             ok = os.access(node, os.R_OK | os.W_OK)
             held = Message("{node}, but this user may not open it", node=node)
             detail = Message(str(node)) if ok else held
-            remedy = Message("install the udev rule of packaging/ and plug it in again")
+            remedy = Message(
+                "copy {file} to /etc/udev/rules.d and plug it in again", file=UDEV_RULE
+            )
     return MachineCheck("Falcon", ok, detail=detail, remedy=remedy)
 
 
@@ -461,11 +426,7 @@ def explain_import_error(error: ImportError | OSError) -> str:
 
 
 def _explain_library(soname: str) -> str:
-    try:
-        packages = read_apt_list()
-    except OSError:
-        packages = []
-    for package in packages:
+    for package in read_apt_list():
         if package.proof == f"lib:{soname}":
             return (
                 f"The system library {soname} is missing; "
@@ -501,7 +462,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def report(options: argparse.Namespace, _open_window: object = None) -> int:
     """Print what is there and what is missing; 0 when all that is required is there."""
     checks = check()
-    missing = missing_apt() if APT_LIST.is_file() else []
+    missing = missing_apt()
     ok = all(each.ok for each in checks if each.required)
     if options.json:
         rows = [dataclasses.asdict(each) for each in checks]
@@ -534,11 +495,7 @@ def main(argv: list[str]) -> int:
     arguments = parser.parse_args(argv)
     if not arguments.missing_apt:
         return report(arguments)
-    try:
-        print(*_missing_of_need(arguments.missing_apt))
-    except OSError as error:
-        print(f"The list of system packages is not here: {error}", file=sys.stderr)
-        return 1
+    print(*_missing_of_need(arguments.missing_apt))
     return 0
 
 

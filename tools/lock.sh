@@ -15,7 +15,7 @@ compile() {
       --generate-hashes --no-header --no-annotate --no-config "$@"
 }
 
-compile --extra dev --extra vision --output-file packaging/requirements-dev.lock "$@"
+compile --extra dev --extra vision --extra study --output-file packaging/requirements-dev.lock "$@"
 # The runtime lock follows the other one, so that ./run and ./test agree on every version.
 sed -n '/^[^ ]/s/ \\$//p' packaging/requirements-dev.lock >"$pins"
-compile --constraint "$pins" --output-file packaging/requirements.lock "$@"
+compile --extra study --constraint "$pins" --output-file packaging/requirements.lock "$@"

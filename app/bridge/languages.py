@@ -9,8 +9,9 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from hapticplayer.errors import Message
+from hapticplayer.installation import shipped
 
-FOLDER = Path(__file__).resolve().parents[2] / "resources" / "i18n"
+FOLDER = shipped("resources/i18n")
 ENGLISH, SYSTEM = "en", "system"
 NAMES = {ENGLISH: "English", "de": "Deutsch", "fr": "Fran\u00e7ais"}
 """Each in itself: who looks for a language reads no other."""

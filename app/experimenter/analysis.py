@@ -31,6 +31,7 @@ from app.widgets.layout import (
 from app.widgets.messages import JobBar, MessageBar
 from hapticplayer.clock import Clock
 from hapticplayer.errors import Message, Progress, message_of
+from hapticplayer.installation import require
 from hapticplayer.study.answers import Answers, read_answers
 from hapticplayer.study.study_folder import Study
 
@@ -55,6 +56,7 @@ class Report:
 
 def made_report(answers: Answers, *, progress: Progress) -> Report:
     """Return the report of a study's answers."""
+    require("study", Message("the report"))
     from hapticplayer.study.analysis.figures import DPI, image
     from hapticplayer.study.analysis.report import analyse_study
     from hapticplayer.study.analysis.typesetting import body

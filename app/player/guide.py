@@ -26,10 +26,9 @@ from app.widgets.layout import (
     resize_within_screen,
     row_of,
 )
+from hapticplayer.installation import shipped
 from hapticplayer.untrusted import read_regular
 
-_ROOT = Path(__file__).resolve().parents[2]
-_PLACES = (_ROOT / "docs", _ROOT / "resources" / "docs")  # in the tree, installed
 _FIRST = ("play", "import", "recording", "force", "effects", "devices", "study")
 _THEN = ("participant", "safety", "formats", "methods", "reference")
 WIDTH_PX, HEIGHT_PX = 900, 640
@@ -50,11 +49,6 @@ class Section(NamedTuple):
     def matches(self, words: str) -> bool:
         whole = self.text.lower()
         return all(word in whole for word in words.lower().split())
-
-
-def documents() -> Path:
-    """The folder of the documents."""
-    return next((one for one in _PLACES if one.is_dir()), _PLACES[0])
 
 
 def read_guide(folder: Path) -> list[Section]:
@@ -86,7 +80,7 @@ class GuideWindow(QDialog):
         super().__init__(parent)
         self.setWindowTitle(self.tr("Guide"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        folder = folder or documents()
+        folder = folder or shipped("docs")
         self.sections = read_guide(folder)
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Search the guide"))

@@ -6,7 +6,6 @@ from PySide6.QtCore import QCoreApplication
 
 from app.bridge.languages import translated
 from app.player.homing_view import leg_names
-from hapticplayer.devices import UDEV_RULE
 from hapticplayer.devices.falcon.firmware import FirmwareMissingError
 from hapticplayer.devices.falcon.homing import Advice
 from hapticplayer.devices.falcon.setting_up import Progress, Step
@@ -17,6 +16,7 @@ from hapticplayer.devices.falcon.transport import (
     FalconGoneError,
 )
 from hapticplayer.errors import message_of
+from hapticplayer.installation import UDEV_RULE
 
 translate = QCoreApplication.translate
 

@@ -1,13 +1,14 @@
 """Colours, fonts and icons; contrast is at least 4.5 to 1."""
 
 from functools import cache
-from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication
 
-FOLDER = Path(__file__).resolve().parents[2] / "resources" / "icons"
+from hapticplayer.installation import shipped
+
+FOLDER = shipped("resources/icons")
 _OFF_OPACITY = 0.35
 _ONLY_ITS_SHAPE = QPainter.CompositionMode.CompositionMode_SourceIn
 _RATIOS = (1.0, 1.25, 1.5, 2.0, 3.0)  # of screens

@@ -16,7 +16,8 @@ from hapticplayer.capture.sync import methods
 from hapticplayer.capture.sync.result import COARSE, FoundMounting
 from hapticplayer.cli.common import add_number, add_overwrite, refuse_idle
 from hapticplayer.cli.plots import is_plot
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
+from hapticplayer.installation import require
 from hapticplayer.model import ranges
 from hapticplayer.motion import DEFAULT_METHOD, METHODS
 from hapticplayer.sequence.calibration import read_calibration
@@ -242,6 +243,7 @@ def plot_target(options: argparse.Namespace) -> Path | None:
     """Return the file to draw, checked before the long work starts."""
     if options.plot is None:
         return None
+    require("study", Message("drawing a figure"))
     target = Path(options.plot)
     if target.suffix.lower() not in PLOT_FORMATS:
         raise UsageError(

@@ -15,7 +15,8 @@ from hapticplayer.cli.common import (
     shown_progress,
 )
 from hapticplayer.clock import SystemClock
-from hapticplayer.errors import UsageError
+from hapticplayer.errors import Message, UsageError
+from hapticplayer.installation import require
 from hapticplayer.model import Feedback, ranges
 from hapticplayer.rendering import condition_named
 from hapticplayer.simulation.participants import (
@@ -190,6 +191,7 @@ _MOST_SEQUENCES = 20
 def analyse(options: argparse.Namespace) -> int:
     """Print the statistics of a study, and write its report where that is wanted."""
     if options.output is not None:
+        require("study", Message("writing a report"))
         refuse_existing(options.output, FOLDER)
     choices = AnalysisOptions(
         MissingPolicy(options.missing),

@@ -16,7 +16,6 @@ from hapticplayer.extension import load, rows
 from hapticplayer.model.device import DeviceCapabilities, DeviceReading, Signal, Vector
 
 NO_DEVICE = "none"
-UDEV_RULE = "packaging/udev/70-novint-falcon.rules"
 FAULTS = "hapticplayer.extras.faults"
 """Package of the faults that developers can inject into what has a `server`."""
 _RELEASE_S, _OWN_LOOP_RELEASE_S = 2.0, 4.0

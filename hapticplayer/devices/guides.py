@@ -12,10 +12,13 @@ from hapticplayer.devices import DeviceEntry
 from hapticplayer.devices.checks import Check, until_unmet
 from hapticplayer.errors import Message, message_of
 from hapticplayer.extension import load
+from hapticplayer.installation import how_to_get
 from hapticplayer.model.device import DeviceCapabilities, Signal
 
 Checks = Callable[[Any], Iterable[Check]]
-WEBSOCKETS = Message("Install hapticplayer with its extra websockets.")
+WEBSOCKETS = Message(
+    "Install hapticplayer[websockets]: {how}", how=how_to_get("websockets")
+)
 
 
 def _nothing(_options: Any) -> Iterable[Check]:

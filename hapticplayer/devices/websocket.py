@@ -6,6 +6,7 @@ import struct
 from typing import Any
 
 from hapticplayer.errors import DeviceError
+from hapticplayer.installation import how_to_get
 
 OPENING_S = 3.0
 SHOWN = 80
@@ -60,8 +61,9 @@ class Connection:
             from websockets.sync.client import connect
         except ImportError as problem:
             raise DeviceError(
-                "the Python package websockets is missing; install hapticplayer with its "
-                "extra websockets"
+                "the Python package websockets is missing; install "
+                "hapticplayer[websockets] ({how})",
+                how=how_to_get("websockets"),
             ) from problem
         self._problems = (OSError, WebSocketException)
         try:

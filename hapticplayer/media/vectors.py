@@ -11,7 +11,8 @@ from av.sidedata.motionvectors import MotionVectors
 from av.video.frame import PictureType, VideoFrame
 from numpy.typing import NDArray
 
-from hapticplayer.errors import MediaError, Message
+from hapticplayer.errors import MediaError
+from hapticplayer.installation import how_to_get
 from hapticplayer.media.frames import DecodedFrame, rotation_of
 from hapticplayer.media.video import VideoDecoder
 
@@ -44,7 +45,8 @@ class VectorDecoder(VideoDecoder):
             raise MediaError(
                 "its video ({codec}) holds no motion vectors that can be read",
                 where=str(self._path),
-                remedy=Message("install hapticplayer[vision], or convert it to H.264"),
+                remedy="install hapticplayer[vision] ({how}), or convert it to H.264",
+                how=how_to_get("vision"),
                 codec=codec,
             )
 

@@ -11,6 +11,7 @@ import msgspec
 
 from hapticplayer import storage
 from hapticplayer.errors import Message, StudyError, UsageError, entry_named
+from hapticplayer.installation import shipped
 from hapticplayer.rendering import chosen_feedback
 from hapticplayer.storage import json_text
 from hapticplayer.study.definition import StudyFeedback, read_file
@@ -19,7 +20,7 @@ from hapticplayer.study.plan import LETTERS
 from hapticplayer.study.sequence_folders import refuse_estimates
 from hapticplayer.study.study_folder import Study, open_study
 
-TEMPLATES = Path(__file__).resolve().parents[2] / "resources" / "studies"
+TEMPLATES = shipped("resources/studies")
 _ID_LETTERS = 10
 _KEY_OF = re.compile(r"(?:([a-z0-9_-]+)=)?(.*)", re.DOTALL)
 

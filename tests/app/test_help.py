@@ -9,10 +9,11 @@ import pytest
 from PySide6.QtCore import QUrl
 
 from app.player import help_pages
-from app.player.guide import GuideWindow, documents, read_guide, slug
+from app.player.guide import GuideWindow, read_guide, slug
 from app.player.help_pages import CheckPage, ReportPage
 from app.player.problem_report import without_names, without_texts
 from hapticplayer.errors import InputError, Message, message_of
+from hapticplayer.installation import shipped
 
 LINK = re.compile(r"\]\(([\w-]+\.md)?(?:#([\w-]+))?\)")
 
@@ -32,7 +33,7 @@ def titles(guide):
 
 def test_every_document_is_a_page_and_what_people_do_comes_first(guide):
     pages = list(dict.fromkeys(one.page for one in guide.sections))
-    assert set(pages) == {path.name for path in documents().glob("*.md")}
+    assert set(pages) == {path.name for path in shipped("docs").glob("*.md")}
     assert pages[:2] == ["play.md", "import.md"]
     assert len(titles(guide)) == len(pages)
 

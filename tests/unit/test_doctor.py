@@ -7,11 +7,12 @@ import subprocess
 import sys
 import tomllib
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from hapticplayer import doctor, errors
+from hapticplayer import doctor, errors, installation
 
 RUN_PACKAGES = [
     package for package in doctor.read_apt_list() if package.group in doctor.RUN_GROUPS
@@ -28,11 +29,6 @@ def lack(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
         monkeypatch.setattr(doctor, "is_there", lambda proof: proof not in proofs)
 
     return pretend
-
-
-@pytest.fixture
-def without_list(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(doctor, "APT_LIST", tmp_path / "apt-packages.txt")
 
 
 @pytest.fixture
@@ -71,7 +67,7 @@ def test_all_missing_packages_stand_in_one_command(lack, capsys) -> None:
 
     assert doctor.main([]) == 1
 
-    command = f"{doctor.APT_INSTALL} libgl1 libxcb-cursor0 libportaudio2\n"
+    command = f"{doctor.APT_INSTALL} libxcb-cursor0 libgl1 libportaudio2\n"
     assert command in capsys.readouterr().out
 
 
@@ -110,14 +106,6 @@ def test_json_holds_every_check_and_the_verdict(lack, capsys) -> None:
     assert {"name", "ok", "required", "detail", "remedy"} == set(report["checks"][0])
 
 
-def test_an_installation_without_the_list_says_so(without_list, capsys) -> None:
-    assert doctor.main([]) == 0
-    assert "not looked at: the list of them is not here" in capsys.readouterr().out
-
-    assert doctor.main(["--missing-apt"]) == 1
-    assert "not here" in capsys.readouterr().err
-
-
 def test_a_missing_python_package_is_named(monkeypatch, lack, capsys) -> None:
     lack()
     monkeypatch.setitem(doctor.PYTHON_PACKAGES, "gone", "gone-package")
@@ -126,38 +114,35 @@ def test_a_missing_python_package_is_named(monkeypatch, lack, capsys) -> None:
     assert "missing: gone-package: ./run sets them up" in capsys.readouterr().out
 
 
-def test_opencv_may_be_missing(monkeypatch, lack, capsys) -> None:
+@pytest.mark.parametrize("name", sorted(installation.EXTRAS))
+def test_a_missing_extra_is_named_with_what_it_brings(
+    monkeypatch, lack, capsys, name
+) -> None:
     lack()
-    monkeypatch.setattr(doctor, "OPENCV", "gone-package")
-
-    assert doctor.main([]) == 0
-    assert f"{sys.executable} -m pip install gone-package" in capsys.readouterr().out
-
-
-def test_cameras_that_are_not_read_are_named(monkeypatch, lack, capsys) -> None:
-    lack()
-    monkeypatch.setattr(doctor, "CAMERAS", "gone-package")
-    monkeypatch.setattr(doctor, "NEWEST_FOR_CAMERAS", sys.version_info[:2])
+    extra = replace(installation.EXTRAS[name], packages={"gone": "gone-package"})
+    monkeypatch.setitem(installation.EXTRAS, name, replace(extra, newest=()))
 
     assert doctor.main([]) == 0
     said = capsys.readouterr().out
-    assert "Sony and Insta360 is not read" in said
+    assert f"[{name}]" in said
+    assert extra.without in said
     assert f"{sys.executable} -m pip install gone-package" in said
-
-    monkeypatch.setattr(doctor, "NEWEST_FOR_CAMERAS", (3, 10))
-    assert doctor.main([]) == 0
-    said = capsys.readouterr().out
-    assert "gone-package exists for Python up to 3.10 only" in said
 
 
 def test_python_packages_are_those_of_the_project() -> None:
     project = tomllib.loads((doctor.ROOT / "pyproject.toml").read_text())["project"]
     wanted = {re.split(r"[<>=;]", each)[0] for each in project["dependencies"]}
+    optional = {
+        name: sorted(re.split(r"[<>=;]", each)[0] for each in packages)
+        for name, packages in project["optional-dependencies"].items()
+        if name != "dev"
+    }
 
     assert set(doctor.PYTHON_PACKAGES.values()) == wanted
-    for name, package in (("vision", doctor.OPENCV), ("cameras", doctor.CAMERAS)):
-        extra = project["optional-dependencies"][name]
-        assert [re.split(r"[<>=;]", each)[0] for each in extra] == [package]
+    assert optional == {
+        name: sorted(extra.packages.values())
+        for name, extra in installation.EXTRAS.items()
+    }
 
 
 def test_the_file_runs_alone_on_a_bare_python(tmp_path) -> None:
@@ -170,7 +155,7 @@ def test_the_file_runs_alone_on_a_bare_python(tmp_path) -> None:
     assert result.stderr == ""
 
 
-@pytest.mark.parametrize("module", [doctor, errors])
+@pytest.mark.parametrize("module", [doctor, errors, installation])
 def test_the_doctor_needs_only_the_standard_library(module) -> None:
     source = Path(module.__file__).read_text(encoding="utf-8")
     imported = set()
@@ -182,6 +167,7 @@ def test_the_doctor_needs_only_the_standard_library(module) -> None:
 
     assert imported - {
         "hapticplayer.errors",
+        "hapticplayer.installation",
         "collections.abc",
         "importlib.machinery",
     } <= (sys.stdlib_module_names)
@@ -245,12 +231,6 @@ def test_proofs_look_at_the_machine(proof, there) -> None:
 )
 def test_import_errors_are_explained(error, sentence) -> None:
     assert doctor.explain_import_error(error) == sentence
-
-
-def test_import_errors_are_explained_without_the_list(without_list) -> None:
-    error = ImportError(f"libGL.so.1: {NOT_FOUND}")
-
-    assert "libGL.so.1 is missing" in doctor.explain_import_error(error)
 
 
 def test_a_display_that_answers_is_found(monkeypatch, listener) -> None:

@@ -40,7 +40,7 @@ def test_the_development_lock_holds_the_runtime_lock() -> None:
 
 
 @pytest.mark.parametrize(
-    ("lock", "extra"), [(LOCKS[0], []), (LOCKS[1], ["dev", "vision"])]
+    ("lock", "extra"), [(LOCKS[0], ["study"]), (LOCKS[1], ["dev", "vision", "study"])]
 )
 def test_locks_hold_what_the_project_asks_for(lock, extra) -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))

@@ -3,9 +3,9 @@
 import re
 from pathlib import Path
 
-from hapticplayer.devices import UDEV_RULE
 from hapticplayer.devices.falcon.transport import PRODUCT_ID, VENDOR_ID
 from hapticplayer.doctor import ROOT
+from hapticplayer.installation import UDEV_RULE
 
 PATH = ROOT / UDEV_RULE
 

@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 from pathlib import Path
 
-from hapticplayer.devices import UDEV_RULE
 from hapticplayer.devices.checks import Check, usable
 from hapticplayer.devices.falcon import firmware
 from hapticplayer.devices.falcon.transport import list_falcons
@@ -11,6 +10,7 @@ from hapticplayer.devices.falcon.usbfs import NODE
 from hapticplayer.devices.guides import Guide
 from hapticplayer.devices.options import DeviceOptions
 from hapticplayer.errors import HapticPlayerError, Message, message_of
+from hapticplayer.installation import UDEV_RULE
 
 _RULE = Message(
     "Copy the udev rule {rule} to /etc/udev/rules.d, then unplug the device and plug it "

@@ -12,8 +12,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from hapticplayer.devices import UDEV_RULE
 from hapticplayer.errors import DeviceError, Message
+from hapticplayer.installation import UDEV_RULE
 
 VENDOR_ID = 0x0403
 PRODUCT_ID = 0xCB48

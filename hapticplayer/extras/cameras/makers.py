@@ -1,12 +1,11 @@
 """Whose telemetry a clip holds, by its marks, and what reads it."""
 
-import importlib.util
 import os
 from pathlib import Path
 from typing import NamedTuple
 
-from hapticplayer.doctor import CAMERAS, how_to_get_cameras
 from hapticplayer.errors import Message
+from hapticplayer.installation import EXTRAS, how_to_get
 from hapticplayer.media.telemetry import data_tracks
 from hapticplayer.untrusted import open_regular
 
@@ -76,13 +75,12 @@ def marked_size(path: Path) -> int | None:
 
 def has_library() -> bool:
     """Whether the library can be imported here."""
-    return importlib.util.find_spec("telemetry_parser") is not None
+    return EXTRAS["cameras"].is_here()
 
 
 def how_to_read() -> Message:
     """How to get the library."""
     return Message(
-        "install hapticplayer[cameras] ({library}), which reads it ({how})",
-        library=CAMERAS,
-        how=how_to_get_cameras(),
+        "install hapticplayer[cameras], which reads it ({how})",
+        how=how_to_get("cameras"),
     )

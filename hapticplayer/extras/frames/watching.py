@@ -26,6 +26,7 @@ from hapticplayer.extras.frames.features import (
     FeatureTracker,
     Matches,
 )
+from hapticplayer.installation import how_to_get
 from hapticplayer.media.clip_info import probe
 from hapticplayer.media.frames import DecodedFrame
 from hapticplayer.media.vectors import VectorDecoder
@@ -170,7 +171,8 @@ def opencv() -> Any:
         raise InputError(
             "following frames needs OpenCV, which is not installed",
             remedy="install hapticplayer[vision], which synchronises without taps, "
-            "finds the mounting of a sensor and suggests motion for a plain video",
+            "finds the mounting of a sensor and suggests motion for a plain video ({how})",
+            how=how_to_get("vision"),
         )
     cv2 = importlib.import_module("cv2")
     cv2.setNumThreads(1)  # the same result everywhere, and the window keeps its cores

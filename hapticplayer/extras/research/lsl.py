@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hapticplayer.errors import Message, StudyError
+from hapticplayer.installation import how_to_get
 
 MARKERS, FORCE = "hapticplayer-markers", "hapticplayer-force"
 FORCE_RATE_HZ = 1000.0
@@ -78,7 +79,8 @@ def _library() -> Any:
     except (ImportError, RuntimeError, NotImplementedError) as problem:
         raise StudyError(
             "LSL streams need pylsl 1.18 or newer with its library",
-            remedy="install hapticplayer[lsl], or {otherwise}",
+            remedy="install hapticplayer[lsl] ({how}), or {otherwise}",
+            how=how_to_get("lsl"),
             otherwise=_WITHOUT,
         ) from problem
     return library

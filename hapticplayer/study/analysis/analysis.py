@@ -2,6 +2,7 @@
 
 import dataclasses
 import importlib.metadata
+import importlib.util
 import platform
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -62,7 +63,11 @@ class AnalysisOptions:
 
     def provenance(self) -> dict[str, Any]:
         """Return versions and options, which reproduce the numbers."""
-        versions = {name: importlib.metadata.version(name) for name in _LIBRARIES}
+        versions = {
+            name: importlib.metadata.version(name)
+            for name in _LIBRARIES
+            if importlib.util.find_spec(name)
+        }
         return {
             "program": f"hapticplayer {__version__}",
             "versions": {"python": platform.python_version(), **versions},

@@ -75,7 +75,7 @@ def test_a_driver_of_the_system_is_detached(bench):
 @pytest.mark.parametrize(
     ("code", "remedy"),
     [
-        (errno.EACCES, r"udev rule packaging/udev/.*\.rules"),
+        (errno.EACCES, r"udev rule .*packaging/udev/.*\.rules"),
         (errno.EPERM, "udev rule"),
         (errno.EBUSY, "another program"),
         (errno.ENOSYS, "WinUSB"),

@@ -1,0 +1,81 @@
+import re
+import sys
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from hapticplayer import installation
+from hapticplayer.errors import InputError, Message
+
+ROOT = installation.ROOT
+BUILD = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"][
+    "hatch"
+]["build"]["targets"]["wheel"]
+PLACES = {
+    place
+    for folder in ("app", "hapticplayer")
+    for path in (ROOT / folder).rglob("*.py")
+    for place in re.findall(r'\bshipped\(\s*"([^"]+)"', path.read_text("utf-8"))
+}
+
+
+def test_each_shipped_file_is_in_the_tree_and_in_a_wheel() -> None:
+    """A wheel holds the resources as they are, and what is copied into them."""
+    assert len(PLACES) >= 6
+    for place in PLACES:
+        assert (ROOT / place).exists(), place
+        copied = BUILD["force-include"]
+        source = next((one for one in copied if f"{place}/".startswith(f"{one}/")), "")
+        assert place.startswith("resources/") or copied[source] == f"resources/{source}"
+
+
+def test_a_wheel_finds_its_files_below_resources(monkeypatch, tmp_path) -> None:
+    monkeypatch.setattr(installation, "ROOT", tmp_path)
+    (tmp_path / "resources" / "docs").mkdir(parents=True)
+
+    assert installation.shipped("docs") == tmp_path / "resources" / "docs"
+    assert installation.shipped("resources/icons") == tmp_path / "resources" / "icons"
+
+
+@pytest.mark.parametrize(
+    ("marker", "command"),
+    [
+        ("pipx_metadata.json", "pipx inject hapticplayer pylsl"),
+        ("uv-receipt.toml", f"uv pip install --python {sys.executable} pylsl"),
+        ("pyvenv.cfg", f"{sys.executable} -m pip install pylsl"),
+    ],
+)
+def test_an_extra_is_added_as_the_program_was_installed(
+    monkeypatch, tmp_path, marker, command
+) -> None:
+    monkeypatch.setattr(sys, "prefix", str(tmp_path))
+    (tmp_path / marker).touch()
+
+    assert installation.how_to_get("lsl") == command
+
+
+def test_the_debian_package_takes_extras_beside_it(monkeypatch) -> None:
+    monkeypatch.setattr(sys, "prefix", "/usr/lib/hapticplayer")
+
+    folder = Path("/usr/local/lib/hapticplayer") / "python{}.{}".format(
+        *sys.version_info
+    )
+    assert installation.how_to_get("lsl").endswith(f"--target {folder} pylsl")
+
+
+def test_an_extra_that_is_too_old_for_this_python_says_so(monkeypatch) -> None:
+    cameras = replace(installation.EXTRAS["cameras"], newest=(3, 10))
+    monkeypatch.setitem(installation.EXTRAS, "cameras", cameras)
+
+    assert "exists for Python up to 3.10 only" in installation.how_to_get("cameras")
+
+
+def test_work_without_its_extra_is_refused_with_the_command(monkeypatch) -> None:
+    gone = replace(installation.EXTRAS["study"], packages={"gone": "gone-package"})
+    monkeypatch.setitem(installation.EXTRAS, "study", gone)
+
+    with pytest.raises(InputError, match="writing a report needs gone-package") as said:
+        installation.require("study", Message("writing a report"))
+    assert "-m pip install gone-package" in str(said.value)
