@@ -6,6 +6,7 @@ from benchmarks.common import command
 
 PLACES = {
     "accuracy": "motion.accuracy",
+    "causal": "motion.causal",
     "short_clips": "motion.short_clips",
     "run_time": "motion.run_time",
     "stress": "campaigns:stress",

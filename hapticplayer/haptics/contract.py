@@ -13,7 +13,7 @@ from typing import NamedTuple
 from hapticplayer.haptics.centring import Centring
 from hapticplayer.haptics.hand import HandState
 from hapticplayer.haptics.limiter import ZERO, Limits, is_finite, outward_n
-from hapticplayer.haptics.track import LoadedTrack
+from hapticplayer.haptics.track import AnyTrack
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.device import Vector
 
@@ -79,6 +79,7 @@ class Cause(enum.IntEnum):
     OUTSIDE = 21
     COMMAND_STALE = 22
     GUARD_LOST = 23
+    SOURCE_SILENT = 24
 
 
 class Request(enum.IntEnum):
@@ -117,7 +118,7 @@ class State(NamedTuple):
     hand: HandState = HandState()  # the grip as last seen
     heat_n2: float = 0.0  # mean square force of the last seconds
     acted_s: float = -math.inf  # last time at which a force was allowed
-    track: LoadedTrack | None = None  # that was followed
+    track: AnyTrack | None = None  # that was followed
     switch_n: Vector = ZERO  # left of the difference to the track before
 
 
@@ -127,7 +128,7 @@ class Situation(NamedTuple):
     now_s: float
     clock: PlaybackClock | None  # the newest playback clock, None before the first
     # the track that the clock names, None while it is not loaded
-    track: LoadedTrack | None
+    track: AnyTrack | None
     state: State  # what the last tick returned
     hand: HandState  # the grip as `observe` has it after the last exchange
     supervision: Supervision
@@ -217,6 +218,11 @@ def _is_clock_stale(s: Situation) -> bool:
     return s.clock is not None and s.now_s > s.clock.valid_until_s
 
 
+def _is_source_silent(s: Situation) -> bool:
+    assert s.track is not None  # the row NO_TRACK comes before
+    return s.track.is_silent(s.now_s)
+
+
 def _is_track_ended(s: Situation) -> bool:
     assert s.track is not None  # the row NO_TRACK comes before
     return s.media_s >= s.track.end_s
@@ -280,6 +286,8 @@ RULES: tuple[Rule, ...] = (
     Rule(Cause.PAUSED, _RAMP, _is_paused),
     # the player has not published its clock for 150 ms
     Rule(Cause.CLOCK_STALE, _RAMP, _is_clock_stale),
+    # the source of a live force has not measured for 100 ms
+    Rule(Cause.SOURCE_SILENT, _RAMP, _is_source_silent),
     Rule(Cause.TRACK_ENDED, _RAMP, _is_track_ended),
     # the clip was sought or looped, or has another force track
     Rule(Cause.SEEK, _RAMP, _has_new_epoch),

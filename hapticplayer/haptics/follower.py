@@ -11,7 +11,7 @@ from hapticplayer.haptics.messages import (
     ReceivedMessage,
     close_descriptor,
 )
-from hapticplayer.haptics.track import FORCE_COLUMNS, LoadedTrack, map_track
+from hapticplayer.haptics.track import FORCE_COLUMNS, AnyTrack, map_track
 from hapticplayer.model import PlaybackClock
 
 CHECKED_PER_TICK = 10_000  # numbers of a new track: 0.25 ms
@@ -50,11 +50,11 @@ class TrackFollower:
 
     def listen(self) -> None:
         """Begin: no track, no clock, nothing asked for."""
-        self._tracks: dict[int, LoadedTrack] = {}
-        self._unchecked: dict[int, LoadedTrack] = {}
-        self._newer: dict[int, LoadedTrack] = {}  # than the unchecked ones
+        self._tracks: dict[int, AnyTrack] = {}
+        self._unchecked: dict[int, AnyTrack] = {}
+        self._newer: dict[int, AnyTrack] = {}  # than the unchecked ones
         self._playback: PlaybackClock | None = None
-        self._track: LoadedTrack | None = None
+        self._track: AnyTrack | None = None
         self._clock_count = 0
         self._request = Request.NONE
         self._is_asked_to_quit = False

@@ -15,6 +15,7 @@ from hapticplayer.devices import FAULTS, NO_DEVICE, DeviceEntry, find_device
 from hapticplayer.errors import DeviceError, HapticsError, Message, UsageError
 from hapticplayer.extension import load
 from hapticplayer.haptics.lifeline import hold_lifeline
+from hapticplayer.haptics.live import ScaledForce
 from hapticplayer.haptics.messages import MessageKind, MessageSocket, signal_alarm
 from hapticplayer.haptics.scheduling import DEVICE_PRIORITY, Scheduling, grant
 from hapticplayer.haptics.shared import BLOCK_BYTES, SharedBlock
@@ -31,6 +32,9 @@ from hapticplayer.model.device import ChannelLevel
 
 if TYPE_CHECKING:
     from hapticplayer.haptics.recorder import LoopRecording
+
+Signal = ForceTrack | RigTrack | ScaledForce
+"""What a loop plays."""
 
 GUARD_LATE_S = 0.1  # it beats every 19 ms; only then the kernel is asked about it
 
@@ -207,7 +211,7 @@ class HapticsProcesses:
         """Report that the main thread is alive; call it at least at 10 Hz."""
         self.block.beat(self._clock.now_s())
 
-    def load(self, tracks: Mapping[str, ForceTrack | RigTrack]) -> None:
+    def load(self, tracks: Mapping[str, Signal]) -> None:
         """Hand over tracks by name, in place of those before."""
         if self._line is None:
             return
@@ -219,7 +223,7 @@ class HapticsProcesses:
             self._next_track_id += 1
             self.replace(name, track)
 
-    def replace(self, name: str, track: ForceTrack | RigTrack) -> None:
+    def replace(self, name: str, track: Signal) -> None:
         """Hand over another version of a track, also while it plays.
 
         The loop plays the old one until the new one is checked (10,000 numbers a tick,

@@ -33,6 +33,11 @@ class Slots:
         self._bytes = layout.size + _CHECKSUM.size
         self._newest = memoryview(memory)[newest_at : newest_at + 8].cast("Q")
 
+    @property
+    def count(self) -> int:
+        """How many values there were: the same number means the same value."""
+        return int(self._newest[0])
+
     def write(self, *fields: Any) -> None:
         """Publish a value."""
         count = self._newest[0] + 1

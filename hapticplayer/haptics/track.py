@@ -8,6 +8,7 @@ from bisect import bisect_right
 from typing import TYPE_CHECKING
 
 from hapticplayer.haptics.limiter import ZERO
+from hapticplayer.haptics.live import LIVE_BYTES, LiveTrack, ScaledForce
 from hapticplayer.model.device import Vector
 
 if TYPE_CHECKING:  # the loop, which loads this, has no numpy
@@ -57,6 +58,10 @@ class LoadedTrack:
         self._checked = end
         return end >= rows + len(forces)
 
+    def is_silent(self, _now_s: float) -> bool:
+        """Whether its source is: it has none any more."""
+        return False
+
     def force_at(self, media_s: float) -> Vector:
         """Return the planned force, N, frame D.
 
@@ -104,8 +109,15 @@ class LoadedTrack:
         return row
 
 
-def to_shared_memory(track: "ForceTrack | RigTrack") -> int:
+AnyTrack = LoadedTrack | LiveTrack
+
+
+def to_shared_memory(track: "ForceTrack | RigTrack | ScaledForce") -> int:
     """Return the descriptor of a memory block that holds the track, owned by the caller."""
+    if isinstance(track, ScaledForce):
+        descriptor = anonymous_memory("hapticplayer-live", LIVE_BYTES)
+        track.attach(mmap.mmap(descriptor, LIVE_BYTES))
+        return descriptor
     from hapticplayer.model import ForceTrack, Reconstruction
 
     if isinstance(track, ForceTrack):
@@ -122,7 +134,7 @@ def to_shared_memory(track: "ForceTrack | RigTrack") -> int:
     return descriptor
 
 
-def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> LoadedTrack:
+def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> AnyTrack:
     """Return the track behind a descriptor; its numbers are still to be checked.
 
     Raises:
@@ -132,6 +144,8 @@ def map_track(descriptor: int, columns: int = FORCE_COLUMNS) -> LoadedTrack:
     if size < _HEADER.size:
         raise ValueError("it does not match its shared memory")
     block = mmap.mmap(descriptor, size, prot=mmap.PROT_READ)
+    if size == LIVE_BYTES and columns == FORCE_COLUMNS and not any(block[:8]):
+        return LiveTrack(block)  # a track has rows
     return LoadedTrack(block, columns)
 
 

@@ -35,6 +35,7 @@ CAUSE_TEXTS = {
     Cause.OUTSIDE: Message("grip at the edge of the workspace"),
     Cause.GUARD_LOST: Message("guard process not responding"),
     Cause.NO_TRACK: Message("no force track"),
+    Cause.SOURCE_SILENT: Message("sensor silent"),
 }
 _DEVICE = Message("check its cable and power supply, then test the device")
 _BUSY = Message("close other programs")
@@ -44,6 +45,7 @@ _REMEDIES = {
     Cause.NOT_FINITE: Message("make the force again"),
     Cause.NOT_HOMED: Message("set the device up first"),
     Cause.RUNAWAY: _HAND,
+    Cause.SOURCE_SILENT: Message("check the sensor's cable, power and range"),
     Cause.OUTSIDE: _HAND,
     Cause.UNPLUGGED: _DEVICE,
     Cause.REPLY_LATE: _DEVICE,

@@ -101,6 +101,28 @@ class Reporter:
             self.log.line(kind, **fields)
 
 
+class OutputReporter(Reporter):
+    """Reports what happens to an output under its name; the leading one logs ticks."""
+
+    def __init__(self, clock: Clock, whole: Reporter, output: str) -> None:
+        super().__init__(clock)
+        self._whole, self._output, self.leads = whole, output, False
+
+    def notify(self, sentence: str) -> None:
+        """Add a notice."""
+        if not self.leads:
+            sentence = Message("{output}: {what}", output=self._output, what=sentence)
+        self._whole.notify(sentence)
+
+    def line(self, kind: str, **fields: Any) -> None:
+        self._whole.line(kind, output=self._output, **fields)
+
+    def ticks(self, records: NDArray[Any]) -> None:
+        """Log what was handed to the device."""
+        if self.leads and self._whole.log is not None:
+            self._whole.log.ticks(records)
+
+
 def is_log(head: bytes) -> bool:
     """Whether a file begins as a playback log does."""
     try:

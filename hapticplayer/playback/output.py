@@ -19,6 +19,7 @@ from hapticplayer.errors import Message
 from hapticplayer.haptics.block import REFUSED, SENT
 from hapticplayer.haptics.contract import Cause, Mode
 from hapticplayer.haptics.limiter import is_near_middle, limits_of
+from hapticplayer.haptics.live import LiveForce, ScaledForce
 from hapticplayer.haptics.processes import HapticsProcesses, Health
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.model import (
@@ -32,7 +33,7 @@ from hapticplayer.model.device import Signal
 from hapticplayer.playback.faults import NOBODY_LISTENS, OutputFaults
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
-from hapticplayer.playback.log import Reporter
+from hapticplayer.playback.log import OutputReporter, Reporter
 from hapticplayer.playback.meters import (
     Loudest,
     SyncAlarm,
@@ -42,6 +43,7 @@ from hapticplayer.playback.meters import (
 )
 from hapticplayer.playback.snapshot import Measurements, OutputSnapshot, SyncTraces
 from hapticplayer.rendering import adapted
+from hapticplayer.rendering.force import device_gain
 
 SYNC_LOG_PERIOD_S = 1.0
 TICKS_BEFORE_S = 0.02  # of an event: the tick that it falls into, even a late one
@@ -51,6 +53,8 @@ REARM_S = 0.06  # until a loop has followed: it may be at rest, with ticks of 20
 _DEAD = (Health.GONE, Health.FAILED)
 
 NO_TRACK = ""  # no force; what comes after it fades in
+LIVE = "live"  # in place of a condition: what is measured now
+Force = ForceTrack | LiveForce
 NO_MOTION = Message(
     "a rig moves only with the realistic feedback of a sequence that has its motion"
 )
@@ -65,28 +69,6 @@ class OutputContext(NamedTuple):
     latch: StopLatch
     scheduling: Scheduling | None = None
     make: Callable[..., HapticsProcesses] = HapticsProcesses
-
-
-class _Tagged(Reporter):
-    """Reports what happens to an output under its name; the leading one logs ticks."""
-
-    def __init__(self, clock: Clock, whole: Reporter, output: str) -> None:
-        super().__init__(clock)
-        self._whole, self._output, self.leads = whole, output, False
-
-    def notify(self, sentence: str) -> None:
-        """Add a notice."""
-        if not self.leads:
-            sentence = Message("{output}: {what}", output=self._output, what=sentence)
-        self._whole.notify(sentence)
-
-    def line(self, kind: str, **fields: Any) -> None:
-        self._whole.line(kind, output=self._output, **fields)
-
-    def ticks(self, records: NDArray[Any]) -> None:
-        """Log what was handed to the device."""
-        if self.leads and self._whole.log is not None:
-            self._whole.log.ticks(records)
 
 
 class Output:
@@ -118,7 +100,7 @@ class Output:
         is_lent: bool = False,
     ) -> None:
         self._context, self._clock, self._latch = context, context.clock, context.latch
-        self._reporter = _Tagged(context.clock, context.reporter, name)
+        self._reporter = OutputReporter(context.clock, context.reporter, name)
         self.name, self._before = name, before
         self.capabilities: DeviceCapabilities | None = None
         self.gain, self._address = 1.0, ""
@@ -128,7 +110,7 @@ class Output:
             self.gain, self._address = entry.settings.gain, entry.settings.address
         self.set_latencies(Latencies())
         self.feedback, self.is_muted, self.is_lent = "", False, is_lent
-        self._tracks: Mapping[str, ForceTrack] = {}
+        self._tracks: Mapping[str, Force] = {}
         self._motion: RigTrack | None = None
         self._names: set[str] = set()
         self._releasing: list[threading.Thread] = []
@@ -212,25 +194,33 @@ class Output:
         """Take what is known of this device."""
         self.latency_s, self.latency_source = latencies.of_device(self.name)
 
-    def load(self, tracks: Mapping[str, ForceTrack], rig: RigTrack | None) -> None:
+    def load(self, tracks: Mapping[str, Force], rig: RigTrack | None) -> None:
         """Hand over the signal of each condition in place of those before."""
         self._tracks, self._motion = tracks, rig
-        signals: dict[str, ForceTrack | RigTrack] = dict(tracks)
+        signals: dict[str, Force | RigTrack] = dict(tracks)
         if self.takes_motion:
             signals = {} if rig is None else {Feedback.REALISTIC.value: rig}
         self._names = set(signals)
         if self.is_lent or (found := self.capabilities) is None:
             return
         self.processes.load(
-            {name: adapted(one, found, self.gain) for name, one in signals.items()}
+            {name: self._adapted(one, found) for name, one in signals.items()}
         )
 
-    def replace(self, name: str, track: ForceTrack) -> None:
+    def _adapted(
+        self, signal: Force | RigTrack, found: DeviceCapabilities
+    ) -> ForceTrack | RigTrack | ScaledForce:
+        if isinstance(signal, LiveForce):
+            x, y, z = (self.gain * device_gain(found)).tolist()
+            return signal.scaled(self.name, (x, y, z))
+        return adapted(signal, found, self.gain)
+
+    def replace(self, name: str, track: Force) -> None:
         """Hand over another version of a force; a rig moves as it did."""
         self._tracks, found = {**self._tracks, name: track}, self.capabilities
         is_here = not (self.is_lent or self.takes_motion) and name in self._names
         if found is not None and is_here:
-            self.processes.replace(name, adapted(track, found, self.gain))
+            self.processes.replace(name, self._adapted(track, found))
 
     def set_gain(self, gain: float) -> None:
         """Multiply what it plays, also while it plays; a rig fades in again."""
@@ -248,7 +238,8 @@ class Output:
     def publish(self, clock: PlaybackClock, feedback: str) -> None:
         """Beat, and publish where the clip is, with the player's condition."""
         self.processes.beat()
-        wanted = (self.feedback or feedback) if feedback else NO_TRACK
+        has_own = feedback not in {NO_TRACK, LIVE}
+        wanted = (has_own and self.feedback) or feedback
         is_on = wanted in self._names and not self.is_muted
         if self.takes_motion and any(one.is_releasing for one in self._before):
             is_on = False

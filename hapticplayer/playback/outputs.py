@@ -8,7 +8,7 @@ from hapticplayer.devices import NO_DEVICE, find_device
 from hapticplayer.errors import HapticPlayerError, UsageError
 from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
 from hapticplayer.playback.latency import Latencies
-from hapticplayer.playback.output import Output, OutputContext
+from hapticplayer.playback.output import Force, Output, OutputContext
 from hapticplayer.playback.snapshot import OutputSnapshot
 
 
@@ -22,7 +22,7 @@ class Outputs:
         self._released: list[Output] = []
         self._lends = 0
         self._latencies = Latencies()
-        self._tracks: Mapping[str, ForceTrack] = {}
+        self._tracks: Mapping[str, Force] = {}
         self._motion: MotionTrack | None = None
         self._order()
 
@@ -105,9 +105,7 @@ class Outputs:
         for one in (self._none, *self._all.values()):
             one.set_latencies(latencies)
 
-    def load(
-        self, tracks: Mapping[str, ForceTrack], motion: MotionTrack | None
-    ) -> None:
+    def load(self, tracks: Mapping[str, Force], motion: MotionTrack | None) -> None:
         """Hand over the tracks and the motion of a clip in place of those before."""
         self._tracks, self._motion = tracks, motion
         self._none.load(tracks, None)

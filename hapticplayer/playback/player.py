@@ -17,16 +17,17 @@ from numpy.typing import NDArray
 from hapticplayer.clock import Clock
 from hapticplayer.devices import NO_DEVICE
 from hapticplayer.errors import UsageError
+from hapticplayer.haptics.live import LiveForce
 from hapticplayer.haptics.processes import HapticsProcesses
 from hapticplayer.haptics.scheduling import Scheduling
 from hapticplayer.haptics.shared import TICK
-from hapticplayer.model import ForceTrack
+from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.playback.clip_playback import FASTEST, SLOWEST, ClipPlayback
-from hapticplayer.playback.clock import AudioReport
+from hapticplayer.playback.clock import HORIZON_S, AudioReport
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import PlaybackLog, Reporter
-from hapticplayer.playback.output import NO_TRACK, OutputContext
+from hapticplayer.playback.output import LIVE, NO_TRACK, OutputContext
 from hapticplayer.playback.outputs import Outputs
 from hapticplayer.playback.phases import Phase, PhaseEvent
 from hapticplayer.playback.snapshot import Measurements, Snapshot, SyncTraces
@@ -82,6 +83,7 @@ class Player:
         self._first_frame_s: float | None = None
         self._was_stalled = False
         self._verdict: Verdict | None = None
+        self._live: LiveForce | None = None
 
     @property
     def latch(self) -> StopLatch:
@@ -94,7 +96,7 @@ class Player:
         """Load a source and show its first frame; it does not play yet."""
         self._end_source()
         self._clip.open(source)
-        self._feedback = feedback or source.feedback
+        self._feedback, self._live = feedback or source.feedback, None
         self._outputs.load(source.tracks, source.motion)
 
     def prepare_sound(self) -> None:
@@ -133,6 +135,22 @@ class Player:
     def set_loop(self, span_s: tuple[float, float] | None) -> None:
         """Repeat a part of the clip, or nothing."""
         self._clip.loop_s = span_s
+
+    def feel(self, force: LiveForce | None) -> None:
+        """Play what is measured now in place of the clip, or the clip again.
+
+        The force fades in; the clip is paused, and playing it shows frames only.
+        """
+        self.pause()
+        self._clip.interrupt_force()
+        self._live, source = force, self._clip.source
+        if force is not None:
+            self._outputs.load({LIVE: force}, None)
+        else:
+            self._outputs.load(
+                *((source.tracks, source.motion) if source else ({}, None))
+            )
+        self._reporter.event("feel" if force else "feel_end")
 
     # --- commands: outputs ----------------------------------------------------
 
@@ -401,11 +419,19 @@ class Player:
         self._follow_latch()
         next_s = self._clip.advance(now_s)
         self._note_waiting()
-        has_no_force = self._has_stalled(now_s) or self._is_withheld()
-        has_no_force = has_no_force or self._latch.is_set
-        track = NO_TRACK if has_no_force else self._feedback
-        self._outputs.publish(self._clip.clock(), track)
+        self._publish(now_s)
         return min(next_s, now_s + POLL_S)
+
+    def _publish(self, now_s: float) -> None:
+        clock, track = self._clip.clock(), self._feedback
+        has_no_force = self._has_stalled(now_s) or self._is_withheld()
+        if self._live is not None:  # its media clock is the machine's
+            epoch = self._clip.media.epoch
+            rate = float(self._live.has_begun)
+            clock = PlaybackClock(epoch, 0.0, 0.0, rate, now_s + HORIZON_S)
+            track, has_no_force = LIVE, False
+        has_no_force = has_no_force or self._latch.is_set
+        self._outputs.publish(clock, NO_TRACK if has_no_force else track)
 
     def _has_stalled(self, now_s: float) -> bool:
         """Whether the decoder does not keep up: no force without its frame."""

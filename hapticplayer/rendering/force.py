@@ -58,14 +58,10 @@ def render_force(
     force_n, shortened = np.empty((len(time_s), 3), np.float32), 0
     for start in range(0, len(time_s), _ROWS):
         rows = slice(start, start + _ROWS)
-        force = mapping.gains_n_per_mps2 * (acceleration[rows] @ mapping.axes.T)
+        force, is_shortened = mapped(acceleration[rows], mapping)
         force[~valid[rows]] = 0.0
-        magnitude = np.linalg.norm(force, axis=1)
-        over = magnitude > (mapping.soft_knee_n or mapping.force_limit_n)
-        limited = _limited(magnitude[over], mapping)
-        force[over] *= (limited / magnitude[over])[:, None]
         force_n[rows] = force
-        shortened += int(np.count_nonzero(over))
+        shortened += int(np.count_nonzero(is_shortened & valid[rows]))
     force_n.setflags(write=False)  # then the track takes it instead of a copy
     return ForceTrack(
         time_s=time_s,
@@ -84,6 +80,21 @@ def render_force(
             "reconstruction": "integral-spline" if is_dense else "linear",
         },
     )
+
+
+def mapped(
+    acceleration_mps2: Floats, mapping: Mapping
+) -> tuple[Floats, NDArray[np.bool_]]:
+    """Return the force (N, 3), frame D, of accelerations (N, 3), frame A.
+
+    And (N,) where it was shortened: above the knee, or the limit.
+    """
+    force = mapping.gains_n_per_mps2 * (acceleration_mps2 @ mapping.axes.T)
+    magnitude = np.linalg.norm(force, axis=1)
+    over = magnitude > (mapping.soft_knee_n or mapping.force_limit_n)
+    limited = _limited(magnitude[over], mapping)
+    force[over] *= (limited / magnitude[over])[:, None]
+    return force, over
 
 
 def fit_gain(

@@ -39,7 +39,7 @@ def cases_of(side) -> list[tuple[str, int]]:
 
 def check_force_is_gone_in_time(side, name, phase):
     case, clock = CASES[name], SlowClock()
-    rig = Rig(device=side.make(clock), clock=clock)
+    rig = Rig(device=side.make(clock), clock=clock, is_live=case.is_live)
     rig.following(phase * STRIDE % 700)
     assert not rig.device.are_motors_off()
     case.inject(rig)

@@ -26,6 +26,7 @@ class Case:
         mend: takes it away again; None where nothing can.
         gap_s: length of the first period after it.
         passes_s: time that passes within the period that reacts.
+        is_live: whether the force has to be that of a live source.
     """
 
     cause: Cause
@@ -35,6 +36,7 @@ class Case:
     mend: Callable | None = None
     gap_s: float = 0.001
     passes_s: float = 0.0
+    is_live: bool = False
 
 
 def put(name, value):
@@ -161,6 +163,14 @@ CASES: dict[str, Case] = {
     "seek": Case(Cause.SEEK, RAMP, 1, seek, nothing),
     "track-taken-away": Case(
         Cause.NO_TRACK, RAMP, 1, put("track_id", 7), put("track_id", 1)
+    ),
+    "source-silent": Case(
+        Cause.SOURCE_SILENT,
+        RAMP,
+        101,
+        put("measures", False),
+        put("measures", True),
+        is_live=True,
     ),
     "end-of-track": Case(Cause.TRACK_ENDED, RAMP, 1, to_the_end, seek),
     "closing": Case(Cause.CLOSING, RAMP, 1, say(MessageKind.QUIT)),

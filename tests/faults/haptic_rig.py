@@ -8,6 +8,7 @@ from hapticplayer.devices.capabilities import FALCON
 from hapticplayer.errors import DeviceError
 from hapticplayer.haptics.contract import Mode
 from hapticplayer.haptics.limiter import PERIOD_S, ZERO, limits_of
+from hapticplayer.haptics.live import LiveForce
 from hapticplayer.model import ForceTrack, PlaybackClock
 from hapticplayer.model.device import DeviceReading
 from tests.rigs import LoopRig
@@ -116,12 +117,15 @@ class SlowClock(ManualClock):
 class Rig(LoopRig):
     """Player, loop and device in one thread; `tick` is one period."""
 
-    def __init__(self, force=None, device=None, clock=None):
+    def __init__(self, force=None, device=None, clock=None, *, is_live=False):
         super().__init__(clock or SlowClock(), device or Grip(), limits_of(FALCON))
         self.beats, self.refreshes, self.guards = True, True, True
         self.epoch, self.rate, self.track_id = 1, 1.0, 1
         self.delay_sending_s = 0.0
         self.media0_s, self.media_from_s = 0.0, self.clock.now_s()
+        self.live, self.measures = LiveForce() if is_live else None, True
+        if self.live:
+            force = self.live.scaled("", (1.0, 1.0, 1.0))
         self.give_track(force or swaying())
 
     def tick(self, count=1, gap_s=PERIOD_S):
@@ -130,6 +134,8 @@ class Rig(LoopRig):
         for number in range(count):
             self.clock.advance(gap_s if number == 0 else PERIOD_S)
             now_s = self.clock.now_s()
+            if self.live and self.measures:
+                self.live.write(now_s, swaying_force(now_s))
             if self.beats:
                 self.block.beat(now_s)
             if self.guards:
@@ -150,9 +156,8 @@ class Rig(LoopRig):
         raise AssertionError(f"still {self.mode.name} ({self.cause.name})")
 
     def playback(self, now_s):
-        return PlaybackClock(
-            self.epoch, self.media_from_s, self.media0_s, self.rate, now_s + 0.150
-        )
+        at_s = (0.0, 0.0) if self.live else (self.media_from_s, self.media0_s)
+        return PlaybackClock(self.epoch, *at_s, self.rate, now_s + 0.150)
 
     def seek(self, media_s):
         self.epoch += 1
@@ -178,8 +183,9 @@ class Rig(LoopRig):
 def swaying():
     """A force of 2 to 4 N that turns and grows and shrinks without end."""
     times = [0.005 * k for k in range(round(TRACK_S / 0.005) + 1)]
-    rows = []
-    for t in times:
-        size = 3.0 + math.sin(9.0 * t)
-        rows.append((size * math.cos(2.0 * t), size * math.sin(2.0 * t), 0.0))
-    return ForceTrack(times, rows)
+    return ForceTrack(times, [swaying_force(t) for t in times])
+
+
+def swaying_force(t):
+    size = 3.0 + math.sin(9.0 * t)
+    return (size * math.cos(2.0 * t), size * math.sin(2.0 * t), 0.0)

@@ -31,8 +31,15 @@ def slews(forces):
 
 
 @pytest.fixture
-def rig():
-    made = Rig()
+def rig(request):
+    made = Rig(is_live=CASES[request.node.callspec.params["name"]].is_live)
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def live_rig():
+    made = Rig(is_live=True)
     yield made
     made.close()
 
@@ -40,8 +47,16 @@ def rig():
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("phase", range(PHASES))
 def test_the_force_is_gone_in_exactly_the_stated_time(name, phase, rig):
-    case = CASES[name]
-    rig.following(phase * STRIDE % 700)
+    check_force_is_gone(CASES[name], rig, phase * STRIDE % 700)
+
+
+@pytest.mark.parametrize("name", [n for n in CASES if n != "end-of-track"])
+def test_a_live_force_is_gone_in_the_same_time(name, live_rig):
+    check_force_is_gone(CASES[name], live_rig, phase=300)
+
+
+def check_force_is_gone(case, rig, phase):
+    rig.following(phase)
     before = rig.device.sent[-1]
     case.inject(rig)
     quiet = rig.tick(case.notice - 1, case.gap_s) if case.notice > 1 else []

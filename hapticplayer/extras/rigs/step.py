@@ -26,7 +26,7 @@ from hapticplayer.haptics.contract import (
 )
 from hapticplayer.haptics.hand import HandState
 from hapticplayer.haptics.limiter import Limits
-from hapticplayer.haptics.track import LoadedTrack
+from hapticplayer.haptics.track import AnyTrack, LoadedTrack
 from hapticplayer.model import PlaybackClock
 from hapticplayer.model.rig import NEUTRAL, RigMotion
 
@@ -92,7 +92,7 @@ class RigState(NamedTuple):
 def rig_step(
     now_s: float,
     clock: PlaybackClock | None,
-    track: LoadedTrack | None,
+    track: AnyTrack | None,
     rig: RigState,
     supervision: Supervision,
     setup: RigSetup,

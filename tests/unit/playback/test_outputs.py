@@ -8,6 +8,7 @@ import pytest
 from hapticplayer.errors import DeviceError, UsageError
 from hapticplayer.haptics.block import REFUSED
 from hapticplayer.haptics.contract import Mode
+from hapticplayer.haptics.live import LiveForce, ScaledForce
 from hapticplayer.haptics.processes import Health
 from hapticplayer.haptics.shared import TICK
 from hapticplayer.model import ForceTrack, MotionTrack, PlaybackClock, RigTrack
@@ -15,9 +16,10 @@ from hapticplayer.model.device import ChannelLevel
 from hapticplayer.playback.latch import StopLatch
 from hapticplayer.playback.latency import Latencies
 from hapticplayer.playback.log import Reporter
-from hapticplayer.playback.output import LENT, NO_MOTION, OutputContext
+from hapticplayer.playback.output import LENT, LIVE, NO_MOTION, OutputContext
 from hapticplayer.playback.outputs import Outputs
 from hapticplayer.playback.player import Player
+from hapticplayer.rendering.force import device_gain
 from tests.needed_extras import needs
 
 RIG, OTHER = "rig:outsim,gain=0.5,latency_ms=40", "rig:beamng"
@@ -398,3 +400,19 @@ def test_one_that_is_lent_may_be_removed(outputs):
     outputs.lend(RIG)
     outputs.use([OTHER])
     assert [one.name for one in outputs] == [OTHER]
+
+
+def test_a_live_force_is_scaled_for_each_output(outputs):
+    force, found = LiveForce(), outputs["rumble"].capabilities
+    outputs["rumble"].feedback = "random"  # of clips
+    outputs["rumble"].set_gain(0.5)
+    outputs.load({LIVE: force}, None)
+    poll(outputs, LIVE)
+    assert processes_of(outputs, "rumble").published[-1][1] == LIVE
+    given = processes_of(outputs, "rumble").tracks[LIVE]
+    assert given == ScaledForce(force, "rumble", given.scale)
+    assert given.scale == tuple(0.5 * device_gain(found))
+    outputs["rumble"].set_gain(1.0)
+    assert processes_of(outputs, "rumble").tracks[LIVE].scale[0] == 2 * given.scale[0]
+    assert processes_of(outputs, RIG).tracks == {}
+    assert outputs.states(LIVE)[0].note == NO_MOTION
